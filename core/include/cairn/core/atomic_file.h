@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "cairn/core/result.h"
+
+namespace cairn {
+
+/// Writes a file completely or not at all: to a temporary name beside `path`, flushed to disk, then renamed over it. On
+/// failure, or when the process is told to end while writing, `path` is as it was and the temporary file is gone.
+Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view text);
+
+/// For writers that insist on a file name of their own: `write` gets a temporary path beside `path` with the same
+/// extension, which is renamed over `path` when it returns success and removed when it does not.
+Status writeFileAtomically(const std::filesystem::path& path,
+                           const std::function<Status(const std::filesystem::path& temporary)>& write);
+
+/// Whole content of a file, or an error that names it.
+Result<std::vector<std::byte>> readFile(const std::filesystem::path& path);
+
+}  // namespace cairn

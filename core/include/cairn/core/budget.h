@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+
+namespace cairn {
+
+/// Narrow-phase operations of Eq. 2.1 of Bradshaw's thesis, with the constants of its section 7.2.
+inline constexpr std::uint32_t kSphereUpdateCost = 2;
+inline constexpr std::uint32_t kOverlapTestCost = 1;
+
+/// How much work may still be done: operations (reproducible), time (not), or whichever ends first.
+///
+/// Work is charged *before* it is done and only if it fits, so an operation budget is never exceeded. Time is looked at
+/// every `kClockInterval` operations; it can be exceeded by that much work.
+class Budget {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::uint32_t kClockInterval = 256;
+  static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
+  static Budget unlimited() { return Budget(kUnlimited, Clock::time_point::max()); }
+  static Budget operations(std::uint64_t count) { return Budget(count, Clock::time_point::max()); }
+  /// Runs from now. Precondition: `microseconds >= 0`.
+  static Budget time(double microseconds) { return both(kUnlimited, microseconds); }
+  static Budget both(std::uint64_t operations, double microseconds);
+
+  /// Takes `cost` operations if they fit and the time is not up; otherwise takes nothing. `charge(0)` asks about time
+  /// alone.
+  bool charge(std::uint32_t cost) {
+    if (cost > remaining_ || timeIsUp()) return false;
+    chargeAnyway(cost);
+    return true;
+  }
+
+  /// Books work that is done whatever is left (re-testing known contacts): what is left shrinks, down to nothing.
+  void chargeAnyway(std::uint64_t cost) {
+    remaining_ -= cost < remaining_ ? cost : remaining_;
+    used_ += cost;
+    sinceClock_ += cost;
+  }
+
+  std::uint64_t used() const { return used_; }
+  std::uint64_t remaining() const { return remaining_; }
+
+ private:
+  Budget(std::uint64_t operations, Clock::time_point deadline) : remaining_(operations), deadline_(deadline) {}
+  bool timeIsUp() { return deadline_ != Clock::time_point::max() && sinceClock_ >= kClockInterval && lookAtClock(); }
+  bool lookAtClock();
+
+  std::uint64_t remaining_;
+  std::uint64_t used_ = 0;
+  std::uint64_t sinceClock_ = kClockInterval;  // look at once: a budget of zero microseconds does nothing
+  Clock::time_point deadline_;
+};
+
+}  // namespace cairn

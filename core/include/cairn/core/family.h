@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn {
+
+/// A closed ball.
+struct Sphere {
+  Vec3 center;
+  float radius = 0;
+
+  friend constexpr bool operator==(const Sphere&, const Sphere&) = default;
+};
+
+/// Siblings that one SIMD step tests together; also the largest branching factor.
+inline constexpr std::uint32_t kFamilyWidth = 8;
+
+/// Up to eight sibling spheres, structure of arrays: two cache lines answer a whole family. Dead lanes sit at infinity
+/// with radius 0, so that no test ever passes there and no arithmetic on them raises a floating-point exception.
+struct alignas(64) Family {
+  static constexpr float kNowhere = std::numeric_limits<float>::infinity();
+
+  float x[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
+  float y[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
+  float z[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
+  float radius[kFamilyWidth] = {};
+
+  Sphere sphere(std::uint32_t lane) const { return {{x[lane], y[lane], z[lane]}, radius[lane]}; }
+  void set(std::uint32_t lane, const Sphere& s) {
+    x[lane] = s.center.x;
+    y[lane] = s.center.y;
+    z[lane] = s.center.z;
+    radius[lane] = s.radius;
+  }
+};
+static_assert(sizeof(Family) == 128 && std::is_trivially_copyable_v<Family>);
+
+/// Sixteen extreme points of a region, structure of arrays; fewer are repeated.
+struct alignas(64) SupportBlock {
+  static constexpr std::uint32_t kWidth = 16;
+  float x[kWidth] = {}, y[kWidth] = {}, z[kWidth] = {};
+
+  Vec3 point(std::uint32_t lane) const { return {x[lane], y[lane], z[lane]}; }
+};
+static_assert(sizeof(SupportBlock) == 192 && std::is_trivially_copyable_v<SupportBlock>);
+
+/// Bit i is set when lane i of the family and `s` (same frame and unit) have a point in common, up to rounding: see
+/// `kOverlapSlack` for what a caller adds to `s.radius` to be conservative. One step of the fastest instruction set
+/// present; the same bits as `overlapScalar` on every one.
+std::uint32_t overlap(const Family& family, const Sphere& s);
+
+/// The scalar twin, for tests and as the definition of the result.
+std::uint32_t overlapScalar(const Family& family, const Sphere& s);
+
+/// The lane whose point is farthest along `direction`; the lowest such lane on a tie.
+std::uint32_t supportLane(const SupportBlock& block, const Vec3& direction);
+std::uint32_t supportLaneScalar(const SupportBlock& block, const Vec3& direction);
+
+/// Name of the instruction set `overlap` uses on this machine ("AVX2", ...).
+const char* simdTargetName();
+
+/// Relative slack that makes an overlap test conservative: moving a centre (three products, three sums a coordinate)
+/// and the test itself round by less than 16 units of 2^-24 of the lengths involved; 2^-20 covers both.
+inline constexpr float kOverlapSlack = 1.0F / (1 << 20);
+
+}  // namespace cairn

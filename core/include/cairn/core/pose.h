@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/vec3.h"
+
+namespace cairn {
+
+/// Where a tree stands in the world: `world = rotation * (scale * p) + translation`. Doubles, so that the pose of one
+/// body relative to another keeps float accuracy far from the world's origin. Precondition: rotation orthonormal, scale
+/// > 0.
+struct Pose {
+  Mat3d rotation;
+  Vec3d translation;
+  double scale = 1;
+
+  Vec3d operator*(const Vec3d& p) const { return rotation * (p * scale) + translation; }
+};
+
+/// A rotation, uniform scale and translation in one: `to = linear * from + translation`, lengths times `scale`.
+struct Similarity {
+  Mat3 linear;  ///< scale times rotation
+  Vec3 translation;
+  float scale = 1;
+
+  Vec3 operator*(const Vec3& p) const { return linear * p + translation; }
+};
+
+/// Maps points of the body at `from` into the frame and length unit of the body at `to`. Computed in double, rounded
+/// once.
+Similarity relativePose(const Pose& to, const Pose& from);
+
+}  // namespace cairn

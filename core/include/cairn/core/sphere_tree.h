@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cairn/core/family.h"
+#include "cairn/core/mass_properties.h"
+#include "cairn/core/result.h"
+#include "cairn/core/vec3.h"
+
+namespace cairn {
+
+/// Names a node: eight times its family plus its lane. The root is node 0; dead lanes have no name.
+using NodeId = std::uint32_t;
+
+inline constexpr NodeId kRootNode = 0;
+inline constexpr std::uint32_t kMaxSupportPoints = 16;
+inline constexpr std::uint32_t kMaxFaceNormals = 3;
+inline constexpr std::uint32_t kMaxDepth = 15;
+
+/// Directions within `halfAngle` of `axis`; holds every source normal of a region. `cosine` = cos(halfAngle),
+/// -1 when the region faces everywhere.
+struct NormalCone {
+  Vec3 axis{0, 0, 1};
+  float cosine = -1;
+
+  friend bool operator==(const NormalCone&, const NormalCone&) = default;
+};
+
+/// One node as a builder or a file describes it. All lengths in mesh units; all positions in the *tree frame*: mesh
+/// axes, origin at `SphereTreeData::origin`.
+struct NodeData {
+  Vec3 center;
+  float radius = 0;       ///< the closed ball holds the node's region of the surface
+  float error = 0;        ///< certified protrusion: no point of the ball is farther from the solid
+  float innerRadius = 0;  ///< the concentric ball of this radius lies inside the solid; 0 when the centre does not
+  std::uint32_t parent = 0;
+  std::uint32_t firstSupport = 0, supportCount = 0;    ///< into supportPoints, 1..kMaxSupportPoints
+  std::uint32_t firstNormal = 0, normalCount = 0;      ///< into faceNormals, 0..kMaxFaceNormals
+  std::uint32_t firstTriangle = 0, triangleCount = 0;  ///< into regionTriangles; a child's range lies in its parent's
+  NormalCone normalCone;
+
+  friend bool operator==(const NodeData&, const NodeData&) = default;
+};
+
+/// How a tree came to be, for reports; nothing at run time depends on it.
+struct BuildInfo {
+  std::string meshName;    ///< file name without folder
+  std::string meshSha256;  ///< of the mesh file's bytes, hexadecimal
+  std::string method;
+  std::uint32_t branching = 0, depth = 0, samples = 0;
+  std::uint64_t seed = 0;
+
+  friend bool operator==(const BuildInfo&, const BuildInfo&) = default;
+};
+
+/// Everything a tree consists of, unpacked. Nodes are breadth-first, the children of a node contiguous, the root first.
+struct SphereTreeData {
+  std::vector<NodeData> nodes;
+  std::vector<Vec3> supportPoints;
+  std::vector<Vec3> faceNormals;
+  std::vector<std::uint32_t> regionTriangles;  ///< indices into triangles
+  std::vector<Vec3> vertices;                  ///< the source mesh, tree frame
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Vec3d origin;         ///< of the tree frame, in the mesh's frame: the centre of mass rounded to float
+  MassProperties mass;  ///< mesh frame
+  BuildInfo info;
+
+  friend bool operator==(const SphereTreeData&, const SphereTreeData&) = default;
+};
+
+/// The certified sphere-tree: immutable, shared by all bodies of one shape, safe to read from any thread.
+///
+/// Hot data (centres, radii, child links) is one cache-aligned block per family of up to eight siblings; what only
+/// contacts or reports need is kept apart. Invariant, proved by the builder: every point of every source triangle lies
+/// in a leaf all of whose ancestors contain it too; that is what makes pruning at a parent safe.
+class SphereTree {
+ public:
+  /// Checks everything a traversal relies on (order, links, finiteness, ranges) but not the cover, which needs the
+  /// mesh: see the builder's `certify`. Fails with the first offending element. Linear.
+  static Result<SphereTree> create(SphereTreeData data);
+
+  std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(data_.nodes.size()); }
+  /// Levels below the root; 0 for a lone root.
+  std::uint32_t depth() const { return depth_; }
+  std::uint32_t leafCount() const { return leafCount_; }
+
+  std::span<const Family> families() const { return families_; }
+  const Family& family(std::uint32_t index) const { return families_[index]; }
+  /// The family of the node's children, 0 for a leaf (family 0 is the root's own).
+  std::uint32_t childFamily(NodeId node) const { return childFamily_[node]; }
+  std::uint32_t childCount(NodeId node) const { return familySize_[childFamily_[node]] * (childFamily_[node] != 0); }
+  std::uint32_t familySize(std::uint32_t family) const { return familySize_[family]; }
+  bool isLeaf(NodeId node) const { return childFamily_[node] == 0; }
+
+  Sphere sphere(NodeId node) const { return families_[node / kFamilyWidth].sphere(node % kFamilyWidth); }
+  float error(NodeId node) const { return error_[node]; }
+  float innerRadius(NodeId node) const { return innerRadius_[node]; }
+  /// The node's extreme points in structure-of-arrays form, repeated to fill all lanes.
+  const SupportBlock& support(NodeId node) const { return support_[node]; }
+
+  /// The unpacked record of a node. Cold.
+  const NodeData& node(NodeId node) const { return data_.nodes[recordIndex_[node]]; }
+  std::span<const Vec3> supportPoints(NodeId node) const;
+  std::span<const Vec3> faceNormals(NodeId node) const;
+  /// Source triangles that touch the node's region, as indices into `triangles()`.
+  std::span<const std::uint32_t> regionTriangles(NodeId node) const;
+  std::uint32_t level(NodeId node) const { return level_[node]; }
+  /// The node's name for its breadth-first number in `data().nodes`.
+  NodeId nodeAt(std::uint32_t recordIndex) const { return nodeAt_[recordIndex]; }
+
+  /// The cut of a traversal that stops at `level`: all nodes of that level and all leaves above it, breadth-first.
+  std::vector<NodeId> levelCut(std::uint32_t level) const;
+  /// Worst certified error over `levelCut(level)`.
+  float levelError(std::uint32_t level) const;
+
+  std::span<const Vec3> vertices() const { return data_.vertices; }
+  std::span<const std::array<std::uint32_t, 3>> triangles() const { return data_.triangles; }
+  const MassProperties& mass() const { return data_.mass; }
+  const Vec3d& origin() const { return data_.origin; }
+  const BuildInfo& info() const { return data_.info; }
+  const SphereTreeData& data() const { return data_; }
+  /// Largest distance of a node's centre from the tree frame's origin.
+  float reach() const { return reach_; }
+  /// Bytes of memory the tree holds, shared by all its bodies.
+  std::size_t memoryBytes() const;
+
+ private:
+  explicit SphereTree(SphereTreeData data);
+  void linkFamilies();
+  void packNode(std::uint32_t record);
+
+  SphereTreeData data_;
+  std::vector<Family> families_;
+  std::vector<std::uint32_t> childFamily_;  // by NodeId, as are the arrays below it
+  std::vector<float> error_;
+  std::vector<float> innerRadius_;
+  std::vector<SupportBlock> support_;
+  std::vector<std::uint32_t> recordIndex_;
+  std::vector<std::uint8_t> level_;
+  std::vector<std::uint8_t> familySize_;
+  std::vector<NodeId> nodeAt_;
+  float reach_ = 0;
+  std::uint32_t depth_ = 0;
+  std::uint32_t leafCount_ = 0;
+};
+
+}  // namespace cairn

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cairn/core/budget.h"
+#include "cairn/core/sphere_tree.h"
+
+namespace cairn {
+
+/// Two things a traversal found overlapping: a node of tree A, and a node of tree B or an element of an obstacle.
+struct NodePair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+
+  friend constexpr bool operator==(const NodePair&, const NodePair&) = default;
+};
+
+enum class Progress : std::uint8_t { done, budgetSpent };
+
+/// An interruptible breadth-first traversal (thesis 2.7.1), owned by whoever wants its answer.
+///
+/// `refine` works until it is done or the budget refuses a step; called again it goes on where it stopped, and any way
+/// of cutting the work into calls gives the same bits. At every stop the answer is `front() + leafPairs()`: everything
+/// that can touch lies in one of these pairs. No allocation once the lists have reached their working size.
+class Traversal {
+ public:
+  virtual ~Traversal() = default;
+
+  virtual Progress refine(Budget& budget) = 0;
+
+  bool done() const { return head_ == queue_.size(); }
+  /// Pairs found overlapping but not yet refined, oldest first.
+  std::span<const NodePair> front() const { return std::span(queue_).subspan(head_); }
+  /// Fully resolved pairs, in the order they were found.
+  std::span<const NodePair> leafPairs() const { return leafPairs_; }
+
+  /// Certified bound, in world length, on how far apart the two surfaces of a pair can be although the pair is
+  /// reported.
+  virtual float pairError(const NodePair& pair) const = 0;
+  /// Worst `pairError` over front and leaf pairs; 0 when there are none. Linear in both.
+  float worstError() const;
+  /// Worst `pairError` over the front alone: what going on could still improve.
+  float worstFrontError() const;
+
+ protected:
+  Traversal() = default;
+  Traversal(const Traversal&) = default;
+  Traversal(Traversal&&) = default;
+  Traversal& operator=(const Traversal&) = default;
+  Traversal& operator=(Traversal&&) = default;
+
+  void clear();
+
+  std::vector<NodePair> queue_;  // [0, head_) has been refined
+  std::size_t head_ = 0;
+  std::vector<NodePair> leafPairs_;
+};
+
+}  // namespace cairn

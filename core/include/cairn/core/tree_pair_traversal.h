@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/pose.h"
+#include "cairn/core/traversal.h"
+
+namespace cairn {
+
+/// Staircase traversal of two sphere-trees (thesis 2.7.1, after Palmer and Grimsdale): each step splits one node of a
+/// pair, the one with the larger certified error, and tests its children against the other sphere, which alone is
+/// moved. A step costs one sphere update and one test per child (Eq. 2.1).
+class TreePairTraversal final : public Traversal {
+ public:
+  /// Begins anew at the two roots. `margin` (world length, >= 0): surfaces this far apart still count as touching. Both
+  /// trees must outlive the traversal. The root test is part of starting and is not charged.
+  void start(const SphereTree& a, const SphereTree& b, const Pose& poseA, const Pose& poseB, float margin);
+  /// Goes on at moved bodies without forgetting what was found; pairs already dismissed stay dismissed until `start`.
+  void movePoses(const Pose& poseA, const Pose& poseB);
+
+  Progress refine(Budget& budget) override;
+  float pairError(const NodePair& pair) const override;
+
+ private:
+  bool splitsA(const NodePair& pair) const;
+  void splitA(const NodePair& pair);
+  void splitB(const NodePair& pair);
+
+  const SphereTree* a_ = nullptr;
+  const SphereTree* b_ = nullptr;
+  Similarity aFromB_, bFromA_;
+  float scaleA_ = 1, scaleB_ = 1;
+  float marginInA_ = 0, marginInB_ = 0;  // in tree units, with the rounding slack
+  float margin_ = 0;
+};
+
+}  // namespace cairn

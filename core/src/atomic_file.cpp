@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/core/atomic_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <string>
+#include <system_error>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace cairn {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+  void operator()(std::FILE* f) const { std::fclose(f); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+Error cannot(const char* what, const fs::path& path, const std::string& why) {
+  return Error{std::string("cannot ") + what + " " + path.string() + ": " + why};
+}
+
+// In the same folder, so that the rename stays within one file system; hidden, unpredictable, same extension.
+fs::path temporaryBeside(const fs::path& path) {
+  static std::atomic<unsigned> counter{0};
+  static const unsigned process = std::random_device{}();
+  const std::string name = "." + path.stem().string() + "." + std::to_string(process) + "-" + std::to_string(counter++);
+  return path.parent_path() / (name + ".partial" + path.extension().string());
+}
+
+class RemovedUnlessKept {
+ public:
+  explicit RemovedUnlessKept(fs::path path) : path_(std::move(path)) {}
+  ~RemovedUnlessKept() {
+    std::error_code ignored;
+    if (!kept_) fs::remove(path_, ignored);
+  }
+  RemovedUnlessKept(const RemovedUnlessKept&) = delete;
+  RemovedUnlessKept& operator=(const RemovedUnlessKept&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool kept_ = false;
+};
+
+bool flushToDisk(std::FILE* f) {
+  if (std::fflush(f) != 0) return false;
+#if defined(__unix__) || defined(__APPLE__)
+  // Some targets (pipes, /dev/null) cannot be synced; that is no failure of writing.
+  if (fsync(fileno(f)) != 0 && errno != EINVAL && errno != ENOTSUP) return false;
+#endif
+  return true;
+}
+
+Status writePlainly(const fs::path& path, std::span<const std::byte> bytes, const fs::path& nameForErrors) {
+  const File file(std::fopen(path.string().c_str(), "wbx"));
+  if (!file) return cannot("write", nameForErrors, reason());
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() || !flushToDisk(file.get()))
+    return cannot("write", nameForErrors, reason());
+  return {};
+}
+
+}  // namespace
+
+Status writeFileAtomically(const fs::path& path, const std::function<Status(const fs::path&)>& write) {
+  if (path.filename().empty()) return cannot("write", path, "it is not a file name");
+  RemovedUnlessKept temporary(temporaryBeside(path));
+  if (Status written = write(temporary.path()); !written) return written;
+  std::error_code failure;
+  fs::rename(temporary.path(), path, failure);
+  if (failure) return cannot("write", path, failure.message());
+  temporary.keep();
+  return {};
+}
+
+Status writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+  return writeFileAtomically(path, [&](const fs::path& temporary) { return writePlainly(temporary, bytes, path); });
+}
+
+Status writeFileAtomically(const fs::path& path, std::string_view text) {
+  return writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+Result<std::vector<std::byte>> readFile(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return cannot("read", path, "it is a folder");
+  const File file(std::fopen(path.string().c_str(), "rb"));
+  if (!file) return cannot("read", path, reason());
+  std::vector<std::byte> bytes;
+  std::byte chunk[1 << 16];
+  while (const std::size_t got = std::fread(chunk, 1, sizeof(chunk), file.get()))
+    bytes.insert(bytes.end(), chunk, chunk + got);
+  if (std::ferror(file.get()) != 0) return cannot("read", path, reason());
+  return bytes;
+}
+
+}  // namespace cairn

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Zlib
+//
+// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. Products
+// and sums stay separate (no fused multiply-add) and in one order, so that every target and the scalar twin give the
+// same bits.
+#include "cairn/core/family.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "family.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+std::uint32_t overlapLanes(const Family& family, const Sphere& s) {
+  const hn::CappedTag<float, kFamilyWidth> d;
+  const auto x = hn::Set(d, s.center.x);
+  const auto y = hn::Set(d, s.center.y);
+  const auto z = hn::Set(d, s.center.z);
+  const auto radius = hn::Set(d, s.radius);
+
+  std::uint32_t bits = 0;
+  for (std::uint32_t lane = 0; lane < kFamilyWidth; lane += hn::Lanes(d)) {
+    const auto dx = hn::Sub(hn::Load(d, family.x + lane), x);
+    const auto dy = hn::Sub(hn::Load(d, family.y + lane), y);
+    const auto dz = hn::Sub(hn::Load(d, family.z + lane), z);
+    const auto reach = hn::Add(hn::Load(d, family.radius + lane), radius);
+    const auto distanceSq = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+    std::uint8_t mask[8] = {};
+    hn::StoreMaskBits(d, hn::Le(distanceSq, hn::Mul(reach, reach)), mask);
+    bits |= static_cast<std::uint32_t>(mask[0]) << lane;
+  }
+  return bits;
+}
+
+std::uint32_t supportLanes(const SupportBlock& block, const Vec3& direction) {
+  const hn::CappedTag<float, SupportBlock::kWidth> d;
+  const auto x = hn::Set(d, direction.x);
+  const auto y = hn::Set(d, direction.y);
+  const auto z = hn::Set(d, direction.z);
+  const auto project = [&](std::uint32_t lane) HWY_ATTR {
+    return hn::Add(hn::Add(hn::Mul(hn::Load(d, block.x + lane), x), hn::Mul(hn::Load(d, block.y + lane), y)),
+                   hn::Mul(hn::Load(d, block.z + lane), z));
+  };
+
+  auto best = project(0);
+  for (std::uint32_t lane = hn::Lanes(d); lane < SupportBlock::kWidth; lane += hn::Lanes(d))
+    best = hn::Max(best, project(lane));
+  best = hn::MaxOfLanes(d, best);
+  for (std::uint32_t lane = 0; lane < SupportBlock::kWidth; lane += hn::Lanes(d)) {
+    const auto first = hn::FindFirstTrue(d, hn::Eq(project(lane), best));
+    if (first >= 0) return lane + static_cast<std::uint32_t>(first);
+  }
+  return 0;
+}
+
+const char* targetName() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace cairn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cairn {
+
+HWY_EXPORT(overlapLanes);
+HWY_EXPORT(supportLanes);
+HWY_EXPORT(targetName);
+
+std::uint32_t overlap(const Family& family, const Sphere& s) {
+  return HWY_DYNAMIC_DISPATCH(overlapLanes)(family, s);
+}
+
+std::uint32_t supportLane(const SupportBlock& block, const Vec3& direction) {
+  return HWY_DYNAMIC_DISPATCH(supportLanes)(block, direction);
+}
+
+const char* simdTargetName() {
+  return HWY_DYNAMIC_DISPATCH(targetName)();
+}
+
+std::uint32_t overlapScalar(const Family& family, const Sphere& s) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t lane = 0; lane < kFamilyWidth; ++lane) {
+    const float dx = family.x[lane] - s.center.x;
+    const float dy = family.y[lane] - s.center.y;
+    const float dz = family.z[lane] - s.center.z;
+    const float reach = family.radius[lane] + s.radius;
+    const float distanceSq = dx * dx + dy * dy + dz * dz;
+    bits |= static_cast<std::uint32_t>(distanceSq <= reach * reach) << lane;
+  }
+  return bits;
+}
+
+std::uint32_t supportLaneScalar(const SupportBlock& block, const Vec3& direction) {
+  std::uint32_t bestLane = 0;
+  float best = dot(block.point(0), direction);
+  for (std::uint32_t lane = 1; lane < SupportBlock::kWidth; ++lane) {
+    const float projection = dot(block.point(lane), direction);
+    if (projection > best) {
+      best = projection;
+      bestLane = lane;
+    }
+  }
+  return bestLane;
+}
+
+}  // namespace cairn
+#endif  // HWY_ONCE

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/core/obstacle_traversal.h"
+
+#include <bit>
+
+namespace cairn {
+
+void ObstacleTraversal::start(const SphereTree& tree, float scale, const Obstacle& obstacle) {
+  clear();
+  tree_ = &tree;
+  obstacle_ = &obstacle;
+  scale_ = scale;
+  std::vector<NodePair>& list = tree.isLeaf(kRootNode) ? leafPairs_ : queue_;
+  for (std::uint32_t element = 0; element < obstacle.elementCount(); ++element)
+    if ((obstacle.touches(tree.family(0), 1, element) & 1U) != 0) list.push_back({kRootNode, element});
+}
+
+Progress ObstacleTraversal::refine(Budget& budget) {
+  while (head_ < queue_.size()) {
+    const NodePair pair = queue_[head_];
+    const std::uint32_t family = tree_->childFamily(pair.a);
+    const std::uint32_t size = tree_->familySize(family);
+    if (!budget.charge(kSphereUpdateCost + size * kOverlapTestCost)) return Progress::budgetSpent;
+    ++head_;
+    std::uint32_t hits = obstacle_->touches(tree_->family(family), size, pair.b);
+    for (; hits != 0; hits &= hits - 1) {
+      const NodeId child = family * kFamilyWidth + static_cast<NodeId>(std::countr_zero(hits));
+      (tree_->isLeaf(child) ? leafPairs_ : queue_).push_back({child, pair.b});
+    }
+  }
+  return Progress::done;
+}
+
+float ObstacleTraversal::pairError(const NodePair& pair) const {
+  return tree_->error(pair.a) * scale_;
+}
+
+}  // namespace cairn

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/core/sphere_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sphere_tree_check.h"
+
+namespace cairn {
+
+namespace {
+
+constexpr std::uint32_t kNoRecord = 0xFFFFFFFFU;
+
+SupportBlock packSupport(std::span<const Vec3> points) {
+  SupportBlock block;
+  for (std::uint32_t lane = 0; lane < SupportBlock::kWidth; ++lane) {
+    const Vec3& p = points[std::min<std::size_t>(lane, points.size() - 1)];
+    block.x[lane] = p.x;
+    block.y[lane] = p.y;
+    block.z[lane] = p.z;
+  }
+  return block;
+}
+
+template <class T>
+std::size_t bytesOf(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+Result<SphereTree> SphereTree::create(SphereTreeData data) {
+  if (Status status = checkTree(data); !status) return status.error();
+  return SphereTree(std::move(data));
+}
+
+SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
+  linkFamilies();
+  const std::size_t slots = families_.size() * kFamilyWidth;
+  childFamily_.resize(slots, 0);
+  error_.resize(slots, 0);
+  innerRadius_.resize(slots, 0);
+  support_.resize(slots);
+  recordIndex_.resize(slots, kNoRecord);
+  level_.resize(slots, 0);
+  for (std::uint32_t record = 0; record < nodeCount(); ++record) packNode(record);
+}
+
+// Names every node: the children of the k-th inner node, breadth-first, are family k + 1.
+void SphereTree::linkFamilies() {
+  nodeAt_.assign(nodeCount(), kRootNode);
+  families_.emplace_back();
+  familySize_.push_back(1);
+  for (std::uint32_t record = 1; record < nodeCount(); ++record) {
+    if (record == 1 || data_.nodes[record].parent != data_.nodes[record - 1].parent) {
+      families_.emplace_back();
+      familySize_.push_back(0);
+    }
+    const auto family = static_cast<std::uint32_t>(families_.size() - 1);
+    nodeAt_[record] = family * kFamilyWidth + familySize_.back()++;
+  }
+}
+
+void SphereTree::packNode(std::uint32_t record) {
+  const NodeData& n = data_.nodes[record];
+  const NodeId id = nodeAt_[record];
+  families_[id / kFamilyWidth].set(id % kFamilyWidth, {n.center, n.radius});
+  error_[id] = n.error;
+  innerRadius_[id] = n.innerRadius;
+  recordIndex_[id] = record;
+  support_[id] = packSupport(supportPoints(id));
+  reach_ = std::max(reach_, length(n.center));
+  ++leafCount_;
+  if (record == 0) return;
+  const NodeId parent = nodeAt_[n.parent];
+  leafCount_ -= childFamily_[parent] == 0;  // counted as a leaf until its first child came
+  childFamily_[parent] = id / kFamilyWidth;
+  level_[id] = static_cast<std::uint8_t>(level_[parent] + 1);
+  depth_ = std::max<std::uint32_t>(depth_, level_[id]);
+}
+
+std::span<const Vec3> SphereTree::supportPoints(NodeId id) const {
+  const NodeData& n = node(id);
+  return std::span(data_.supportPoints).subspan(n.firstSupport, n.supportCount);
+}
+
+std::span<const Vec3> SphereTree::faceNormals(NodeId id) const {
+  const NodeData& n = node(id);
+  return std::span(data_.faceNormals).subspan(n.firstNormal, n.normalCount);
+}
+
+std::span<const std::uint32_t> SphereTree::regionTriangles(NodeId id) const {
+  const NodeData& n = node(id);
+  return std::span(data_.regionTriangles).subspan(n.firstTriangle, n.triangleCount);
+}
+
+std::vector<NodeId> SphereTree::levelCut(std::uint32_t level) const {
+  std::vector<NodeId> cut;
+  for (const NodeId id : nodeAt_)
+    if (level_[id] == level || (level_[id] < level && isLeaf(id))) cut.push_back(id);
+  return cut;
+}
+
+float SphereTree::levelError(std::uint32_t level) const {
+  float worst = 0;
+  for (const NodeId id : levelCut(level)) worst = std::max(worst, error_[id]);
+  return worst;
+}
+
+std::size_t SphereTree::memoryBytes() const {
+  return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
+         bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
+         bytesOf(childFamily_) + bytesOf(error_) + bytesOf(innerRadius_) + bytesOf(support_) + bytesOf(recordIndex_) +
+         bytesOf(level_) + bytesOf(familySize_) + bytesOf(nodeAt_);
+}
+
+}  // namespace cairn

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/core/scheduler.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cairn/core/tree_pair_traversal.h"
+#include "random_tree.h"
+
+namespace cairn {
+namespace {
+
+/// A handful of bodies, every two of which are a pair.
+struct Crowd {
+  explicit Crowd(std::uint64_t seed, std::size_t bodies = 6) {
+    std::mt19937_64 engine(seed);
+    tree = std::make_unique<SphereTree>(std::move(SphereTree::create(test::randomTree(seed).data)).value());
+    for (std::size_t i = 0; i < bodies; ++i) poses.push_back(test::randomPose(engine, 1));
+    traversals.resize(bodies * (bodies - 1) / 2);
+    start();
+  }
+
+  void start() {
+    pairs.clear();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j, ++k) {
+        traversals[k].start(*tree, *tree, poses[i], poses[j], 0.01F);
+        pairs.push_back({1000 - k, &traversals[k], 0});  // ids descend: the scheduler has to sort
+      }
+  }
+
+  float worstError() const {
+    float worst = 0;
+    for (const TreePairTraversal& t : traversals) worst = std::max(worst, t.worstError());
+    return worst;
+  }
+
+  std::unique_ptr<SphereTree> tree;
+  std::vector<Pose> poses;
+  std::vector<TreePairTraversal> traversals;
+  std::vector<ScheduledPair> pairs;
+};
+
+std::uint64_t fullCost(std::uint64_t seed) {
+  Crowd crowd(seed);
+  RoundRobin priority;
+  Budget budget = Budget::unlimited();
+  EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget), Progress::done);
+  return budget.used();
+}
+
+TEST(Scheduler, Budget_IsNeverExceededAndUsedUpToOneStep) {
+  const std::uint64_t full = fullCost(1);
+  ASSERT_GT(full, 10000U);
+  constexpr std::uint64_t kDearestStep = kSphereUpdateCost + kFamilyWidth * kOverlapTestCost;
+  for (const std::uint64_t operations : {0ULL, 1ULL, 9ULL, 10ULL, 79ULL, 100ULL, 1000ULL, 10000ULL}) {
+    Crowd crowd(1);
+    RoundRobin priority;
+    Budget budget = Budget::operations(operations);
+    EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget), Progress::budgetSpent);
+    EXPECT_LE(budget.used(), operations);
+    EXPECT_LT(operations - budget.used(), kDearestStep);
+  }
+}
+
+TEST(Scheduler, WorstError_FallsAsTheBudgetGrows) {
+  float last = std::numeric_limits<float>::infinity();
+  for (const std::uint64_t operations : {0ULL, 300ULL, 3000ULL, 30000ULL, 300000000ULL}) {
+    Crowd crowd(1);
+    RoundRobin priority;
+    Budget budget = Budget::operations(operations);
+    (void)Scheduler().run(crowd.pairs, priority, budget);
+    EXPECT_LE(crowd.worstError(), last) << operations << " operations";
+    last = crowd.worstError();
+  }
+  EXPECT_LT(last, Crowd(1).worstError());
+}
+
+TEST(Scheduler, ManySmallSteps_EndWhereOneBigOneDoes) {
+  Crowd whole(2), pieces(2);
+  RoundRobin p1, p2;
+  Budget unlimited = Budget::unlimited();
+  ASSERT_EQ(Scheduler().run(whole.pairs, p1, unlimited), Progress::done);
+  std::uint64_t used = 0;
+  for (Progress progress = Progress::budgetSpent; progress != Progress::done;) {
+    Budget budget = Budget::operations(137);
+    progress = Scheduler().run(pieces.pairs, p2, budget);
+    used += budget.used();
+  }
+  EXPECT_EQ(used, unlimited.used());
+  for (std::size_t k = 0; k < whole.traversals.size(); ++k)
+    EXPECT_TRUE(std::ranges::equal(whole.traversals[k].leafPairs(), pieces.traversals[k].leafPairs())) << k;
+}
+
+TEST(RoundRobin, NoPairStarves_WhenABudgetServesOnlyOneTurn) {
+  Crowd crowd(3);
+  RoundRobin priority;
+  std::vector<std::size_t> before(crowd.traversals.size());
+  for (std::size_t k = 0; k < before.size(); ++k) before[k] = crowd.traversals[k].front().size();
+  for (std::size_t step = 0; step < crowd.traversals.size(); ++step) {
+    Budget budget = Budget::operations(Scheduler::kTurnOperations);
+    (void)Scheduler().run(crowd.pairs, priority, budget);
+  }
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k] == 0) continue;  // its roots did not touch
+    EXPECT_TRUE(crowd.traversals[k].done() || crowd.traversals[k].front()[0] != (NodePair{kRootNode, kRootNode})) << k;
+  }
+}
+
+TEST(RoundRobin, OrderOfPairs_DoesNotMatter) {
+  Crowd one(4), other(4);
+  std::mt19937_64 engine(5);
+  std::shuffle(other.pairs.begin(), other.pairs.end(), engine);
+  RoundRobin p1, p2;
+  Budget b1 = Budget::operations(5000), b2 = Budget::operations(5000);
+  (void)Scheduler().run(one.pairs, p1, b1);
+  (void)Scheduler().run(other.pairs, p2, b2);
+  for (std::size_t k = 0; k < one.traversals.size(); ++k) {
+    EXPECT_TRUE(std::ranges::equal(one.traversals[k].front(), other.traversals[k].front())) << k;
+    EXPECT_TRUE(std::ranges::equal(one.traversals[k].leafPairs(), other.traversals[k].leafPairs())) << k;
+  }
+}
+
+TEST(Budget, ZeroMicroseconds_DoesNothing) {
+  Crowd crowd(1);
+  RoundRobin priority;
+  Budget budget = Budget::time(0);
+  EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget), Progress::budgetSpent);
+  EXPECT_EQ(budget.used(), 0U);
+}
+
+TEST(Budget, Time_EndsALongRun) {
+  // A clock that has run out must be noticed within one clock interval and one turn of work.
+  Budget budget = Budget::both(Budget::kUnlimited, 1);
+  while (budget.charge(1)) {
+  }
+  EXPECT_LT(budget.used(), std::uint64_t{1} << 40);
+  const std::uint64_t used = budget.used();
+  EXPECT_FALSE(budget.charge(0)) << "stays spent";
+  EXPECT_EQ(budget.used(), used);
+}
+
+TEST(Budget, Both_EndsAtWhicheverComesFirst) {
+  Budget budget = Budget::both(20, 1e9);
+  EXPECT_TRUE(budget.charge(15));
+  EXPECT_FALSE(budget.charge(6)) << "does not fit and takes nothing";
+  EXPECT_TRUE(budget.charge(5));
+  EXPECT_FALSE(budget.charge(1));
+  EXPECT_TRUE(budget.charge(0));
+  budget.chargeAnyway(7);
+  EXPECT_EQ(budget.used(), 27U);
+  EXPECT_EQ(budget.remaining(), 0U);
+}
+
+}  // namespace
+}  // namespace cairn

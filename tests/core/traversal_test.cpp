@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Zlib
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "cairn/core/obstacle_traversal.h"
+#include "cairn/core/tree_pair_traversal.h"
+#include "random_tree.h"
+
+namespace cairn {
+namespace {
+
+using PairSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+PairSet setOf(std::span<const NodePair> pairs) {
+  PairSet set;
+  for (const NodePair& p : pairs) set.insert({p.a, p.b});
+  return set;
+}
+
+struct PairCase {
+  test::RandomTree a, b;
+  SphereTree treeA, treeB;
+  Pose poseA, poseB;
+  float margin;
+};
+
+PairCase randomCase(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  test::RandomTree a = test::randomTree(seed * 2, 300, 3);
+  test::RandomTree b = test::randomTree(seed * 2 + 1, 200, static_cast<std::uint32_t>(1 + engine() % 3));
+  SphereTree treeA = std::move(SphereTree::create(a.data)).value();
+  SphereTree treeB = std::move(SphereTree::create(b.data)).value();
+  const Pose poseA = test::randomPose(engine, 1.2);
+  const Pose poseB = test::randomPose(engine, 1.2);
+  return {std::move(a), std::move(b), std::move(treeA), std::move(treeB), poseA, poseB, 0.05F};
+}
+
+// The promise of any stop: two points of the bodies closer than the margin lie in a reported pair.
+void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
+  PairSet reported = setOf(traversal.leafPairs());
+  for (const NodePair& p : traversal.front()) reported.insert({p.a, p.b});
+  const auto isReported = [&](std::uint32_t recordA, std::uint32_t recordB) {
+    for (std::uint32_t a = recordA;; a = c.treeA.data().nodes[a].parent) {
+      for (std::uint32_t b = recordB;; b = c.treeB.data().nodes[b].parent) {
+        if (reported.contains({c.treeA.nodeAt(a), c.treeB.nodeAt(b)})) return true;
+        if (b == 0) break;
+      }
+      if (a == 0) return false;
+    }
+  };
+  for (std::size_t i = 0; i < c.a.points.size(); ++i)
+    for (std::size_t j = 0; j < c.b.points.size(); ++j) {
+      const double gap = distance(c.poseA * Vec3d(c.a.points[i]), c.poseB * Vec3d(c.b.points[j]));
+      if (gap <= c.margin) ASSERT_TRUE(isReported(c.a.leafOfPoint[i], c.b.leafOfPoint[j])) << i << ", " << j;
+    }
+}
+
+// Brute force: all pairs of leaves whose balls overlap, in double, no hierarchy.
+PairSet overlappingLeaves(const PairCase& c, double slack) {
+  PairSet set;
+  for (const NodeId a : c.treeA.levelCut(c.treeA.depth()))
+    for (const NodeId b : c.treeB.levelCut(c.treeB.depth())) {
+      const Sphere sa = c.treeA.sphere(a), sb = c.treeB.sphere(b);
+      const double reach = sa.radius * c.poseA.scale + sb.radius * c.poseB.scale + c.margin + slack;
+      if (distance(c.poseA * Vec3d(sa.center), c.poseB * Vec3d(sb.center)) <= reach) set.insert({a, b});
+    }
+  return set;
+}
+
+TEST(TreePairTraversal, Unlimited_FindsEveryTouchAndOnlyOverlappingLeaves) {
+  std::size_t touchingCases = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const PairCase c = randomCase(seed);
+    TreePairTraversal traversal;
+    traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    Budget budget = Budget::unlimited();
+    ASSERT_EQ(traversal.refine(budget), Progress::done);
+    EXPECT_TRUE(traversal.front().empty());
+    expectEveryTouchReported(c, traversal);
+    const PairSet found = setOf(traversal.leafPairs());
+    EXPECT_EQ(found.size(), traversal.leafPairs().size()) << "no pair is reported twice";
+    const PairSet allowed = overlappingLeaves(c, 40 * kOverlapSlack);
+    for (const auto& pair : found) EXPECT_TRUE(allowed.contains(pair));
+    touchingCases += !found.empty();
+  }
+  EXPECT_GT(touchingCases, 20U) << "the cases must mostly touch to mean anything";
+}
+
+TEST(TreePairTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const PairCase c = randomCase(seed);
+    TreePairTraversal whole;
+    whole.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    Budget unlimited = Budget::unlimited();
+    ASSERT_EQ(whole.refine(unlimited), Progress::done);
+
+    for (std::uint64_t stop = 0; stop <= unlimited.used(); ++stop) {
+      TreePairTraversal cut;
+      cut.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+      Budget first = Budget::operations(stop);
+      const Progress progress = cut.refine(first);
+      ASSERT_LE(first.used(), stop);
+      ASSERT_EQ(progress == Progress::done, cut.done());
+      ASSERT_EQ(progress == Progress::done, stop >= unlimited.used());
+      if (stop % 97 == 0) expectEveryTouchReported(c, cut);
+      Budget rest = Budget::unlimited();
+      ASSERT_EQ(cut.refine(rest), Progress::done);
+      ASSERT_EQ(first.used() + rest.used(), unlimited.used());
+      ASSERT_TRUE(std::equal(cut.leafPairs().begin(), cut.leafPairs().end(), whole.leafPairs().begin(),
+                             whole.leafPairs().end()));
+    }
+  }
+}
+
+TEST(TreePairTraversal, StoppedAtEveryStep_GivesTheSameBits) {
+  const PairCase c = randomCase(3);
+  TreePairTraversal whole, stepwise;
+  whole.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+  stepwise.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+  Budget unlimited = Budget::unlimited();
+  ASSERT_EQ(whole.refine(unlimited), Progress::done);
+  std::uint64_t used = 0, stops = 0;
+  while (!stepwise.done()) {
+    // The smallest budget that lets one step through, so that every step is a stop.
+    for (std::uint64_t operations = 1;; ++operations) {
+      Budget budget = Budget::operations(operations);
+      (void)stepwise.refine(budget);
+      used += budget.used();
+      if (budget.used() > 0) break;
+    }
+    ++stops;
+  }
+  EXPECT_EQ(used, unlimited.used());
+  EXPECT_GT(stops, 50U);
+  EXPECT_EQ(setOf(stepwise.leafPairs()), setOf(whole.leafPairs()));
+}
+
+TEST(TreePairTraversal, ApartBodies_AreDismissedAtTheRoots) {
+  PairCase c = randomCase(2);
+  c.poseB.translation = c.poseA.translation + Vec3d(100, 0, 0);
+  TreePairTraversal traversal;
+  traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+  EXPECT_TRUE(traversal.done());
+  EXPECT_TRUE(traversal.leafPairs().empty());
+  EXPECT_EQ(traversal.worstError(), 0);
+}
+
+TEST(TreePairTraversal, FarFromTheOrigin_FindsTheSamePairs) {
+  const PairCase c = randomCase(4);
+  PairCase far = randomCase(4);
+  const Vec3d offset(1 << 20, -(1 << 21), 1 << 19);  // exactly representable beside the poses' own digits
+  far.poseA.translation += offset;
+  far.poseB.translation += offset;
+  TreePairTraversal near, away;
+  near.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+  away.start(far.treeA, far.treeB, far.poseA, far.poseB, far.margin);
+  Budget b1 = Budget::unlimited(), b2 = Budget::unlimited();
+  ASSERT_EQ(near.refine(b1), Progress::done);
+  ASSERT_EQ(away.refine(b2), Progress::done);
+  EXPECT_EQ(setOf(near.leafPairs()), setOf(away.leafPairs()));
+}
+
+// Half-spaces as obstacles: the simplest thing whose answer is known in closed form.
+class HalfSpaces final : public Obstacle {
+ public:
+  struct Plane {
+    Vec3d normal;
+    double offset;
+  };
+  explicit HalfSpaces(std::vector<Plane> planes) : planes_(std::move(planes)) {}
+  std::uint32_t elementCount() const override { return static_cast<std::uint32_t>(planes_.size()); }
+  std::uint32_t touches(const Family& family, std::uint32_t size, std::uint32_t element) const override {
+    std::uint32_t bits = 0;
+    for (std::uint32_t lane = 0; lane < size; ++lane)
+      bits |= static_cast<std::uint32_t>(hits(family.sphere(lane), element)) << lane;
+    return bits;
+  }
+  bool hits(const Sphere& s, std::uint32_t element) const {
+    return dot(planes_[element].normal, Vec3d(s.center)) - planes_[element].offset <= s.radius;
+  }
+  bool below(const Vec3& p, std::uint32_t element) const {
+    return dot(planes_[element].normal, Vec3d(p)) <= planes_[element].offset;
+  }
+
+ private:
+  std::vector<Plane> planes_;
+};
+
+TEST(ObstacleTraversal, EveryPointBelowAPlane_IsInAReportedLeaf) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 engine(seed);
+    const test::RandomTree random = test::randomTree(seed);
+    const SphereTree tree = std::move(SphereTree::create(random.data)).value();
+    std::vector<HalfSpaces::Plane> planes;
+    for (int i = 0; i < 3; ++i) planes.push_back({normalized(test::randomPoint(engine)), test::uniform(engine, -1, 1)});
+    const HalfSpaces obstacle(planes);
+    ObstacleTraversal traversal;
+    traversal.start(tree, 2, obstacle);
+    Budget budget = Budget::unlimited();
+    ASSERT_EQ(traversal.refine(budget), Progress::done);
+    const PairSet found = setOf(traversal.leafPairs());
+    for (std::uint32_t element = 0; element < 3; ++element)
+      for (std::size_t i = 0; i < random.points.size(); ++i)
+        if (obstacle.below(random.points[i], element))
+          EXPECT_TRUE(found.contains({tree.nodeAt(random.leafOfPoint[i]), element})) << "seed " << seed;
+    for (const NodePair& p : traversal.leafPairs()) EXPECT_TRUE(obstacle.hits(tree.sphere(p.a), p.b));
+    for (const NodePair& p : traversal.leafPairs())
+      EXPECT_FLOAT_EQ(traversal.pairError(p), 2 * tree.error(p.a)) << "world length: tree error times scale";
+  }
+}
+
+TEST(ObstacleTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
+  const SphereTree tree = std::move(SphereTree::create(test::randomTree(9).data)).value();
+  const HalfSpaces obstacle({{{0, 0, 1}, 0.1}, {{1, 0, 0}, -0.3}});
+  ObstacleTraversal whole;
+  whole.start(tree, 1, obstacle);
+  Budget unlimited = Budget::unlimited();
+  ASSERT_EQ(whole.refine(unlimited), Progress::done);
+  for (std::uint64_t stop = 0; stop <= unlimited.used(); ++stop) {
+    ObstacleTraversal cut;
+    cut.start(tree, 1, obstacle);
+    Budget first = Budget::operations(stop), rest = Budget::unlimited();
+    (void)cut.refine(first);
+    ASSERT_EQ(cut.refine(rest), Progress::done);
+    ASSERT_EQ(first.used() + rest.used(), unlimited.used());
+    ASSERT_TRUE(
+        std::equal(cut.leafPairs().begin(), cut.leafPairs().end(), whole.leafPairs().begin(), whole.leafPairs().end()));
+  }
+}
+
+}  // namespace
+}  // namespace cairn
