@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <compare>
+
+#include "cairn/core/traversal.h"
+#include "cairn/core/vec3.h"
+
+namespace cairn::bullet {
+
+/// What a contact point came from, as it is written into Bullet's manifold point (part, index) of either side. On a
+/// tree: the leaf's level and its `NodeId`. On a triangle mesh: the mesh's own part and triangle. On anything else:
+/// part -1 and, because a flat leaf touches a flat shape in several points, which of the leaf's support points it is
+/// (-1 for the extreme one).
+struct ContactId {
+  int treePart = -1, treeIndex = -1;
+  int otherPart = -1, otherIndex = -1;
+
+  friend constexpr auto operator<=>(const ContactId&, const ContactId&) = default;
+};
+
+/// One possible contact point between a sphere-tree and its counterpart, in the *pair frame*: world axes and unit,
+/// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
+struct Contact {
+  Vec3 position;  ///< half-way between the two surfaces
+  Vec3 normal;    ///< unit, from the counterpart to the tree
+  float gap = 0;  ///< distance of the surfaces along the normal, negative when they overlap
+  NodePair pair;  ///< of the traversal that found it
+  ContactId id;
+  bool isHeld = false;     ///< its id is in the manifold already
+  bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
+
+  Vec3 onTree() const { return position + normal * (0.5F * gap); }
+  Vec3 onCounterpart() const { return position - normal * (0.5F * gap); }
+};
+
+/// Deepest first; ties in an order that depends on nothing but the pair.
+inline bool deeper(const Contact& x, const Contact& y) {
+  if (x.gap != y.gap) return x.gap < y.gap;
+  return x.id < y.id;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Zlib
+#include "contacts/manifold_writer.h"
+
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+// Which of the manifold's old points each chosen contact continues, and back; -1 for none.
+struct ManifoldWriter::Matching {
+  std::array<int, kMaxPoints> oldOf{-1, -1, -1, -1};
+  std::array<int, kMaxPoints> choiceOf{-1, -1, -1, -1};
+  std::array<btVector3, kMaxPoints> local;  // of the chosen contacts, on body 0
+
+  void join(int choice, int old) {
+    oldOf[static_cast<std::size_t>(choice)] = old;
+    choiceOf[static_cast<std::size_t>(old)] = choice;
+  }
+  bool isOldFree(int old) const { return choiceOf[static_cast<std::size_t>(old)] < 0; }
+  bool isNew(int choice) const { return oldOf[static_cast<std::size_t>(choice)] < 0; }
+};
+
+namespace {
+
+const Contact& chosen(std::span<const Contact> cluster, const ContactChoice& choice, int k) {
+  return cluster[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(k)])];
+}
+
+ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
+  if (treeIsBody0) return {p.m_partId0, p.m_index0, p.m_partId1, p.m_index1};
+  return {p.m_partId1, p.m_index1, p.m_partId0, p.m_index0};
+}
+
+}  // namespace
+
+HeldContacts ManifoldWriter::held(const btPersistentManifold& manifold) const {
+  HeldContacts ids;
+  for (int i = 0; i < manifold.getNumContacts(); ++i)
+    ids.id[static_cast<std::size_t>(ids.count++)] = idOf(manifold.getContactPoint(i), treeIsBody0_);
+  return ids;
+}
+
+btVector3 ManifoldWriter::localOnBody0(const btPersistentManifold& manifold, const Contact& contact) const {
+  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCounterpart();
+  return manifold.getBody0()->getWorldTransform().invXform(origin_ + toBullet(onBody0));
+}
+
+ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
+                                               const ContactChoice& choice) const {
+  Matching matching;
+  const HeldContacts old = held(manifold);
+  for (int k = 0; k < choice.count; ++k) {
+    const Contact& contact = chosen(cluster, choice, k);
+    matching.local[static_cast<std::size_t>(k)] = localOnBody0(manifold, contact);
+    for (int i = 0; i < old.count && matching.isNew(k); ++i)
+      if (matching.isOldFree(i) && old.id[static_cast<std::size_t>(i)] == contact.id) matching.join(k, i);
+  }
+  for (int k = 0; k < choice.count; ++k) {
+    if (!matching.isNew(k)) continue;
+    btScalar nearestSq = btScalar(inheritance_) * btScalar(inheritance_);
+    int nearest = -1;
+    for (int i = 0; i < old.count; ++i) {
+      if (!matching.isOldFree(i)) continue;
+      const btVector3& local = matching.local[static_cast<std::size_t>(k)];
+      const btScalar distanceSq = (manifold.getContactPoint(i).m_localPointA - local).length2();
+      if (distanceSq < nearestSq) {
+        nearest = i;
+        nearestSq = distanceSq;
+      }
+    }
+    if (nearest >= 0) matching.join(k, nearest);
+  }
+  return matching;
+}
+
+void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Contact> cluster,
+                           const ContactChoice& choice) {
+  Matching matching = match(manifold, cluster, choice);
+  bool anyContinues = false;
+  for (int k = 0; k < choice.count; ++k) anyContinues = anyContinues || !matching.isNew(k);
+  if (choice.count > 0 && !anyContinues && manifold.getNumContacts() > 0) {
+    // Still in contact, elsewhere: one point lives on without its impulse, or Bullet would report an end and a start.
+    manifold.getContactPoint(0).m_appliedImpulse = 0;
+    matching.join(0, 0);
+  }
+  for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+    if (!matching.isOldFree(i)) continue;
+    manifold.removeContactPoint(i);  // moves the last point to i
+    const int last = manifold.getNumContacts();
+    matching.choiceOf[static_cast<std::size_t>(i)] = matching.choiceOf[static_cast<std::size_t>(last)];
+    matching.choiceOf[static_cast<std::size_t>(last)] = -1;
+  }
+  const int continued = manifold.getNumContacts();
+  for (int i = 0; i < continued; ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    point.m_localPointA = matching.local[static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)])];
+    ++point.m_lifeTime;
+  }
+  for (int k = 0; k < choice.count; ++k) add(manifold, chosen(cluster, choice, k));
+  if (gContactProcessedCallback)
+    for (int i = 0; i < continued; ++i)
+      gContactProcessedCallback(manifold.getContactPoint(i), const_cast<btCollisionObject*>(manifold.getBody0()),
+                                const_cast<btCollisionObject*>(manifold.getBody1()));
+}
+
+void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact) {
+  btPersistentManifold* const before = result_.getPersistentManifold();
+  result_.setPersistentManifold(&manifold);
+  const ContactId& id = contact.id;
+  // Identifiers go by the result's bodies, points and normals by the manifold's: a compound may swap the former.
+  const bool treeIsResultBody0 = treeIsBody0_ == (result_.getBody0Internal() == manifold.getBody0());
+  if (treeIsResultBody0) {
+    result_.setShapeIdentifiersA(id.treePart, id.treeIndex);
+    result_.setShapeIdentifiersB(id.otherPart, id.otherIndex);
+  } else {
+    result_.setShapeIdentifiersA(id.otherPart, id.otherIndex);
+    result_.setShapeIdentifiersB(id.treePart, id.treeIndex);
+  }
+  const Vec3 normal = treeIsBody0_ ? contact.normal : -contact.normal;
+  const Vec3 onBody1 = treeIsBody0_ ? contact.onCounterpart() : contact.onTree();
+  result_.addContactPoint(toBullet(normal), origin_ + toBullet(onBody1), btScalar(contact.gap));
+  result_.setPersistentManifold(before);
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <array>
+#include <span>
+
+#include "contacts/contact.h"
+#include "contacts/reduction.h"
+
+namespace cairn::bullet {
+
+/// The ids of the contacts a manifold holds now.
+struct HeldContacts {
+  std::array<ContactId, kMaxPoints> id;
+  int count = 0;
+
+  std::span<const ContactId> span() const { return {id.data(), static_cast<std::size_t>(count)}; }
+};
+
+/// Brings Bullet's manifolds of one pair to the contacts chosen in this step.
+///
+/// Bullet recognises an old point by its position alone. So each new contact is first given the old point it continues
+/// (same id, else the nearest within `inheritance`), that point is moved onto it, and `addContactPoint` then replaces
+/// exactly that one: it keeps its impulses, its age and its user's data, and friction and callbacks are Bullet's own
+/// business. Points that are continued by no contact are removed; a manifold that stays in contact is never empty in
+/// between.
+class ManifoldWriter {
+ public:
+  /// `origin`: the pair frame's, in the world. `treeIsBody0`: in the order of the manifolds' bodies. `inheritance`: how
+  /// far (world length, in body 0's frame) a contact may have moved in a step and still inherit by position.
+  ManifoldWriter(btManifoldResult& result, const btVector3& origin, bool treeIsBody0, float inheritance)
+      : result_(result), origin_(origin), treeIsBody0_(treeIsBody0), inheritance_(inheritance) {}
+
+  HeldContacts held(const btPersistentManifold& manifold) const;
+  void write(btPersistentManifold& manifold, std::span<const Contact> cluster, const ContactChoice& choice);
+
+ private:
+  struct Matching;
+
+  btVector3 localOnBody0(const btPersistentManifold& manifold, const Contact& contact) const;
+  Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
+                 const ContactChoice& choice) const;
+  void add(btPersistentManifold& manifold, const Contact& contact);
+
+  btManifoldResult& result_;
+  btVector3 origin_;
+  bool treeIsBody0_;
+  float inheritance_;
+};
+
+}  // namespace cairn::bullet

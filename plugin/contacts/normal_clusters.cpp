@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Zlib
+#include "contacts/normal_clusters.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+namespace {
+
+struct Nearest {
+  int cluster = -1;
+  float cosine = -2;
+};
+
+Nearest nearestSeed(const ClusterSeeds& seeds, const Vec3& normal) {
+  Nearest best;
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const ClusterSeed& seed = seeds[static_cast<std::size_t>(k)];
+    if (!seed.active) continue;
+    const float cosine = dot(seed.normal, normal);
+    if (cosine > best.cosine) best = {k, cosine};
+  }
+  return best;
+}
+
+int freeCluster(const ClusterSeeds& seeds) {
+  for (int k = 0; k < kMaxClusters; ++k)
+    if (!seeds[static_cast<std::size_t>(k)].active) return k;
+  return -1;
+}
+
+// Weights are positive: every contact's gap is below `reach`.
+void recenter(std::span<const Contact> cluster, ClusterSeed& seed, float reach) {
+  Vec3 sum;
+  for (const Contact& c : cluster) sum += c.normal * (reach - c.gap);
+  const float norm = length(sum);
+  if (norm > 0) seed.normal = sum / norm;
+}
+
+}  // namespace
+
+void ClusteredContacts::group(ClusterSeeds& seeds, float reach) {
+  std::sort(list_.begin(), list_.end(), deeper);
+  clusterOf_.assign(list_.size(), -1);
+  keepLastClusters(seeds);
+  openNewClusters(seeds);
+  gather();
+  for (int k = 0; k < kMaxClusters; ++k) recenter(cluster(k), seeds[static_cast<std::size_t>(k)], reach);
+}
+
+void ClusteredContacts::keepLastClusters(ClusterSeeds& seeds) {
+  std::array<bool, kMaxClusters> used{};
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    const Nearest nearest = nearestSeed(seeds, list_[i].normal);
+    if (nearest.cosine < kClusterCosine) continue;
+    clusterOf_[i] = nearest.cluster;
+    used[static_cast<std::size_t>(nearest.cluster)] = true;
+  }
+  for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].active = used[k];
+}
+
+void ClusteredContacts::openNewClusters(ClusterSeeds& seeds) {
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (clusterOf_[i] >= 0) continue;
+    const Vec3& normal = list_[i].normal;
+    const Nearest nearest = nearestSeed(seeds, normal);
+    const int unused = nearest.cosine >= kClusterCosine ? -1 : freeCluster(seeds);
+    clusterOf_[i] = unused >= 0 ? unused : nearest.cluster;
+    if (unused >= 0) seeds[static_cast<std::size_t>(unused)] = {normal, true};
+  }
+}
+
+// Stable: the order by depth stays within each cluster.
+void ClusteredContacts::gather() {
+  end_.fill(0);
+  for (const int k : clusterOf_) ++end_[static_cast<std::size_t>(k)];
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < end_.size(); ++k) {
+    begin_[k] = sum;
+    sum += end_[k];
+    end_[k] = begin_[k];
+  }
+  grouped_.resize(list_.size());
+  for (std::size_t i = 0; i < list_.size(); ++i) grouped_[end_[static_cast<std::size_t>(clusterOf_[i])]++] = list_[i];
+  list_.swap(grouped_);
+}
+
+void ClusteredContacts::resort(int k, float reach) {
+  const std::span<Contact> members = cluster(k);
+  std::sort(members.begin(), members.end(), deeper);
+  std::size_t& end = end_[static_cast<std::size_t>(k)];
+  while (end > begin_[static_cast<std::size_t>(k)] && list_[end - 1].gap >= reach) --end;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Zlib
+#include "contacts/reduction.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+namespace {
+
+// A contact of the last step stays unless another is better by this much: 10 % in length (21 % in area), or a quarter
+// of the speculative distance in depth. Below, the choice flickers with rounding; above, contacts lag behind a rolling
+// body.
+constexpr float kLengthBonus = 1.1F;
+constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
+constexpr float kDepthBonus = 0.25F;
+
+class Chooser {
+ public:
+  Chooser(std::span<const Contact> cluster, float separation, float reach)
+      : cluster_(cluster), separationSq_(separation * separation), reach_(reach) {}
+
+  ContactChoice run() {
+    pick([&](const Contact& c) { return (c.isHeld ? kDepthBonus * reach_ : 0) - c.gap; }, -kInfinity);
+    if (cluster_.size() > 1) pickFarthest();
+    if (choice_.count == 2) pickLargestTriangle();
+    if (choice_.count == 3) pickLargestGain();
+    return choice_;
+  }
+
+ private:
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+  const Vec3& chosen(int k) const {
+    return cluster_[static_cast<std::size_t>(choice_.index[static_cast<std::size_t>(k)])].position;
+  }
+
+  bool isApart(const Contact& c) const {
+    for (int k = 0; k < choice_.count; ++k)
+      if (lengthSq(c.position - chosen(k)) < separationSq_) return false;
+    return true;
+  }
+
+  // Takes the contact of greatest merit, if any exceeds `threshold`.
+  template <class Merit>
+  void pick(const Merit& merit, float threshold) {
+    int best = -1;
+    float bestMerit = threshold;
+    for (std::size_t i = 0; i < cluster_.size(); ++i) {
+      const float m = merit(cluster_[i]);
+      if (m > bestMerit && isApart(cluster_[i])) {
+        best = static_cast<int>(i);
+        bestMerit = m;
+      }
+    }
+    if (best >= 0) choice_.index[static_cast<std::size_t>(choice_.count++)] = best;
+  }
+
+  void pickFarthest() {
+    const Vec3 p = chosen(0);
+    pick([&](const Contact& c) { return lengthSq(c.position - p) * (c.isHeld ? kAreaBonus : 1); }, 0);
+  }
+
+  void pickLargestTriangle() {
+    const Vec3 p = chosen(0), q = chosen(1);
+    const auto areaSq = [&](const Contact& c) {
+      return lengthSq(cross(c.position - p, q - p)) * (c.isHeld ? kAreaBonus * kAreaBonus : 1);
+    };
+    // A sliver thinner than the separation adds nothing that resists tipping.
+    pick(areaSq, separationSq_ * lengthSq(p - q));
+  }
+
+  // The area a point adds beyond the triangle's edges, seen along the triangle's normal.
+  void pickLargestGain() {
+    const std::array<Vec3, 3> corner{chosen(0), chosen(1), chosen(2)};
+    const Vec3 normal = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
+    const auto gain = [&](const Contact& c) {
+      float outside = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& from = corner[k];
+        outside = std::max(outside, dot(cross(c.position - from, corner[(k + 1) % 3] - from), normal));
+      }
+      return outside * (c.isHeld ? kAreaBonus : 1);
+    };
+    pick(gain, separationSq_);
+  }
+
+  std::span<const Contact> cluster_;
+  float separationSq_;
+  float reach_;
+  ContactChoice choice_;
+};
+
+}  // namespace
+
+ContactChoice chooseContacts(std::span<Contact> cluster, std::span<const ContactId> held, float separation,
+                             float reach) {
+  if (cluster.empty()) return {};
+  for (Contact& c : cluster) c.isHeld = std::find(held.begin(), held.end(), c.id) != held.end();
+  return Chooser(cluster, separation, reach).run();
+}
+
+}  // namespace cairn::bullet

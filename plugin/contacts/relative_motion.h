@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "contacts/contact.h"
+
+namespace cairn::bullet {
+
+/// How the two bodies of a pair move, pair frame, per second.
+struct RelativeMotion {
+  Vec3 treeLinear, treeAngular, treeCenter;
+  Vec3 otherLinear, otherAngular, otherCenter;
+  float timeStep = 0;     ///< seconds
+  float smallerSize = 0;  ///< of the smaller body, world length
+
+  /// Speed at which the surfaces approach each other at a contact; negative when they part.
+  float closingSpeed(const Contact& c) const {
+    const Vec3 tree = treeLinear + cross(treeAngular, c.position - treeCenter);
+    const Vec3 other = otherLinear + cross(otherAngular, c.position - otherCenter);
+    return dot(c.normal, other - tree);
+  }
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/convex_counterpart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+struct Box {
+  Vec3 center, halfExtents;
+};
+
+// Of the shape in its own frame, margin included.
+Box ownBox(const btCollisionShape& shape) {
+  btVector3 lower, upper;
+  shape.getAabb(btTransform::getIdentity(), lower, upper);
+  return {toVec3((lower + upper) * btScalar(0.5)), toVec3((upper - lower) * btScalar(0.5))};
+}
+
+}  // namespace
+
+void ConvexObstacle::place(const Similarity& toShape, const Vec3& boxCenter, const Vec3& boxHalfExtents, float margin) {
+  toShape_ = toShape;
+  center_ = boxCenter;
+  halfExtents_ = boxHalfExtents;
+  margin_ = margin;
+}
+
+std::uint32_t ConvexObstacle::touches(const Family& family, std::uint32_t familySize, std::uint32_t /*element*/) const {
+  std::uint32_t hits = 0;
+  for (std::uint32_t i = 0; i < std::min(familySize, kFamilyWidth); ++i) {
+    const Vec3 p = toShape_ * Vec3(family.x[i], family.y[i], family.z[i]) - center_;
+    const float dx = std::max(std::abs(p.x) - halfExtents_.x, 0.0F);
+    const float dy = std::max(std::abs(p.y) - halfExtents_.y, 0.0F);
+    const float dz = std::max(std::abs(p.z) - halfExtents_.z, 0.0F);
+    const float reach = family.radius[i] * toShape_.scale + margin_;
+    hits |= static_cast<std::uint32_t>(dx * dx + dy * dy + dz * dz <= reach * reach) << i;
+  }
+  return hits;
+}
+
+void ConvexCounterpart::place(const PairPlacement& placement) {
+  const auto& shape = static_cast<const btConvexShape&>(*placement.otherShape);
+  surface_.setShape(shape);
+  tree_ = placement.tree;
+  margin_ = placement.treeMargin;
+  reach_ = placement.reach;
+  planes_.clear();
+
+  const Box box = ownBox(shape);
+  const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
+  shapeFromPair_ = relativePose(shapePose, Pose{});
+  pairFromShapeAxes_ = toSimilarity(shapePose).linear;
+  shapeOrigin_ = Vec3(shapePose.translation);
+  const Similarity shapeFromTree = relativePose(shapePose, tree_.pose());
+  const float lengths =
+      length(shapeFromTree.translation) + tree_.tree().reach() * tree_.scale() + length(box.halfExtents);
+  obstacle_.place(shapeFromTree, box.center, box.halfExtents, reach_ + margin_ + kOverlapSlack * lengths);
+}
+
+float ConvexCounterpart::size(const btCollisionShape& shape) const {
+  return 2 * length(ownBox(shape).halfExtents);
+}
+
+void ConvexCounterpart::start(std::vector<NodePair>& /*known*/) {
+  traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
+}
+
+NearestPoint ConvexCounterpart::nearest(const Vec3& pointInPair) {
+  const NearestPoint inShape = surface_.nearest(shapeFromPair_ * pointInPair);
+  return {pairFromShapeAxes_ * inShape.point + shapeOrigin_, pairFromShapeAxes_ * inShape.normal, inShape.distance};
+}
+
+bool ConvexCounterpart::isCertainlyApart(const Sphere& sphere) const {
+  const float reach = sphere.radius + margin_ + reach_;
+  return std::any_of(planes_.begin(), planes_.end(),
+                     [&](const Plane& plane) { return dot(plane.normal, sphere.center) - plane.offset > reach; });
+}
+
+void ConvexCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  for (const NodePair& pair : pairs) {
+    const Sphere sphere = tree_.sphere(pair.a);
+    if (!isCertainlyApart(sphere)) appendLeaf(pair.a, sphere, contacts);
+  }
+}
+
+void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<Contact>& contacts) {
+  const NearestPoint center = nearest(sphere.center);
+  const float apart = center.distance - sphere.radius - margin_ - reach_;
+  if (apart > 0) {
+    // Planes support the shape up to GJK's accuracy, far below the reach they are compared with.
+    if (planes_.size() < kMaxPlanes) planes_.push_back({center.normal, dot(center.normal, center.point)});
+    return;
+  }
+  // A planar leaf touches with its corners: which of them is extreme would change with every rounding.
+  if (!tree_.isPlanar(leaf)) {
+    appendContact(leaf, center, tree_.support(leaf, -center.normal), -1, contacts);
+    return;
+  }
+  int index = 0;
+  for (const Vec3& point : tree_.supportPoints(leaf))
+    appendContact(leaf, center, tree_.toPair() * point, index++, contacts);
+}
+
+void ConvexCounterpart::appendContact(NodeId leaf, const NearestPoint& center, const Vec3& onTree, int pointIndex,
+                                      std::vector<Contact>& contacts) {
+  const float height = dot(center.normal, onTree - center.point);
+  Contact contact;
+  contact.gap = height - margin_;
+  if (contact.gap >= reach_) return;
+  contact.pair = {leaf, 0};
+  contact.normal = center.normal;
+  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
+  // Where the region's point hangs over the shape's edge, the contact is between it and the shape's own point.
+  const bool overhangs = nearest(onTree).distance > std::max(height, 0.0F) + reach_;
+  const Vec3 where = overhangs ? 0.5F * (onTree + center.point) : onTree;
+  contact.position = where + contact.normal * (dot(contact.normal, center.point - where) + 0.5F * contact.gap);
+  contacts.push_back(contact);
+}
+
+Contact ConvexCounterpart::boundingContact(const NodePair& pair) {
+  const Sphere sphere = tree_.sphere(pair.a);
+  const NearestPoint center = nearest(sphere.center);
+  Contact contact;
+  contact.ofSpheres = true;
+  contact.pair = pair;
+  contact.normal = center.normal;
+  contact.gap = center.distance - sphere.radius - margin_;
+  contact.position = center.point + contact.normal * (0.5F * contact.gap);
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  return contact;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <vector>
+
+#include "cairn/core/obstacle_traversal.h"
+#include "counterparts/convex_surface.h"
+#include "counterparts/counterpart.h"
+
+namespace cairn::bullet {
+
+/// A convex shape, seen from a tree, for pruning: its box in its own frame. One element. Exact for boxes, conservative
+/// for the rest, whose true distance is only asked for at leaves (GJK costs as much as some hundred of these tests).
+class ConvexObstacle final : public Obstacle {
+ public:
+  /// `toShape` maps the tree's frame into the shape's. `margin` in world length is added to every sphere.
+  void place(const Similarity& toShape, const Vec3& boxCenter, const Vec3& boxHalfExtents, float margin);
+
+  std::uint32_t elementCount() const override { return 1; }
+  std::uint32_t touches(const Family& family, std::uint32_t familySize, std::uint32_t element) const override;
+
+ private:
+  Similarity toShape_;
+  Vec3 center_, halfExtents_;
+  float margin_ = 0;
+};
+
+/// Any convex shape of Bullet.
+class ConvexCounterpart final : public Counterpart {
+ public:
+  void place(const PairPlacement& placement) override;
+  void start(std::vector<NodePair>& known) override;
+  bool resume() override { return true; }
+  Traversal& traversal() override { return traversal_; }
+  void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  Contact boundingContact(const NodePair& pair) override;
+  float size(const btCollisionShape& shape) const override;
+
+ private:
+  struct Plane {
+    Vec3 normal;
+    float offset;
+  };
+  static constexpr std::size_t kMaxPlanes = 8;
+
+  bool isCertainlyApart(const Sphere& sphere) const;
+  NearestPoint nearest(const Vec3& pointInPair);
+  void appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<Contact>& contacts);
+  void appendContact(NodeId leaf, const NearestPoint& center, const Vec3& onTree, int pointIndex,
+                     std::vector<Contact>& contacts);
+
+  PlacedTree tree_;
+  float margin_ = 0;
+  float reach_ = 0;
+  Similarity shapeFromPair_;
+  Mat3 pairFromShapeAxes_;
+  Vec3 shapeOrigin_;
+  ConvexSurface surface_;
+  std::vector<Plane> planes_;  // of this step, pair frame: the shape lies behind each
+  ConvexObstacle obstacle_;
+  ObstacleTraversal traversal_;
+};
+
+}  // namespace cairn::bullet

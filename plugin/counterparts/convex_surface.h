@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::bullet {
+
+/// The surface point of a convex shape that is nearest to a given one.
+struct NearestPoint {
+  Vec3 point;
+  Vec3 normal;         ///< unit, outwards; the shape lies behind the plane through `point`
+  float distance = 0;  ///< negative inside
+};
+
+/// Distance queries against one convex shape, in the shape's frame, its margin included. Boxes and spheres are answered
+/// in closed form, everything else by GJK, and by EPA inside.
+class ConvexSurface {
+ public:
+  ConvexSurface() : point_(0) {}
+
+  /// The shape must outlive its use here.
+  void setShape(const btConvexShape& shape) { shape_ = &shape; }
+  NearestPoint nearest(const Vec3& p);
+
+ private:
+  NearestPoint nearestByGjk(const Vec3& p);
+  NearestPoint supportingPlane(const Vec3& p) const;
+
+  const btConvexShape* shape_ = nullptr;
+  btSphereShape point_;
+  btVoronoiSimplexSolver simplex_;
+  btGjkEpaPenetrationDepthSolver penetration_;
+};
+
+/// Closed forms, for a box of these half extents and a sphere of this radius, both at the origin.
+NearestPoint nearestOnBox(const Vec3& halfExtents, const Vec3& p);
+NearestPoint nearestOnSphere(float radius, const Vec3& p);
+
+}  // namespace cairn::bullet

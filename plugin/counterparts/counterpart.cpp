@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/counterpart.h"
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "counterparts/convex_counterpart.h"
+#include "counterparts/plane_counterpart.h"
+#include "counterparts/tree_counterpart.h"
+#include "counterparts/triangle_counterpart.h"
+
+namespace cairn::bullet {
+
+Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, const Vec3& /*last*/) {
+  return {};
+}
+
+CounterpartKind kindOf(const btCollisionShape& shape) {
+  if (asSphereTree(&shape)) return CounterpartKind::tree;
+  if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return CounterpartKind::plane;
+  return shape.isConvex() ? CounterpartKind::convex : CounterpartKind::triangles;
+}
+
+std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind) {
+  switch (kind) {
+    case CounterpartKind::tree:
+      return std::make_unique<TreeCounterpart>();
+    case CounterpartKind::plane:
+      return std::make_unique<PlaneCounterpart>();
+    case CounterpartKind::convex:
+      return std::make_unique<ConvexCounterpart>();
+    case CounterpartKind::triangles:
+      break;
+  }
+  return std::make_unique<TriangleCounterpart>();
+}
+
+}  // namespace cairn::bullet

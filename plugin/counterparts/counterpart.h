@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cairn/core/traversal.h"
+#include "contacts/contact.h"
+#include "counterparts/placed_tree.h"
+
+class btCollisionShape;
+
+namespace cairn::bullet {
+
+class SphereTreeShape;
+
+/// Where the two bodies of a pair stand, in the pair frame.
+struct PairPlacement {
+  const SphereTreeShape* treeShape = nullptr;
+  btTransform treeBody;  ///< of the tree's body (or compound child): its rotation, no translation
+  PlacedTree tree;
+  float treeMargin = 0;                          ///< grows the tree's surface
+  const btCollisionShape* otherShape = nullptr;  ///< of the kind the counterpart was made for
+  btTransform other;                             ///< the other body, its origin relative to the pair frame's
+  float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
+  float travel = 0;                              ///< bound on how far the bodies move against each other in a step
+};
+
+/// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows
+/// how a leaf touches it. It is placed anew in every step, then either started or resumed.
+class Counterpart {
+ public:
+  virtual ~Counterpart() = default;
+
+  /// Takes the poses of this step.
+  virtual void place(const PairPlacement& placement) = 0;
+  /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about
+  /// again: those whose element no longer exists are removed, others are renamed if need be.
+  virtual void start(std::vector<NodePair>& known) = 0;
+  /// Goes on with the last traversal at these poses. False when it cannot (what it has seen of the counterpart is too
+  /// small for where the tree now is): the caller must start anew.
+  virtual bool resume() = 0;
+  virtual Traversal& traversal() = 0;
+  const Traversal& traversal() const { return const_cast<Counterpart*>(this)->traversal(); }
+
+  /// Appends the contacts of resolved pairs, measured between the extreme points of the leaves' regions (scheme S), if
+  /// their gap is below the placement's reach.
+  virtual void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) = 0;
+  /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
+  virtual Contact boundingContact(const NodePair& pair) = 0;
+  /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `last` is
+  /// the common normal of the step before, or zero; returns the normal given, or zero. Default: nothing is flat.
+  virtual Vec3 flatten(std::span<Contact> cluster, const Vec3& last);
+
+  /// Diagonal of such a shape's box, world length; infinite when it has no size of its own to speak of.
+  virtual float size(const btCollisionShape& shape) const = 0;
+};
+
+enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles };
+inline constexpr int kCounterpartKinds = 4;
+
+/// What a shape is treated as. Precondition: not a compound, not a soft body.
+CounterpartKind kindOf(const btCollisionShape& shape);
+
+std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind);
+
+}  // namespace cairn::bullet

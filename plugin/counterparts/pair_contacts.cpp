@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/pair_contacts.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+namespace {
+
+// Measuring a contact moves both spheres and compares them once more.
+constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
+// Comparing two bounding spheres moves one of them.
+constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
+// How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
+// nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
+constexpr float kApproachFraction = 0.008F;
+
+}  // namespace
+
+void PairContacts::reset() {
+  known_.clear();
+  guards_.clear();
+  seeds_ = {};
+  commonNormals_ = {};
+  seenLeafPairs_ = 0;
+  isAnswered_ = false;
+  started_ = false;
+}
+
+void PairContacts::begin(Counterpart& counterpart, Budget& budget) {
+  isRetested_ = false;
+  const bool resumed = started_ && !counterpart.traversal().done() && counterpart.resume();
+  started_ = true;
+  if (resumed) {
+    retest(counterpart, budget);
+    return;
+  }
+  counterpart.start(known_);
+  seenLeafPairs_ = 0;
+}
+
+void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
+  if (isRetested_) return;
+  isRetested_ = true;
+  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(known_.size()));
+  retested_.clear();
+  counterpart.appendContacts(known_, retested_);
+}
+
+void PairContacts::appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
+  const std::span<const NodePair> fresh = counterpart.traversal().leafPairs().subspan(seenLeafPairs_);
+  seenLeafPairs_ += fresh.size();
+  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(fresh.size()));
+  counterpart.appendContacts(fresh, contacts);
+}
+
+namespace {
+
+void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
+                 std::vector<Contact>& contacts) {
+  const Traversal& traversal = counterpart.traversal();
+  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(traversal.front().size()));
+  for (const NodePair& pair : traversal.front()) {
+    Contact contact = counterpart.boundingContact(pair);
+    if (compensate) contact.gap += traversal.pairError(pair);
+    if (contact.gap < reach) contacts.push_back(contact);
+  }
+}
+
+}  // namespace
+
+void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
+                                ContactScratch& scratch) {
+  // Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
+  const std::span<const NodePair> whole = counterpart.traversal().front();
+  const std::span<const NodePair> front = whole.first(std::min(whole.size(), kMaxFrontPairs));
+  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
+  std::vector<Contact>& guards = scratch.guards;
+  guards.clear();
+  float closingSpeed = 0;
+  for (const NodePair& pair : front) {
+    guards.push_back(counterpart.boundingContact(pair));
+    closingSpeed = std::max(closingSpeed, motion.closingSpeed(guards.back()));
+  }
+  approach_ += closingSpeed * motion.timeStep;
+  std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
+  const std::size_t count = std::min(kMaxGuards, guards.size());
+  std::partial_sort(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count), guards.end(), deeper);
+  std::array<Guard, kMaxGuards> now;
+  for (std::size_t i = 0; i < count; ++i) {
+    now[i] = {guards[i].pair, allowedGap(guards[i])};
+    guards[i].gap -= now[i].allowedGap;
+    scratch.contacts.list().push_back(guards[i]);
+  }
+  guards_.assign(now.begin(), now.begin() + count);
+}
+
+// Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
+// it was and reports what its spheres have sunk since; when they part, it follows.
+float PairContacts::allowedGap(const Contact& guard) const {
+  const float now = std::min(guard.gap, 0.0F);
+  for (const Guard& g : guards_)
+    if (g.pair == guard.pair) return std::max(g.allowedGap, now);
+  return now;
+}
+
+// Velocities do not tell everything: the solver also shifts bodies to part others.
+bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const {
+  if (guard.gap >= reach) return false;
+  const Vec3 moved = motion.treeCenter - motion.otherCenter - centers_;
+  return !hasAnswer(motion) || -dot(guard.normal, moved) > kApproachFraction * motion.smallerSize;
+}
+
+// An answer that said "in contact" holds while some of its contacts still is one.
+bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
+  return isAnswered_ && approach_ <= kApproachFraction * motion.smallerSize &&
+         (!answerHadContacts_ || !retested_.empty());
+}
+
+void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
+                          Budget& budget, ContactScratch& scratch) {
+  std::vector<Contact>& contacts = scratch.contacts.list();
+  contacts.clear();
+  if (counterpart.traversal().done()) {
+    counterpart.appendContacts(counterpart.traversal().leafPairs(), contacts);
+    isAnswered_ = true;
+    approach_ = 0;
+    centers_ = motion.treeCenter - motion.otherCenter;
+    answerHadContacts_ = !contacts.empty();
+    guards_.clear();
+  } else {
+    retest(counterpart, budget);
+    contacts = retested_;
+    appendNewlyResolved(counterpart, budget, contacts);
+    if (policy == Unresolved::guard) appendGuards(counterpart, motion, reach, budget, scratch);
+    if (policy == Unresolved::repel || policy == Unresolved::compensate)
+      appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
+  }
+  known_.clear();
+  scratch.contacts.group(seeds_, reach);
+  flatten(counterpart, reach, scratch.contacts);
+}
+
+void PairContacts::flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts) {
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const std::span<Contact> cluster = contacts.cluster(k);
+    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
+    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, common);
+    // Along the common normal some turn out to be farther apart than what is wanted.
+    if (lengthSq(common) > 0) contacts.resort(k, reach);
+  }
+}
+
+void PairContacts::remember(const Contact& chosen) {
+  if (!chosen.ofSpheres && !isKnown(chosen.pair)) known_.push_back(chosen.pair);
+}
+
+bool PairContacts::isKnown(const NodePair& pair) const {
+  return std::find(known_.begin(), known_.end(), pair) != known_.end();
+}
+
+void PairContacts::rememberDeepest(ContactScratch& scratch) {
+  std::vector<Contact>& contacts = scratch.contacts.list();
+  const std::size_t count = std::min(contacts.size(), kMaxKnownPairs);
+  std::partial_sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count), contacts.end(), deeper);
+  for (std::size_t i = 0; i < count && known_.size() < kMaxKnownPairs; ++i) remember(contacts[i]);
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cairn/bullet/step.h"
+#include "cairn/core/budget.h"
+#include "contacts/normal_clusters.h"
+#include "contacts/reduction.h"
+#include "contacts/relative_motion.h"
+#include "counterparts/counterpart.h"
+
+namespace cairn::bullet {
+
+/// Working memory that all pairs of a narrow phase share, one after the other.
+struct ContactScratch {
+  ClusteredContacts contacts;  ///< of the pair at hand
+  std::vector<Contact> guards;
+};
+
+/// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
+/// pairs that were in contact last, and the directions of the clusters.
+class PairContacts {
+ public:
+  /// Resolved pairs that are re-tested while a traversal is unfinished. Bounds, with `kMaxFrontPairs`, the work of a
+  /// pair that gets no budget.
+  static constexpr std::size_t kMaxKnownPairs = 32;
+  /// Pairs of the front that are looked at for guards.
+  static constexpr std::size_t kMaxFrontPairs = 128;
+
+  /// Forgets everything; for a pair that is new.
+  void reset();
+
+  /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
+  /// now, before anything is refined, and charges that to the budget.
+  void begin(Counterpart& counterpart, Budget& budget);
+
+  /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
+  /// the budget whatever is left of it.
+  void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach, Budget& budget,
+              ContactScratch& scratch);
+
+  /// Tells that this contact was handed to Bullet.
+  void remember(const Contact& chosen);
+  /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted.
+  void rememberDeepest(ContactScratch& scratch);
+
+ private:
+  void retest(Counterpart& counterpart, Budget& budget);
+  void appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
+  void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
+                    ContactScratch& scratch);
+  bool isKnown(const NodePair& pair) const;
+  void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
+  // Whether the last answer still says anything about where the bodies are now.
+  bool hasAnswer(const RelativeMotion& motion) const;
+  bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
+  float allowedGap(const Contact& guard) const;
+
+  static constexpr std::size_t kMaxGuards = 4;
+
+  // A pair of bounding spheres that may not approach further until it is resolved, and how far it already overlaps.
+  struct Guard {
+    NodePair pair;
+    float allowedGap;
+  };
+
+  std::vector<NodePair> known_;
+  std::vector<Contact> retested_;
+  std::vector<Guard> guards_;
+  ClusterSeeds seeds_{};
+  std::array<Vec3, kMaxClusters> commonNormals_{};
+  std::size_t seenLeafPairs_ = 0;
+  bool isAnswered_ = false;         // was the traversal ever done
+  bool answerHadContacts_ = false;  // and did it find any
+  float approach_ = 0;              // world length by which their velocities have closed since
+  Vec3 centers_;                    // from the other body's centre to the tree's, then
+  bool started_ = false;
+  bool isRetested_ = false;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/plane_counterpart.h"
+
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+void PlaneObstacle::place(const Vec3& normal, float offset, float margin) {
+  normal_ = normal;
+  limit_ = offset + margin;
+}
+
+std::uint32_t PlaneObstacle::touches(const Family& family, std::uint32_t familySize, std::uint32_t /*element*/) const {
+  std::uint32_t hits = 0;
+  const std::uint32_t size = familySize < kFamilyWidth ? familySize : kFamilyWidth;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const float height = normal_.x * family.x[i] + normal_.y * family.y[i] + normal_.z * family.z[i];
+    hits |= static_cast<std::uint32_t>(height - family.radius[i] <= limit_) << i;
+  }
+  return hits;
+}
+
+void PlaneCounterpart::place(const PairPlacement& placement) {
+  const auto& shape = static_cast<const btStaticPlaneShape&>(*placement.otherShape);
+  tree_ = placement.tree;
+  margin_ = placement.treeMargin;
+  reach_ = placement.reach;
+  const btVector3 normal = placement.other.getBasis() * shape.getPlaneNormal();
+  normal_ = toVec3(normal);
+  offset_ = static_cast<float>(shape.getPlaneConstant() + normal.dot(placement.other.getOrigin()));
+
+  const float unit = 1 / tree_.scale();
+  const float below = (offset_ - dot(normal_, tree_.toPair().translation)) * unit;
+  const float lengths = std::abs(below) + 2 * tree_.tree().reach() + std::abs(offset_) * unit;
+  obstacle_.place(tree_.axesFromPair() * normal_, below, (reach_ + margin_) * unit + kOverlapSlack * lengths);
+}
+
+void PlaneCounterpart::start(std::vector<NodePair>& /*known*/) {
+  traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
+}
+
+// A planar leaf touches with its corners: which of them is extreme would change with every rounding.
+void PlaneCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  for (const NodePair& pair : pairs) {
+    if (!tree_.isPlanar(pair.a)) {
+      appendContact(pair, tree_.support(pair.a, -normal_), -1, contacts);
+      continue;
+    }
+    int index = 0;
+    for (const Vec3& point : tree_.supportPoints(pair.a))
+      appendContact(pair, tree_.toPair() * point, index++, contacts);
+  }
+}
+
+void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex,
+                                     std::vector<Contact>& contacts) const {
+  Contact contact;
+  contact.gap = dot(normal_, onTree) - offset_ - margin_;
+  if (contact.gap >= reach_) return;
+  contact.pair = pair;
+  contact.normal = normal_;
+  contact.position = onTree - normal_ * (margin_ + 0.5F * contact.gap);
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, pointIndex};
+  contacts.push_back(contact);
+}
+
+Contact PlaneCounterpart::boundingContact(const NodePair& pair) {
+  const Sphere s = tree_.sphere(pair.a);
+  Contact contact;
+  contact.ofSpheres = true;
+  contact.pair = pair;
+  contact.normal = normal_;
+  contact.gap = dot(normal_, s.center) - offset_ - s.radius - margin_;
+  contact.position = s.center - normal_ * (s.radius + margin_ + 0.5F * contact.gap);
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  return contact;
+}
+
+}  // namespace cairn::bullet

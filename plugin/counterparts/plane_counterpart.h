@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <limits>
+
+#include "cairn/core/obstacle_traversal.h"
+#include "counterparts/counterpart.h"
+
+namespace cairn::bullet {
+
+/// The half-space below a plane, seen from a tree: one element. Exact.
+class PlaneObstacle final : public Obstacle {
+ public:
+  /// In the tree's frame and unit: points p with dot(normal, p) < offset are below. `margin` is added to every sphere.
+  void place(const Vec3& normal, float offset, float margin);
+
+  std::uint32_t elementCount() const override { return 1; }
+  std::uint32_t touches(const Family& family, std::uint32_t familySize, std::uint32_t element) const override;
+
+ private:
+  Vec3 normal_;
+  float limit_ = 0;
+};
+
+/// A btStaticPlaneShape.
+class PlaneCounterpart final : public Counterpart {
+ public:
+  void place(const PairPlacement& placement) override;
+  void start(std::vector<NodePair>& known) override;
+  bool resume() override { return true; }
+  Traversal& traversal() override { return traversal_; }
+  void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  Contact boundingContact(const NodePair& pair) override;
+  float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
+
+ private:
+  void appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex, std::vector<Contact>& contacts) const;
+
+  PlacedTree tree_;
+  float margin_ = 0;
+  float reach_ = 0;
+  Vec3 normal_;  // pair frame; the plane is dot(normal_, p) == offset_
+  float offset_ = 0;
+  PlaneObstacle obstacle_;
+  ObstacleTraversal traversal_;
+};
+
+}  // namespace cairn::bullet

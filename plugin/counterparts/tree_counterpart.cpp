@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/tree_counterpart.h"
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+void TreeCounterpart::place(const PairPlacement& placement) {
+  const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
+  const btTransform pairFromTree = placement.other * shape.bodyFromTree();
+  a_ = placement.tree;
+  b_ = PlacedTree(shape.tree(), {toMat3d(pairFromTree.getBasis()), toVec3d(pairFromTree.getOrigin()), shape.scale()});
+  margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
+  reach_ = placement.reach;
+}
+
+float TreeCounterpart::size(const btCollisionShape& shape) const {
+  return static_cast<float>(asSphereTree(&shape)->size());
+}
+
+void TreeCounterpart::start(std::vector<NodePair>& /*known*/) {
+  traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_);
+}
+
+bool TreeCounterpart::resume() {
+  traversal_.movePoses(a_.pose(), b_.pose());
+  return true;
+}
+
+Vec3 TreeCounterpart::centerLine(const Sphere& a, const Sphere& b) const {
+  const Vec3 line = a.center - b.center;
+  const float lineSq = lengthSq(line);
+  if (lineSq > 0) return line / std::sqrt(lineSq);
+  // Two spheres in one place say nothing: the bodies as wholes have to.
+  const Vec3 bodies = a_.sphere(kRootNode).center - b_.sphere(kRootNode).center;
+  return lengthSq(bodies) > 0 ? normalized(bodies) : Vec3(0, 0, 1);
+}
+
+bool TreeCounterpart::preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const {
+  const bool isPlanarA = a_.isPlanar(contact.pair.a), isPlanarB = b_.isPlanar(contact.pair.b);
+  if (!isPlanarA && !isPlanarB) return true;
+  const auto offer = [&](const Vec3& normal) {
+    Contact other = contact;
+    other.normal = normal;
+    if (!measure(other, a, b)) return false;
+    if (other.gap > contact.gap) contact = other;
+    return true;
+  };
+  if (isPlanarA && !offer(-a_.facing(contact.pair.a))) return false;
+  if (isPlanarB && !offer(b_.facing(contact.pair.b))) return false;
+  return !a_.facesAlong(contact.pair.a, contact.normal) && !b_.facesAlong(contact.pair.b, -contact.normal);
+}
+
+bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b) const {
+  const Vec3 onA = a_.support(contact.pair.a, -contact.normal);
+  // No point of B's region lies higher than the top of its ball: often that settles it.
+  if (dot(contact.normal, onA - b.center) - b.radius - margins_ >= reach_) return false;
+  const Vec3 onB = b_.support(contact.pair.b, contact.normal);
+  contact.gap = dot(contact.normal, onA - onB) - margins_;
+  if (contact.gap >= reach_) return false;
+  // The smaller region knows better where the contact is: on a flat one, any point may be extreme.
+  const float weightA = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
+  const Vec3 where = onB + (onA - onB) * weightA;
+  const float middle = 0.5F * dot(contact.normal, onA + onB);
+  contact.position = where + contact.normal * (middle - dot(contact.normal, where));
+  return true;
+}
+
+void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  for (const NodePair& pair : pairs) {
+    Contact contact;
+    contact.pair = pair;
+    const Sphere a = a_.sphere(pair.a);
+    const Sphere b = b_.sphere(pair.b);
+    contact.normal = centerLine(a, b);
+    if (!measure(contact, a, b)) continue;
+    if (!preferPlanes(contact, a, b)) continue;
+    contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
+                  static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
+    contacts.push_back(contact);
+  }
+}
+
+Contact TreeCounterpart::boundingContact(const NodePair& pair) {
+  const Sphere a = a_.sphere(pair.a);
+  const Sphere b = b_.sphere(pair.b);
+  Contact contact;
+  contact.ofSpheres = true;
+  contact.pair = pair;
+  contact.normal = centerLine(a, b);
+  contact.gap = distance(a.center, b.center) - a.radius - b.radius - margins_;
+  contact.position = b.center + contact.normal * (b.radius + 0.5F * contact.gap);
+  contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
+                static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
+  return contact;
+}
+
+Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, const Vec3& last) {
+  const Vec3 normal = planarNormal_.find(a_, b_, cluster, last);
+  if (lengthSq(normal) == 0) return {};
+  for (Contact& contact : cluster) {
+    if (contact.ofSpheres) continue;
+    contact.normal = normal;
+    if (!measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b))) contact.gap = reach_;
+  }
+  return normal;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/tree_pair_traversal.h"
+#include "counterparts/counterpart.h"
+#include "counterparts/planar_normal.h"
+
+namespace cairn::bullet {
+
+/// Another sphere-tree. In a `NodePair`, a is a node of the pair's tree and b one of the counterpart.
+class TreeCounterpart final : public Counterpart {
+ public:
+  void place(const PairPlacement& placement) override;
+  void start(std::vector<NodePair>& known) override;
+  bool resume() override;
+  Traversal& traversal() override { return traversal_; }
+  void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  Contact boundingContact(const NodePair& pair) override;
+  Vec3 flatten(std::span<Contact> cluster, const Vec3& last) override;
+  float size(const btCollisionShape& shape) const override;
+
+ private:
+  Vec3 centerLine(const Sphere& a, const Sphere& b) const;
+  // Where a region is planar, the centre line says more about where the leaves lie than about where the surfaces meet:
+  // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
+  // is not below the reach, or when the two do not face each other.
+  bool preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const;
+  // Gap and position along the contact's normal; false when the gap is not below the reach.
+  bool measure(Contact& contact, const Sphere& a, const Sphere& b) const;
+
+  PlacedTree a_, b_;
+  float margins_ = 0;
+  float reach_ = 0;
+  TreePairTraversal traversal_;
+  PlanarNormal planarNormal_;
+};
+
+}  // namespace cairn::bullet

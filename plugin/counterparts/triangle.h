@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::bullet {
+
+struct Triangle {
+  Vec3 a, b, c;
+
+  /// Unit, by the right-hand rule; zero for a degenerate triangle.
+  Vec3 normal() const {
+    const Vec3 n = cross(b - a, c - a);
+    const float norm = length(n);
+    return norm > 0 ? n / norm : Vec3();
+  }
+};
+
+struct TrianglePoint {
+  Vec3 point;
+  bool onFace = false;  ///< inside, not on the border
+};
+
+/// The point of the (possibly degenerate) triangle nearest to `p`: its projection if that is inside, else on the
+/// border.
+TrianglePoint nearestOnTriangle(const Triangle& triangle, const Vec3& p);
+
+}  // namespace cairn::bullet

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/triangle_counterpart.h"
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+// Steps of motion to look ahead after a traversal was overtaken by the tree.
+constexpr btScalar kStepsAhead = 4;
+}  // namespace
+
+void TriangleCounterpart::place(const PairPlacement& placement) {
+  placement_ = placement;
+  placement.treeShape->getAabb(placement.other.inverse() * placement.treeBody, treeLower_, treeUpper_);
+  const btScalar reach = btScalar(placement.reach);
+  treeLower_ -= btVector3(reach, reach, reach);
+  treeUpper_ += btVector3(reach, reach, reach);
+}
+
+void TriangleCounterpart::start(std::vector<NodePair>& known) {
+  oldSources_.clear();
+  for (const NodePair& pair : known) {
+    const TriangleSoup::Source& source = soup_.triangles()[pair.b];
+    oldSources_.push_back({-1, -1, source.part, source.index});
+  }
+  gather();
+  rename(known);
+  placeTriangles();
+  traversal_.start(placement_.tree.tree(), placement_.tree.scale(), obstacle_);
+}
+
+bool TriangleCounterpart::resume() {
+  if (!soup_.covers(treeLower_, treeUpper_)) {
+    outran_ = true;
+    return false;
+  }
+  placeTriangles();
+  return true;
+}
+
+void TriangleCounterpart::gather() {
+  const btScalar ahead = outran_ ? kStepsAhead * btScalar(placement_.travel) : 0;
+  outran_ = false;
+  const btVector3 grow(ahead, ahead, ahead);
+  soup_.gather(static_cast<const btConcaveShape&>(*placement_.otherShape), treeLower_ - grow, treeUpper_ + grow);
+}
+
+void TriangleCounterpart::rename(std::vector<NodePair>& known) const {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const int element = soup_.find(oldSources_[i].otherPart, oldSources_[i].otherIndex);
+    if (element >= 0) known[kept++] = {known[i].a, static_cast<std::uint32_t>(element)};
+  }
+  known.resize(kept);
+}
+
+void TriangleCounterpart::placeTriangles() {
+  const PlacedTree& tree = placement_.tree;
+  const float unit = 1 / tree.scale();
+  const float margin = (placement_.reach + placement_.treeMargin) * unit;
+  // The triangles of interest are near the tree, so the tree's own extent bounds the lengths that round.
+  const float lengths = 4 * (tree.tree().reach() + tree.tree().sphere(kRootNode).radius + margin);
+  obstacle_.clear(margin + kOverlapSlack * lengths);
+  inPair_.clear();
+  for (const TriangleSoup::Source& source : soup_.triangles()) {
+    const Triangle t{toVec3(placement_.other * source.corners[0]), toVec3(placement_.other * source.corners[1]),
+                     toVec3(placement_.other * source.corners[2])};
+    inPair_.push_back(t);
+    obstacle_.add({tree.toTree(t.a), tree.toTree(t.b), tree.toTree(t.c)});
+  }
+}
+
+void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  const std::size_t first = contacts.size();
+  contacts_.append(placement_.tree, placement_.treeMargin, placement_.reach, inPair_, pairs, contacts);
+  for (std::size_t i = first; i < contacts.size(); ++i) {
+    const TriangleSoup::Source& source = soup_.triangles()[contacts[i].pair.b];
+    const NodeId leaf = contacts[i].pair.a;
+    contacts[i].id = {static_cast<int>(placement_.tree.tree().level(leaf)), static_cast<int>(leaf), source.part,
+                      source.index};
+  }
+}
+
+Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
+  const Sphere sphere = placement_.tree.sphere(pair.a);
+  const Vec3 nearest = nearestOnTriangle(inPair_[pair.b], sphere.center).point;
+  const Vec3 out = sphere.center - nearest;
+  const float away = length(out);
+  const TriangleSoup::Source& source = soup_.triangles()[pair.b];
+  Contact contact;
+  contact.ofSpheres = true;
+  contact.pair = pair;
+  contact.normal = away > 0 ? out / away : inPair_[pair.b].normal();
+  contact.gap = away - sphere.radius - placement_.treeMargin;
+  contact.position = nearest + contact.normal * (0.5F * contact.gap);
+  contact.id = {static_cast<int>(placement_.tree.tree().level(pair.a)), static_cast<int>(pair.a), source.part,
+                source.index};
+  return contact;
+}
+
+}  // namespace cairn::bullet

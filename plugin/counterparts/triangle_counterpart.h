@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "cairn/core/obstacle_traversal.h"
+#include "counterparts/counterpart.h"
+#include "counterparts/triangle_contacts.h"
+#include "counterparts/triangle_soup.h"
+
+namespace cairn::bullet {
+
+/// Anything made of triangles: BVH mesh, scaled mesh, height field, GImpact, a foreign concave shape. The surface is
+/// the triangles themselves, both sides alike; Bullet's margin around them is not added. In a `NodePair`, b is a
+/// position in the gathered soup.
+class TriangleCounterpart final : public Counterpart {
+ public:
+  void place(const PairPlacement& placement) override;
+  void start(std::vector<NodePair>& known) override;
+  bool resume() override;
+  Traversal& traversal() override { return traversal_; }
+  void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  Contact boundingContact(const NodePair& pair) override;
+  float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
+
+ private:
+  void gather();
+  void rename(std::vector<NodePair>& known) const;
+  void placeTriangles();
+
+  PairPlacement placement_;
+  btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
+  bool outran_ = false;              // the last traversal had to be given up: gather farther ahead
+  TriangleSoup soup_;
+  std::vector<ContactId> oldSources_;
+  std::vector<Triangle> inPair_;
+  SoupObstacle obstacle_;
+  ObstacleTraversal traversal_;
+  TriangleContacts contacts_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <LinearMath/btTransform.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace cairn::bullet {
+
+/// A copy of what Bullet hands to an algorithm about a body. Its wrappers live on the stack of the dispatch (those of
+/// compound children with their transforms), and the answer to a collected pair is given after that.
+class BodySnapshot {
+ public:
+  /// A shape, in a compound, in a compound.
+  static constexpr std::size_t kMaxNesting = 3;
+
+  BodySnapshot() = default;
+  BodySnapshot(const BodySnapshot&) = delete;
+  BodySnapshot& operator=(const BodySnapshot&) = delete;
+
+  /// False when compounds are nested deeper than `kMaxNesting`; then there is no copy.
+  bool take(const btCollisionObjectWrapper& wrapper);
+  /// Precondition: `take` succeeded.
+  const btCollisionObjectWrapper& wrapper() const { return *levels_[depth_ - 1].wrapper; }
+
+ private:
+  struct Level {
+    btTransform transform;
+    std::optional<btCollisionObjectWrapper> wrapper;  // refers to `transform`
+  };
+  std::array<Level, kMaxNesting> levels_;  // outermost first
+  std::size_t depth_ = 0;
+};
+
+/// Digest of the child indices on the way to a wrapper's shape; 0 for a body that is no compound.
+std::uint32_t childPath(const btCollisionObjectWrapper& wrapper);
+
+}  // namespace cairn::bullet

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/narrow_phase_impl.h"
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <typeinfo>
+#include <utility>
+
+namespace cairn::bullet {
+
+namespace {
+
+bool isOwnedBy(const btCollisionObject& object, btOverlappingPairCache& pairs) {
+  auto* ghost = dynamic_cast<const btPairCachingGhostObject*>(&object);
+  return ghost && const_cast<btPairCachingGhostObject*>(ghost)->getOverlappingPairCache() == &pairs;
+}
+
+// A ghost object keeps its own pairs and has them dispatched whenever a character looks around; every one of them
+// contains the ghost, so the first tells.
+bool isGhostCache(btOverlappingPairCache& pairs) {
+  if (pairs.getNumOverlappingPairs() == 0) return false;
+  const btBroadphasePair& first = *pairs.getOverlappingPairArrayPtr();
+  return isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy0->m_clientObject), pairs) ||
+         isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy1->m_clientObject), pairs);
+}
+
+}  // namespace
+
+NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher)
+    : dispatcher_(dispatcher), priority_(std::make_unique<RoundRobin>()), registration_(dispatcher, *this) {}
+
+Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
+  if (budget.operations && *budget.operations < 0)
+    return Error{"a step cannot have " + std::to_string(*budget.operations) +
+                 " operations: give 0 or more, or leave them unset for no limit"};
+  if (budget.microseconds && !(*budget.microseconds >= 0))
+    return Error{"a step cannot have " + std::to_string(*budget.microseconds) +
+                 " microseconds: give 0 or more, or leave them unset for no limit"};
+  budget_ = budget;
+  return {};
+}
+
+void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
+  assert(priority);
+  priority_ = std::move(priority);
+}
+
+TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
+  const std::lock_guard lock(mutex_);
+  std::vector<TreePair*>& idle = idle_[static_cast<std::size_t>(kind)];
+  if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
+  TreePair* const pair = idle.back();
+  idle.pop_back();
+  pair->reset();
+  return pair;
+}
+
+void NarrowPhase::Impl::release(TreePair* pair) {
+  const std::lock_guard lock(mutex_);
+  if (pair->collectedAt() != TreePair::kNotCollected) collected_[pair->collectedAt()] = nullptr;
+  idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
+}
+
+void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
+  isCollecting_ = !isGhostCache(pairs);
+  if (!isCollecting_) return;
+  stepBegan_ = ThreadCpuClock::now();
+  timeStep_ = info.m_timeStep;
+  collected_.clear();
+}
+
+void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                btManifoldResult& result, bool mayDefer) {
+  // A result of another class belongs to a query, which wants its points before this returns.
+  const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
+  if (isCollecting_ && mayDefer && isPlain && collect(pair, body0, body1)) return;
+  answerAtOnce(pair, body0, body1, info, result);
+}
+
+bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                const btCollisionObjectWrapper& body1) {
+  if (!pair.collect(body0, body1)) return false;
+  const std::lock_guard lock(mutex_);
+  pair.setCollectedAt(collected_.size());
+  collected_.push_back(&pair);
+  return true;
+}
+
+void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                     const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                     btManifoldResult& result) {
+  Budget budget = Budget::unlimited();
+  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, budget)) return;
+  pair.scheduled().traversal->refine(budget);
+  ContactScratch scratch;  // queries may come from any thread
+  pair.finish(dispatcher_, result, policy_, false, budget, scratch);
+}
+
+Budget NarrowPhase::Impl::stepBudget() const {
+  const std::uint64_t operations =
+      budget_.operations ? static_cast<std::uint64_t>(*budget_.operations) : Budget::kUnlimited;
+  return budget_.microseconds ? Budget::both(operations, *budget_.microseconds) : Budget::operations(operations);
+}
+
+void NarrowPhase::Impl::endStep() {
+  if (!isCollecting_) return;
+  isCollecting_ = false;
+  statistics_ = {};
+  errorSum_ = 0;
+  reportingPairs_ = 0;
+
+  Budget budget = stepBudget();
+  beginPairs(budget);
+  scheduler_.run(scheduled_, *priority_, budget);
+  finishPairs(budget);
+
+  statistics_.pairs = static_cast<std::uint32_t>(collected_.size());
+  statistics_.operations = budget.used();
+  if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
+  const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
+  statistics_.microseconds = spent.count();
+}
+
+// Drops what was destroyed meanwhile, names what is new and orders everything by name.
+void NarrowPhase::Impl::beginPairs(Budget& budget) {
+  for (TreePair* pair : collected_)
+    if (pair) pair->setCollectedAt(TreePair::kNotCollected);
+  std::erase(collected_, nullptr);
+  nameNewPairs();
+  std::sort(collected_.begin(), collected_.end(),
+            [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
+  std::erase_if(collected_,
+                [&](TreePair* pair) { return !pair->begin(pair->body0(), pair->body1(), timeStep_, 0, budget); });
+  scheduled_.clear();
+  for (TreePair* pair : collected_) scheduled_.push_back(pair->scheduled());
+}
+
+void NarrowPhase::Impl::nameNewPairs() {
+  newPairs_.clear();
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (collected_[i]->isUnnamed()) newPairs_.push_back({collected_[i]->key(i), collected_[i]});
+  std::sort(newPairs_.begin(), newPairs_.end(), [](const NewPair& x, const NewPair& y) { return x.key < y.key; });
+  for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
+}
+
+void NarrowPhase::Impl::finishPairs(Budget& budget) {
+  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
+  for (TreePair* pair : collected_) {
+    btManifoldResult result(&pair->body0(), &pair->body1());
+    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_));
+  }
+}
+
+void NarrowPhase::Impl::count(const PairReport& report) {
+  statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
+  statistics_.contacts += report.contacts;
+  statistics_.manifolds += report.manifolds;
+  statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
+  if (report.contacts == 0) return;
+  errorSum_ += report.errorFraction;
+  ++reportingPairs_;
+}
+
+}  // namespace cairn::bullet

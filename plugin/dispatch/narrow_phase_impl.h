@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "cairn/bullet/narrow_phase.h"
+#include "dispatch/create_functions.h"
+#include "dispatch/thread_cpu_clock.h"
+#include "dispatch/tree_pair.h"
+
+namespace cairn::bullet {
+
+/// One step: `beginStep`, then Bullet's own pass, in which every algorithm calls `process` and is collected or answered
+/// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads.
+class NarrowPhase::Impl {
+ public:
+  explicit Impl(btCollisionDispatcher& dispatcher);
+
+  Status setBudget(const StepBudget& budget);
+  void setUnresolved(Unresolved policy) { policy_ = policy; }
+  void setPriority(std::unique_ptr<Priority> priority);
+  const StepStatistics& lastStep() const { return statistics_; }
+
+  void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
+  void endStep();
+
+  /// Pair states are pooled and never freed before this is: a pair that comes back costs no allocation.
+  TreePair* acquire(CounterpartKind kind);
+  void release(TreePair* pair);
+
+  /// `mayDefer`: false for query algorithms.
+  void process(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+               const btDispatcherInfo& info, btManifoldResult& result, bool mayDefer);
+
+ private:
+  bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                    const btDispatcherInfo& info, btManifoldResult& result);
+  Budget stepBudget() const;
+  void beginPairs(Budget& budget);
+  void nameNewPairs();
+  void finishPairs(Budget& budget);
+  void count(const PairReport& report);
+
+  btCollisionDispatcher& dispatcher_;
+  StepBudget budget_;
+  Unresolved policy_ = Unresolved::guard;
+  std::unique_ptr<Priority> priority_;
+  Scheduler scheduler_;
+  StepStatistics statistics_;
+  double errorSum_ = 0;
+  std::uint32_t reportingPairs_ = 0;
+
+  bool isCollecting_ = false;
+  btScalar timeStep_ = 0;
+  ThreadCpuClock::time_point stepBegan_;
+  std::mutex mutex_;                  // guards what follows while algorithms run
+  std::vector<TreePair*> collected_;  // null: destroyed after it was collected
+  std::vector<std::unique_ptr<TreePair>> all_;
+  std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
+
+  struct NewPair {
+    PairKey key;
+    TreePair* pair;
+  };
+  std::vector<NewPair> newPairs_;
+  std::vector<ScheduledPair> scheduled_;
+  std::uint64_t nextId_ = 0;
+  ContactScratch scratch_;
+  Registration registration_;  // last: algorithms may be made as soon as it stands
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
+
+#include "cairn/bullet/narrow_phase.h"
+#include "counterparts/counterpart.h"
+
+namespace cairn::bullet {
+
+class TreePair;
+
+/// What Bullet keeps for a pair with a sphere-tree: a handle on the pair's state. It must stay small, because Bullet's
+/// pool of algorithms hands out elements of one size whatever is asked for.
+class TreeAlgorithm final : public btCollisionAlgorithm {
+ public:
+  TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, NarrowPhase::Impl& narrowPhase, CounterpartKind kind,
+                bool mayDefer);
+  ~TreeAlgorithm() override;
+  TreeAlgorithm(const TreeAlgorithm&) = delete;
+  TreeAlgorithm& operator=(const TreeAlgorithm&) = delete;
+
+  void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
+                        const btDispatcherInfo& info, btManifoldResult* result) override;
+  /// 1: motion is handled by speculative contacts, not by times of impact.
+  btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& info,
+                                 btManifoldResult* result) override;
+  void getAllContactManifolds(btManifoldArray& manifolds) override;
+
+ private:
+  NarrowPhase::Impl& narrowPhase_;
+  TreePair* pair_;
+  bool mayDefer_;
+};
+static_assert(sizeof(TreeAlgorithm) <= sizeof(btConvexConvexAlgorithm));
+
+}  // namespace cairn::bullet

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <array>
+#include <compare>
+#include <memory>
+
+#include "cairn/bullet/step.h"
+#include "cairn/core/scheduler.h"
+#include "counterparts/pair_contacts.h"
+#include "dispatch/body_snapshot.h"
+
+class btDispatcher;
+
+namespace cairn::bullet {
+
+/// What one pair contributes to the statistics of a step.
+struct PairReport {
+  std::uint32_t contacts = 0;
+  std::uint32_t manifolds = 0;
+  bool isUnresolved = false;
+  double errorFraction = 0;  ///< worst certified error of its contacts, of the smaller body's size
+};
+
+/// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
+/// paths collide.
+struct PairKey {
+  std::uint64_t bodies = 0;
+  std::uint64_t children = 0;
+  std::size_t arrival = 0;
+
+  friend auto operator<=>(const PairKey&, const PairKey&) = default;
+};
+
+/// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: the
+/// traversal in progress, the contacts of the last step and up to four manifolds.
+class TreePair {
+ public:
+  explicit TreePair(CounterpartKind kind) : kind_(kind), counterpart_(makeCounterpart(kind)) {}
+
+  CounterpartKind kind() const { return kind_; }
+  /// For use by a new pair of bodies. Precondition: no manifolds.
+  void reset();
+
+  /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
+  bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  PairKey key(std::size_t arrival) const;
+  const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
+  const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
+
+  /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
+  /// are wanted, beyond the speculative distance. False when neither shape is a sphere-tree any more.
+  bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
+             btScalar threshold, Budget& budget);
+  ScheduledPair scheduled() { return {id_, &counterpart_->traversal(), closingSpeed_}; }
+
+  /// Brings the manifolds up to date through `result`. `mayBeInterrupted`: whether the next step can stop half-way.
+  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
+                    Budget& budget, ContactScratch& scratch);
+
+  void appendManifolds(btManifoldArray& manifolds) const;
+  void releaseManifolds(btDispatcher& dispatcher);
+
+  std::uint64_t id() const { return id_; }
+  void setId(std::uint64_t id) { id_ = id; }
+  bool isUnnamed() const { return id_ == kUnnamed; }
+  /// Position among the pairs collected in the current dispatch, or `kNotCollected`.
+  std::size_t collectedAt() const { return collectedAt_; }
+  void setCollectedAt(std::size_t index) { collectedAt_ = index; }
+
+  static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
+  static constexpr std::size_t kNotCollected = ~std::size_t{0};
+
+ private:
+  void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                 btScalar timeStep);
+  btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
+  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, ContactScratch& scratch,
+                    PairReport& report);
+
+  CounterpartKind kind_;
+  std::unique_ptr<Counterpart> counterpart_;
+  PairContacts contacts_;
+  std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
+  std::array<BodySnapshot, 2> bodies_;
+  const btCollisionObject* objects_[2] = {};  // in the manifolds' order
+
+  btVector3 origin_{0, 0, 0};
+  bool treeIsBody0_ = true;
+  PairPlacement placement_;
+  RelativeMotion motion_;
+  float smallerSize_ = 0;
+  float speculative_ = 0;
+  float closingSpeed_ = 0;
+  std::uint64_t id_ = kUnnamed;
+  std::size_t collectedAt_ = kNotCollected;
+};
+
+}  // namespace cairn::bullet

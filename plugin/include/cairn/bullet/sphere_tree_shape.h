@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+
+#include <memory>
+#include <utility>
+
+#include "cairn/core/result.h"
+#include "cairn/core/sphere_tree.h"
+
+namespace cairn::bullet {
+
+/// Which frame a body with this shape moves in.
+enum class BodyFrame : std::uint8_t {
+  /// Origin at the mesh's centre of mass, axes along its principal axes: what a btRigidBody needs to tumble as the mesh
+  /// would.
+  /// Draw the mesh with `bodyTransform * shape.bodyFromMesh()`.
+  principalAxes,
+  /// The mesh's own frame, for static and kinematic bodies and for children of compounds placed by their mesh frame.
+  mesh,
+};
+
+class ExtremePoints;
+
+/// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
+/// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
+inline constexpr btScalar kSpeculativeFraction = btScalar(0.004);
+
+/// A certified sphere-tree as a Bullet collision shape for moving (and static) concave bodies.
+///
+/// The type is `FAST_CONCAVE_MESH_PROXYTYPE`: every generic path of Bullet that knows only concave shapes (rays,
+/// sweeps, debug drawing, pairs nobody registered) works on the source triangles through `processAllTriangles`. Pairs
+/// handled by `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
+class SphereTreeShape final : public btConcaveShape {
+ public:
+  /// Fails for a null tree and for a scale that is not positive and finite. Cost: a convex hull of the mesh.
+  static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
+                                                         BodyFrame frame = BodyFrame::principalAxes,
+                                                         btScalar scale = 1);
+
+  ~SphereTreeShape() override;
+
+  /// The same with a tree of its own.
+  static Result<std::unique_ptr<SphereTreeShape>> create(SphereTree tree, BodyFrame frame = BodyFrame::principalAxes,
+                                                         btScalar scale = 1) {
+    return create(std::make_shared<const SphereTree>(std::move(tree)), frame, scale);
+  }
+
+  const SphereTree& tree() const { return *tree_; }
+  BodyFrame bodyFrame() const { return frame_; }
+  btScalar scale() const { return scale_; }
+
+  /// Places the source mesh (times `scale`) in the body's frame.
+  const btTransform& bodyFromMesh() const { return bodyFromMesh_; }
+  /// Places the tree frame (mesh axes, origin at the tree's origin, times `scale`) in the body's frame.
+  const btTransform& bodyFromTree() const { return bodyFromTree_; }
+  /// Diagonal of the source mesh's bounding box, scaled: what fractions of "body size" refer to.
+  btScalar size() const { return size_; }
+
+  /// Spheres stay spheres only under uniform scale. Anything else, or a scale that is not positive, is refused and
+  /// leaves the shape as it was.
+  Status setScale(const btVector3& scaling);
+  /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it.
+  void setLocalScaling(const btVector3& scaling) override;
+  const btVector3& getLocalScaling() const override { return localScaling_; }
+
+  /// The box of the source mesh's convex hull at this rotation (within 1e-4 of the size), grown by the margin and by
+  /// the speculative distance, so that no contact the narrow phase could report is lost to the broad phase. Linear in
+  /// the hull's vertices.
+  void getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const override;
+  void getBoundingSphere(btVector3& center, btScalar& radius) const override;
+  btScalar getAngularMotionDisc() const override { return angularMotionDisc_; }
+  /// Inertia of the solid mesh at uniform density, exact (polyhedral integrals), diagonal in the body's frame: complete
+  /// for `principalAxes`, the diagonal about the frame's origin for `mesh`.
+  void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
+  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle.
+  void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
+                           const btVector3& aabbMax) const override;
+  const char* getName() const override { return "CairnSphereTree"; }
+
+ private:
+  SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale);
+  void applyScale(btScalar scale);
+
+  std::shared_ptr<const SphereTree> tree_;
+  std::unique_ptr<const ExtremePoints> extremes_;
+  BodyFrame frame_;
+  btScalar scale_ = 1;
+  btScalar size_ = 0;
+  btScalar angularMotionDisc_ = 0;
+  btVector3 localScaling_;
+  btTransform bodyFromMesh_, bodyFromTree_;
+};
+
+/// The shape as a `SphereTreeShape`, or null. Decided by a private tag, never by the type number alone, which is free
+/// to others.
+const SphereTreeShape* asSphereTree(const btCollisionShape* shape);
+
+}  // namespace cairn::bullet

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace cairn::bullet {
+
+/// What the refinement of one simulation step may cost, over all pairs together. Unset means unlimited; both set:
+/// whichever ends first. Operations are those of Eq. 2.1 of the thesis (2 per sphere moved, 1 per overlap test) and
+/// reproducible; microseconds are not.
+struct StepBudget {
+  std::optional<std::int64_t> operations;
+  std::optional<double> microseconds;
+};
+
+/// What a pair answers while its traversal is unfinished (thesis 2.4; compared in docs/algorithms/contacts.md).
+enum class Unresolved : std::uint8_t {
+  guard,   ///< last finished contacts, re-tested; a zero-depth contact while the pair is new or closing fast (default)
+  repel,   ///< the unrefined spheres as they are: never missed, floats by the error
+  ignore,  ///< last finished contacts, re-tested, and nothing else: may sink in
+  compensate,  ///< the unrefined spheres, their certified error subtracted from the depth
+};
+
+/// What the narrow phase did in the last step.
+struct StepStatistics {
+  std::uint64_t operations = 0;       ///< all work charged, re-testing included
+  double microseconds = 0;            ///< CPU time of the whole dispatch, pairs without a sphere-tree included
+  std::uint32_t pairs = 0;            ///< pairs with a sphere-tree that the broad phase reported
+  std::uint32_t unresolvedPairs = 0;  ///< of these, traversals the budget stopped
+  std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
+  std::uint32_t manifolds = 0;        ///< non-empty manifolds of these pairs
+  /// Worst certified error among the pairs' answers, as a fraction of the smaller body's size (bounding-box diagonal of
+  /// its mesh): no reported pair of surfaces is farther apart than this.
+  double worstErrorFraction = 0;
+  double meanErrorFraction = 0;  ///< mean over pairs that report anything
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::bullet {
+
+/// The points of a mesh that can be extreme in some direction, packed for tight boxes at any rotation.
+///
+/// They are the vertices of a convex hull that Bullet computes on a grid of about 10,000 cells along each axis of the
+/// box (btConvexHullComputer), so a vertex can be missed by at most one cell's diagonal: that is `slack()`.
+class ExtremePoints {
+ public:
+  /// Cost: a convex hull, O(n log n). Precondition: `points` not empty, finite.
+  explicit ExtremePoints(std::span<const Vec3> points);
+
+  struct Interval {
+    float lower, upper;
+  };
+  /// Holds `dot(direction, p)` of every point p. `direction` must be a unit vector. Linear in the hull's vertices.
+  Interval along(const Vec3& direction) const;
+
+  /// Largest distance of any point from `from`.
+  float radiusAround(const Vec3& from) const;
+  /// Diagonal of the points' axis-aligned box.
+  float diagonal() const { return diagonal_; }
+  float slack() const { return slack_; }
+
+ private:
+  static constexpr std::size_t kLanes = 8;
+  struct Block {
+    std::array<float, kLanes> x, y, z;
+  };
+
+  std::vector<Block> blocks_;  // the last one filled up with copies
+  float diagonal_ = 0;
+  float slack_ = 0;
+};
+
+}  // namespace cairn::bullet

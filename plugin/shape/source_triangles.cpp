@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Zlib
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+struct Box {
+  Vec3 lower, upper;
+};
+
+float distanceSq(const Box& box, const Vec3& p) {
+  float sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float outside = std::max({box.lower[axis] - p[axis], 0.0F, p[axis] - box.upper[axis]});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+bool meets(const SphereTree& tree, NodeId node, const Box& box) {
+  const Sphere s = tree.sphere(node);
+  const float reach = s.radius * (1 + kOverlapSlack) + tree.reach() * kOverlapSlack;
+  return distanceSq(box, s.center) <= reach * reach;
+}
+
+// The triangles of all leaves near the box, each once, ascending.
+std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const Box& box) {
+  std::vector<std::uint32_t> found;
+  std::vector<NodeId> stack = {kRootNode};
+  while (!stack.empty()) {
+    const NodeId node = stack.back();
+    stack.pop_back();
+    if (!meets(tree, node, box)) continue;
+    if (tree.isLeaf(node)) {
+      const auto region = tree.regionTriangles(node);
+      found.insert(found.end(), region.begin(), region.end());
+      continue;
+    }
+    const std::uint32_t family = tree.childFamily(node);
+    for (std::uint32_t lane = 0; lane < tree.familySize(family); ++lane) stack.push_back(family * kFamilyWidth + lane);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// The box of the body's frame, seen from the tree's frame and in its unit; infinite boxes (debug drawing) stay so.
+Box toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
+  btVector3 lower, upper;
+  btTransformAabb(aabbMin, aabbMax, 0, shape.bodyFromTree().inverse(), lower, upper);
+  return {toVec3(lower / shape.scale()), toVec3(upper / shape.scale())};
+}
+
+}  // namespace
+
+void SphereTreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
+                                          const btVector3& aabbMax) const {
+  for (const std::uint32_t index : trianglesNear(*tree_, toTreeFrame(*this, aabbMin, aabbMax))) {
+    btVector3 corners[3];
+    for (int k = 0; k < 3; ++k)
+      corners[k] = bodyFromTree_ *
+                   (toBullet(tree_->vertices()[tree_->triangles()[index][static_cast<std::size_t>(k)]]) * scale_);
+    if (TestTriangleAgainstAabb2(corners, aabbMin, aabbMax))
+      callback->processTriangle(corners, 0, static_cast<int>(index));
+  }
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/bullet/sphere_tree_shape.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "shape/bullet_math.h"
+#include "shape/extreme_points.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+Status checkScale(const btVector3& scaling) {
+  const btScalar s = scaling.x();
+  if (scaling.y() != s || scaling.z() != s)
+    return Error{"a sphere-tree shape cannot be scaled by (" + std::to_string(s) + ", " + std::to_string(scaling.y()) +
+                 ", " + std::to_string(scaling.z()) +
+                 "): spheres stay spheres only under uniform scale, so scale the mesh and build its tree again"};
+  if (!(s > 0) || !std::isfinite(s))
+    return Error{"a sphere-tree shape cannot be scaled by " + std::to_string(s) + ": give a positive, finite scale"};
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr<const SphereTree> tree,
+                                                                 BodyFrame frame, btScalar scale) {
+  if (!tree) return Error{"a sphere-tree shape was asked for without a tree: load one with cairn::loadTree first"};
+  if (Status status = checkScale(btVector3(scale, scale, scale)); !status) return status.error();
+  return std::unique_ptr<SphereTreeShape>(new SphereTreeShape(std::move(tree), frame, scale));
+}
+
+SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale)
+    : tree_(std::move(tree)), extremes_(std::make_unique<ExtremePoints>(tree_->vertices())), frame_(frame) {
+  m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  applyScale(scale);
+}
+
+SphereTreeShape::~SphereTreeShape() = default;
+
+void SphereTreeShape::applyScale(btScalar scale) {
+  scale_ = scale;
+  localScaling_.setValue(scale, scale, scale);
+  const MassProperties& mass = tree_->mass();
+  const bool principal = frame_ == BodyFrame::principalAxes;
+  const Mat3d rotation = principal ? transpose(mass.principalAxes) : Mat3d{};
+  const Vec3d center = principal ? mass.centerOfMass : Vec3d{};
+  const double s = double(scale);
+  bodyFromMesh_ = btTransform(toBullet(rotation), toBullet(rotation * -center * s));
+  bodyFromTree_ = btTransform(toBullet(rotation), toBullet(rotation * (tree_->origin() - center) * s));
+  size_ = btScalar(extremes_->diagonal()) * scale;
+  const Vec3 bodyOriginInTree(center - tree_->origin());
+  angularMotionDisc_ = btScalar(extremes_->radiusAround(bodyOriginInTree)) * scale;
+}
+
+Status SphereTreeShape::setScale(const btVector3& scaling) {
+  if (Status status = checkScale(scaling); !status) return status;
+  applyScale(scaling.x());
+  return {};
+}
+
+void SphereTreeShape::setLocalScaling(const btVector3& scaling) {
+  if (Status status = setScale(scaling); !status) std::fprintf(stderr, "%s\n", status.error().message.c_str());
+}
+
+void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {
+  const btTransform worldFromTree = t * bodyFromTree_;
+  const btScalar grow = getMargin() + kSpeculativeFraction * size_;
+  for (int axis = 0; axis < 3; ++axis) {
+    const ExtremePoints::Interval interval = extremes_->along(toVec3(worldFromTree.getBasis()[axis]));
+    aabbMin[axis] = worldFromTree.getOrigin()[axis] + btScalar(interval.lower) * scale_ - grow;
+    aabbMax[axis] = worldFromTree.getOrigin()[axis] + btScalar(interval.upper) * scale_ + grow;
+  }
+}
+
+void SphereTreeShape::getBoundingSphere(btVector3& center, btScalar& radius) const {
+  const Sphere root = tree_->sphere(kRootNode);
+  center = bodyFromTree_ * (toBullet(root.center) * scale_);
+  radius = btScalar(root.radius) * scale_ + getMargin();
+}
+
+void SphereTreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
+  const MassProperties& m = tree_->mass();
+  const double factor = double(mass) * double(scale_) * double(scale_);
+  if (frame_ == BodyFrame::principalAxes) {
+    inertia = toBullet(m.principalMoments * factor);
+    return;
+  }
+  const double toOriginSq = lengthSq(m.centerOfMass);
+  Vec3d diagonal;
+  for (int axis = 0; axis < 3; ++axis)
+    diagonal[axis] = m.inertia(axis, axis) + toOriginSq - m.centerOfMass[axis] * m.centerOfMass[axis];
+  inertia = toBullet(diagonal * factor);
+}
+
+const SphereTreeShape* asSphereTree(const btCollisionShape* shape) {
+  return shape->getShapeType() == FAST_CONCAVE_MESH_PROXYTYPE ? dynamic_cast<const SphereTreeShape*>(shape) : nullptr;
+}
+
+}  // namespace cairn::bullet

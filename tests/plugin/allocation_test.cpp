@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Zlib
+// Once a scene has warmed up, a step allocates nothing on our side. Bullet allocates with its own functions, not with
+// `new`.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "bullet_world.h"
+
+// The address sanitizer has to own `new` itself.
+#ifndef __SANITIZE_ADDRESS__
+
+namespace {
+std::size_t gAllocations = 0;
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  ++gAllocations;
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  if (void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return allocate(size, alignof(std::max_align_t));
+}
+void* operator new[](std::size_t size) {
+  return allocate(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t a) {
+  return allocate(size, static_cast<std::size_t>(a));
+}
+void* operator new[](std::size_t size, std::align_val_t a) {
+  return allocate(size, static_cast<std::size_t>(a));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace cairn::test {
+namespace {
+
+class Allocation : public testing::TestWithParam<std::optional<std::int64_t>> {};
+
+TEST_P(Allocation, IsNoneAfterWarmUp) {
+  BulletWorld<> w;
+  ASSERT_TRUE(w.dispatcher.setBudget({GetParam(), {}}).ok());
+  w.addGround();
+  w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
+  btTriangleMesh mesh;
+  mesh.addTriangle(btVector3(-9, -9, btScalar(0.1)), btVector3(9, -9, btScalar(0.1)), btVector3(0, 9, btScalar(0.1)));
+  w.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
+  const auto tree = plainTree(ball(0.3, 5));
+  for (int i = 0; i < 8; ++i) {
+    btRigidBody& body =
+        w.add(treeShape(tree), 1,
+              btVector3(btScalar(0.35 * (i % 3) - 0.3), btScalar(0.3 * (i % 2)), btScalar(0.8 + 0.4 * i)));
+    body.setActivationState(DISABLE_DEACTIVATION);
+  }
+  w.step(300);
+  const std::size_t before = gAllocations;
+  w.step(100);
+  EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
+  EXPECT_EQ(gAllocations - before, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, Allocation, testing::Values(std::optional<std::int64_t>(), 4000));
+
+}  // namespace
+}  // namespace cairn::test
+
+#endif

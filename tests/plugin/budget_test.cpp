@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Zlib
+// What a budget does to a scene: nobody lost, nothing exploded, and the same bits every time.
+#include <gtest/gtest.h>
+
+#include "bullet_world.h"
+
+namespace cairn::test {
+namespace {
+
+using bullet::Unresolved;
+
+struct Heap {
+  BulletWorld<> w;
+  std::vector<btRigidBody*> bodies;
+
+  explicit Heap(std::optional<std::int64_t> operations, Unresolved policy = Unresolved::guard) {
+    EXPECT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    w.dispatcher.setUnresolved(policy);
+    w.addGround();
+    // Walls, so that a heap stays a heap.
+    for (const btVector3& n : {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 1, 0), btVector3(0, -1, 0)})
+      w.add(std::make_shared<btStaticPlaneShape>(n, btScalar(-1)), 0, btVector3(0, 0, 0));
+    const auto round = plainTree(ball(0.3, 6));
+    const auto square = plainTree(cuboid({0.5, 0.4, 0.3}, 3));
+    for (int i = 0; i < 24; ++i) {
+      const btVector3 place(btScalar(i % 2) - btScalar(0.5), btScalar(i / 2 % 2) - btScalar(0.45),
+                            btScalar(0.4) + btScalar(0.7) * btScalar(i / 4));
+      bodies.push_back(&w.add(treeShape(i % 3 ? round : square), 1, place));
+    }
+  }
+
+  btScalar peakSpeed = 0;
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      w.step();
+      for (const btRigidBody* body : bodies) peakSpeed = std::max(peakSpeed, body->getLinearVelocity().length());
+    }
+  }
+  void expectNobodyLost() const {
+    for (const btRigidBody* body : bodies) {
+      ASSERT_TRUE(isSane(*body));
+      const btVector3& p = body->getWorldTransform().getOrigin();
+      EXPECT_GT(p.z(), 0) << "fell through the ground";
+      EXPECT_LT(std::max(std::abs(p.x()), std::abs(p.y())), 1.0) << "left through a wall";
+    }
+  }
+};
+
+// The highest body starts at 4 m: falling freely it arrives with less than 9 m/s. Faster means that something pushed.
+constexpr btScalar kFreeFallSpeed = 9;
+
+class BudgetedHeap : public testing::TestWithParam<std::optional<std::int64_t>> {};
+
+TEST_P(BudgetedHeap, LosesNobodyAndDoesNotExplode) {
+  Heap heap(GetParam());
+  heap.run(300);
+  heap.expectNobodyLost();
+  EXPECT_LT(heap.peakSpeed, kFreeFallSpeed);
+}
+
+TEST_P(BudgetedHeap, GivesTheSameBitsTwice) {
+  Heap first(GetParam()), second(GetParam());
+  first.run(120);
+  second.run(120);
+  EXPECT_EQ(first.w.stateHash(), second.w.stateHash());
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, BudgetedHeap,
+                         testing::Values(std::optional<std::int64_t>(0), 1, 100, 2000, 20000,
+                                         std::optional<std::int64_t>()));
+
+TEST(Budget_None, NothingFallsThroughAPlane) {
+  Heap heap(0);
+  heap.run(30);
+  EXPECT_GT(heap.w.dispatcher.lastStep().unresolvedPairs, 0U) << "the budget was no limit: the test shows nothing";
+  for (btRigidBody* body : heap.bodies) body->setActivationState(DISABLE_DEACTIVATION);
+  heap.run(600);
+  heap.expectNobodyLost();
+}
+
+// An answer that was once complete must not let a body creep away from it for ever.
+TEST(Budget_None, HoldsABodyThatHadRestedBefore) {
+  BulletWorld<> w;
+  w.addGround();
+  btRigidBody& body = w.add(treeShape(plainTree(ball(0.3, 6))), 1, btVector3(0, 0, btScalar(0.31)));
+  w.step(120);
+  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+  body.activate(true);
+  body.setActivationState(DISABLE_DEACTIVATION);
+  body.setAngularVelocity(btVector3(0, 3, 0));
+  w.step(600);
+  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.15);
+}
+
+TEST(Budget_Operations, AreNotExceededByRefinement) {
+  Heap limited(5000), unlimited({});
+  std::uint64_t peak = 0;
+  for (int i = 0; i < 120; ++i) {
+    limited.w.step();
+    unlimited.w.step();
+    peak = std::max(peak, unlimited.w.dispatcher.lastStep().operations);
+    // Known contacts are re-tested on top: at most 32 pairs for each pair of bodies, as many of its front, and
+    // the leaf pairs it has just found; five operations each.
+    const auto& s = limited.w.dispatcher.lastStep();
+    EXPECT_LE(s.operations, 5000U + s.unresolvedPairs * 5U * (32U + 32U) + 5U * 5000U) << "step " << i;
+  }
+  EXPECT_GT(peak, 5000U) << "the limit never bit: the test shows nothing";
+}
+
+TEST(Budget_Time, ZeroMicrosecondsStillHoldsTheHeap) {
+  Heap heap({});
+  ASSERT_TRUE(heap.w.dispatcher.setBudget({{}, 0.0}).ok());
+  heap.run(120);
+  heap.expectNobodyLost();
+}
+
+TEST(Budget_Policies, AllStayFinite) {
+  for (const Unresolved policy : {Unresolved::guard, Unresolved::repel, Unresolved::ignore, Unresolved::compensate}) {
+    Heap heap(1500, policy);
+    heap.run(180);
+    for (const btRigidBody* body : heap.bodies) EXPECT_TRUE(isSane(*body)) << static_cast<int>(policy);
+  }
+}
+
+TEST(Budget_Statistics, SayWhatHappened) {
+  Heap heap({});
+  heap.run(240);
+  const auto& s = heap.w.dispatcher.lastStep();
+  int contacts = 0, manifolds = 0;
+  for (int i = 0; i < heap.w.dispatcher.getNumManifolds(); ++i) {
+    const int count = heap.w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    contacts += count;
+    manifolds += count > 0;
+  }
+  EXPECT_EQ(s.unresolvedPairs, 0U);
+  EXPECT_GT(s.pairs, 24U);
+  EXPECT_LE(s.contacts, static_cast<std::uint32_t>(contacts));
+  EXPECT_GT(s.contacts, 24U);
+  EXPECT_LE(s.manifolds, static_cast<std::uint32_t>(manifolds));
+  EXPECT_GT(s.microseconds, 0);
+  EXPECT_GT(s.worstErrorFraction, 0);
+  EXPECT_LE(s.meanErrorFraction, s.worstErrorFraction);
+}
+
+}  // namespace
+}  // namespace cairn::test

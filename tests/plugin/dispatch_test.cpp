@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Zlib
+// The dispatcher inside a real Bullet world: queries, compounds, foreign shapes, callbacks, ghosts, pairs that come and
+// go.
+#include <gtest/gtest.h>
+
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+
+#include <limits>
+#include <random>
+
+#include "bullet_world.h"
+
+namespace cairn::test {
+namespace {
+
+constexpr btScalar kRestTolerance = bullet::kSpeculativeFraction;
+
+struct Points final : btCollisionWorld::ContactResultCallback {
+  int count = 0;
+  btScalar deepest = 1;
+  btVector3 normalOnB{0, 0, 0};
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    ++count;
+    if (point.getDistance() < deepest) {
+      deepest = point.getDistance();
+      normalOnB = point.m_normalWorldOnB;
+    }
+    return 0;
+  }
+};
+
+TEST(Queries_ContactPairTest, ReportsDepthAndNormalInBothOrders) {
+  BulletWorld<> w;
+  btRigidBody& ground = w.addGround();
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.45)));
+  for (const bool bodyFirst : {true, false}) {
+    Points points;
+    w.world.contactPairTest(bodyFirst ? &body : &ground, bodyFirst ? &ground : &body, points);
+    EXPECT_GE(points.count, 3);
+    EXPECT_NEAR(points.deepest, -0.05, 1e-4);
+    EXPECT_NEAR(points.normalOnB.z(), bodyFirst ? 1 : -1, 1e-5) << "from B to A";
+  }
+  EXPECT_EQ(w.dispatcher.getNumManifolds(), 0) << "a query leaves nothing behind";
+}
+
+TEST(Queries_ContactTest, FindsWhatTheBroadPhaseFinds) {
+  BulletWorld<> w;
+  w.addGround();
+  btRigidBody& body = w.add(treeShape(plainTree(ball(0.5, 6))), 1, btVector3(0, 0, btScalar(0.48)));
+  Points points;
+  w.world.contactTest(&body, points);
+  EXPECT_GE(points.count, 1);
+  EXPECT_NEAR(points.deepest, -0.02, 0.001);
+}
+
+TEST(Queries_ContactPairTest, HonoursTheDistanceThreshold) {
+  BulletWorld<> w;
+  w.add(std::make_shared<btBoxShape>(btVector3(2, 2, 1)), 0, btVector3(0, 0, -1));
+  btRigidBody& body = w.add(treeShape(plainTree(ball(0.5, 6))), 1, btVector3(0, 0, btScalar(0.6)));
+  Points near;
+  w.world.contactPairTest(&body, w.world.getCollisionObjectArray()[0], near);
+  EXPECT_EQ(near.count, 0) << "10 cm apart";
+  Points far;
+  far.m_closestDistanceThreshold = btScalar(0.2);
+  w.world.contactPairTest(&body, w.world.getCollisionObjectArray()[0], far);
+  EXPECT_GE(far.count, 1);
+  EXPECT_NEAR(far.deepest, 0.1, 0.005);
+}
+
+TEST(Queries_Compound, FindTheTreeInside) {
+  BulletWorld<> w;
+  btRigidBody& ground = w.addGround();
+  auto compound = std::make_shared<btCompoundShape>();
+  const auto child = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 1)), child.get());
+  btRigidBody& body = w.add(compound, 1, btVector3(0, 0, btScalar(-0.55)));
+  Points touching;
+  w.world.contactPairTest(&body, &ground, touching);
+  EXPECT_GE(touching.count, 1);
+  EXPECT_NEAR(touching.deepest, -0.05, 1e-4);
+}
+
+TEST(Dispatch_Compound, ChildTreeRestsOnPlaneAndTree) {
+  for (const bool onTree : {false, true}) {
+    BulletWorld<> w;
+    if (onTree)
+      w.add(treeShape(plainTree(cuboid({4, 4, 1}, 6))), 0, btVector3(0, 0, btScalar(-0.5)));
+    else
+      w.addGround();
+    auto compound = std::make_shared<btCompoundShape>();
+    const auto child = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 3)));
+    compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(-0.3), 0, 0)), child.get());
+    compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.3), 0, 0)), child.get());
+    btRigidBody& body = w.add(compound, 2, btVector3(0, 0, btScalar(0.3)));
+    body.setActivationState(DISABLE_DEACTIVATION);
+    w.step(180);
+    ASSERT_TRUE(isSane(body));
+    EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.25, kRestTolerance) << "on tree " << onTree;
+    EXPECT_EQ(w.dispatcher.lastStep().pairs, 2U) << "one for each child";
+  }
+}
+
+// Compounds against each other dispatch with a result whose bodies may stand the other way round.
+TEST(Dispatch_Compound, TwoCompoundsOfTreesStack) {
+  BulletWorld<> w;
+  w.addGround();
+  const auto child = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 3)));
+  std::vector<btRigidBody*> bodies;
+  for (int i = 0; i < 2; ++i) {
+    auto compound = std::make_shared<btCompoundShape>();
+    compound->addChildShape(btTransform::getIdentity(), child.get());
+    bodies.push_back(&w.add(compound, 1, btVector3(0, 0, btScalar(0.26 + 0.52 * i))));
+  }
+  w.step(240);
+  EXPECT_NEAR(bodies[0]->getWorldTransform().getOrigin().z(), 0.25, kRestTolerance);
+  EXPECT_NEAR(bodies[1]->getWorldTransform().getOrigin().z(), 0.75, 2 * kRestTolerance);
+}
+
+TEST(Dispatch_Unregistered, BoxStillMeetsTheTriangles) {
+  BulletWorld<btCollisionDispatcher> w;
+  w.add(std::make_shared<btBoxShape>(btVector3(3, 3, 1)), 0, btVector3(0, 0, -1));
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2))), 1, btVector3(0, 0, btScalar(0.3)));
+  w.step(120);
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.25, 0.05)
+      << "Bullet's own triangle contacts, with its margins";
+}
+
+TEST(Dispatch_Foreign, ShapeOfOurTypeKeepsBulletsAlgorithm) {
+  struct Foreign final : btBvhTriangleMeshShape {
+    explicit Foreign(btStridingMeshInterface* mesh) : btBvhTriangleMeshShape(mesh, true) {
+      m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+    }
+  };
+  btTriangleMesh mesh;
+  mesh.addTriangle(btVector3(-9, -9, 0), btVector3(9, -9, 0), btVector3(0, 9, 0));
+  BulletWorld<> w;
+  w.add(std::make_shared<Foreign>(&mesh), 0, btVector3(0, 0, 0));
+  btRigidBody& box = w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 1, btVector3(0, 0, btScalar(1.1)));
+  btRigidBody& tree = w.add(treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2))), 1, btVector3(2, 0, btScalar(0.3)));
+  w.step(120);
+  EXPECT_NEAR(box.getWorldTransform().getOrigin().z(), 1, 0.06) << "Bullet's own algorithm, with its margins";
+  EXPECT_NEAR(tree.getWorldTransform().getOrigin().z(), 0.25, kRestTolerance) << "ours, on its triangles";
+  EXPECT_EQ(w.dispatcher.lastStep().pairs, 1U);
+}
+
+int gAdded = 0, gStarted = 0, gEnded = 0, gProcessed = 0;
+
+TEST(Dispatch_Callbacks, StartOnceWhileABodyRests) {
+  gContactAddedCallback = [](btManifoldPoint&, const btCollisionObjectWrapper*, int part0, int index0,
+                             const btCollisionObjectWrapper*, int, int) {
+    gAdded += part0 >= 0 && index0 >= 0;
+    return false;
+  };
+  gContactStartedCallback = [](btPersistentManifold* const&) { ++gStarted; };
+  gContactEndedCallback = [](btPersistentManifold* const&) { ++gEnded; };
+  gContactProcessedCallback = [](btManifoldPoint&, void*, void*) {
+    ++gProcessed;
+    return false;
+  };
+  gAdded = gStarted = gEnded = gProcessed = 0;
+  {
+    BulletWorld<> w;
+    btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.501)));
+    w.addGround();
+    body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    w.step(60);
+    EXPECT_EQ(gStarted, 1);
+    EXPECT_EQ(gEnded, 0);
+    EXPECT_GE(gAdded, 3 * 60) << "part and index lead back to the tree's level and leaf";
+    EXPECT_GE(gProcessed, 3 * 50);
+  }
+  EXPECT_EQ(gEnded, 1) << "released with the world";
+  gContactAddedCallback = nullptr;
+  gContactStartedCallback = nullptr;
+  gContactEndedCallback = nullptr;
+  gContactProcessedCallback = nullptr;
+}
+
+TEST(Dispatch_Contacts, KeepTheirImpulses) {
+  BulletWorld<> w;
+  w.addGround();
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
+  body.setActivationState(DISABLE_DEACTIVATION);
+  w.step(120);
+  ASSERT_EQ(w.dispatcher.getNumManifolds(), 1);
+  const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(0);
+  ASSERT_EQ(m.getNumContacts(), 4);
+  btScalar sum = 0;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_GT(m.getContactPoint(i).getLifeTime(), 60) << "the same four points all along";
+    sum += m.getContactPoint(i).getAppliedImpulse();
+  }
+  EXPECT_NEAR(sum, 9.81 / 60, 0.02);
+}
+
+TEST(Dispatch_Ghost, CharacterLooksAroundWithoutSpendingTheStep) {
+  btGhostPairCallback pairs;  // outlives the broad phase that is told of it
+  BulletWorld<> w;
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
+  w.addGround();
+  w.world.getBroadphase()->getOverlappingPairCache()->setInternalGhostPairCallback(&pairs);
+  btPairCachingGhostObject ghost;
+  btSphereShape sphere(btScalar(0.5));
+  ghost.setCollisionShape(&sphere);
+  ghost.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.9), 0, btScalar(0.5))));
+  w.world.addCollisionObject(&ghost, btBroadphaseProxy::SensorTrigger, btBroadphaseProxy::AllFilter);
+  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+  w.step(3);
+  const auto before = w.dispatcher.lastStep();
+  w.dispatcher.dispatchAllCollisionPairs(ghost.getOverlappingPairCache(), w.world.getDispatchInfo(), &w.dispatcher);
+  btManifoldArray manifolds;
+  for (int i = 0; i < ghost.getOverlappingPairCache()->getNumOverlappingPairs(); ++i) {
+    btBroadphasePair& pair = ghost.getOverlappingPairCache()->getOverlappingPairArray()[i];
+    if (pair.m_algorithm) pair.m_algorithm->getAllContactManifolds(manifolds);
+  }
+  int contacts = 0;
+  for (int i = 0; i < manifolds.size(); ++i)
+    if (manifolds[i]->getBody0() == &body || manifolds[i]->getBody1() == &body)
+      contacts += manifolds[i]->getNumContacts();
+  EXPECT_GE(contacts, 1) << "answered in full although the step's budget is 0";
+  EXPECT_EQ(w.dispatcher.lastStep().operations, before.operations) << "the step's statistics are not the ghost's";
+  w.world.removeCollisionObject(&ghost);
+}
+
+TEST(Dispatch_Pairs, ComeAndGoAtRandom) {
+  std::mt19937_64 engine(5);
+  BulletWorld<> w;
+  w.addGround();
+  w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 0, btVector3(0, 0, 0));
+  const auto tree = plainTree(ball(0.3, 4));
+  std::vector<btRigidBody*> bodies;
+  ASSERT_TRUE(w.dispatcher.setBudget({3000, {}}).ok());
+  const auto number = [&] { return btScalar(engine() % 1000) / 500 - 1; };
+  for (int step = 0; step < 300; ++step) {
+    if (bodies.size() < 25) bodies.push_back(&w.add(treeShape(tree), 1, btVector3(number(), number(), 1 + number())));
+    if (engine() % 3 == 0) {
+      const std::size_t k = engine() % bodies.size();
+      w.remove(*bodies[k]);
+      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    w.step();
+    for (btRigidBody* body : bodies) ASSERT_TRUE(isSane(*body)) << "step " << step;
+  }
+  while (!bodies.empty()) {
+    w.remove(*bodies.back());
+    bodies.pop_back();
+  }
+  EXPECT_EQ(w.dispatcher.getNumManifolds(), 0);
+}
+
+TEST(Dispatch_Errors, RefuseImpossibleBudgets) {
+  BulletWorld<> w;
+  EXPECT_FALSE(w.dispatcher.setBudget({-1, {}}).ok());
+  EXPECT_FALSE(w.dispatcher.setBudget({{}, -0.5}).ok());
+  const Status nan = w.dispatcher.setBudget({{}, std::numeric_limits<double>::quiet_NaN()});
+  ASSERT_FALSE(nan.ok());
+  EXPECT_NE(nan.error().message.find("microseconds"), std::string::npos);
+  EXPECT_TRUE(w.dispatcher.setBudget({0, 0.0}).ok());
+  EXPECT_TRUE(w.dispatcher.setBudget({}).ok());
+}
+
+TEST(Dispatch_Scale, SameBodyAtEveryScaleRestsOnItsMesh) {
+  for (const double scale : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+    BulletWorld<> w;
+    w.world.setGravity(btVector3(0, 0, btScalar(-9.81 * scale)));  // the same motion, seen from farther away
+    w.addGround();
+    btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.6, 0.5, 0.4}, 3)), btScalar(scale)), 1,
+                              btVector3(0, 0, btScalar(0.25 * scale)));
+    body.setSleepingThresholds(0, 0);
+    w.step(180);
+    EXPECT_NEAR(body.getWorldTransform().getOrigin().z() / btScalar(scale), 0.2, kRestTolerance) << "scale " << scale;
+  }
+}
+
+}  // namespace
+}  // namespace cairn::test

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::test {
+
+/// A closed triangle mesh with outward normals.
+struct Solid {
+  std::vector<Vec3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+namespace detail {
+
+// Shares vertices that fall into one place, so that patches generated one by one close up.
+class SolidWriter {
+ public:
+  std::uint32_t vertex(const Vec3d& p) {
+    const auto key = std::array{std::llround(p.x * 1e9), std::llround(p.y * 1e9), std::llround(p.z * 1e9)};
+    const auto [it, isNew] = index_.try_emplace(key, static_cast<std::uint32_t>(solid.vertices.size()));
+    if (isNew) solid.vertices.push_back(p);
+    return it->second;
+  }
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    solid.triangles.push_back({vertex(a), vertex(b), vertex(c)});
+  }
+  /// A parallelogram from `corner`, cut into cells, facing cross(u, v).
+  void patch(const Vec3d& corner, const Vec3d& u, const Vec3d& v, int cellsU, int cellsV) {
+    for (int i = 0; i < cellsU; ++i)
+      for (int j = 0; j < cellsV; ++j) {
+        const auto at = [&](int di, int dj) {
+          return corner + u * (double(i + di) / cellsU) + v * (double(j + dj) / cellsV);
+        };
+        triangle(at(0, 0), at(1, 0), at(1, 1));
+        triangle(at(0, 0), at(1, 1), at(0, 1));
+      }
+  }
+  Solid solid;
+
+ private:
+  std::map<std::array<long long, 3>, std::uint32_t> index_;
+};
+
+inline void addCuboid(SolidWriter& out, const Vec3d& lower, const Vec3d& upper, int cells) {
+  const Vec3d s = upper - lower;
+  const Vec3d x{s.x, 0, 0}, y{0, s.y, 0}, z{0, 0, s.z};
+  out.patch(lower, y, x, cells, cells);
+  out.patch(lower, x, z, cells, cells);
+  out.patch(lower, z, y, cells, cells);
+  out.patch(lower + z, x, y, cells, cells);
+  out.patch(lower + y, z, x, cells, cells);
+  out.patch(lower + x, y, z, cells, cells);
+}
+
+}  // namespace detail
+
+/// A cuboid around the origin, each face cut into cells x cells squares.
+inline Solid cuboid(const Vec3d& size, int cells) {
+  detail::SolidWriter out;
+  detail::addCuboid(out, size * -0.5, size * 0.5, cells);
+  return out.solid;
+}
+
+/// Two cuboids that touch nowhere, as one (not connected) solid: a dumbbell without a bar, concave for certain.
+inline Solid twoCuboids(const Vec3d& size, const Vec3d& apart, int cells) {
+  detail::SolidWriter out;
+  detail::addCuboid(out, apart * 0.5 - size * 0.5, apart * 0.5 + size * 0.5, cells);
+  detail::addCuboid(out, apart * -0.5 - size * 0.5, apart * -0.5 + size * 0.5, cells);
+  return out.solid;
+}
+
+/// A ball of this radius: an octahedron with each face cut into subdivisions^2 triangles, its vertices on the sphere.
+inline Solid ball(double radius, int subdivisions) {
+  detail::SolidWriter out;
+  const auto onSphere = [&](const Vec3d& p) { return normalized(p) * radius; };
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vec3d x{octant & 1 ? -1.0 : 1.0, 0, 0}, y{0, octant & 2 ? -1.0 : 1.0, 0}, z{0, 0, octant & 4 ? -1.0 : 1.0};
+    const bool mirrored = (octant & 1) ^ ((octant >> 1) & 1) ^ ((octant >> 2) & 1);
+    const Vec3d a = x, b = mirrored ? z : y, c = mirrored ? y : z;
+    const int n = subdivisions;
+    const auto at = [&](int i, int j) { return onSphere(a * double(n - i - j) + b * double(i) + c * double(j)); };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        out.triangle(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < n) out.triangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  return out.solid;
+}
+
+}  // namespace cairn::test
