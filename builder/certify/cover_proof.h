@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cairn/builder/certify.h"
+
+namespace cairn::builder {
+
+/// Proves that a mesh's surface lies in the balls of a tree. Keeps references; tree and mesh must outlive it.
+class CoverProof {
+ public:
+  CoverProof(const SphereTree& tree, const TriangleMesh& mesh);
+
+  /// Nothing when every point of every triangle lies in a ball of `levelCut(level)` and in all its ancestors; otherwise
+  /// a piece of the lowest triangle for which that could not be shown. Parallel, deterministic.
+  std::optional<UncoveredPiece> unreachable(std::uint32_t level) const;
+
+  /// The same without the ancestors.
+  std::optional<UncoveredPiece> uncovered(std::uint32_t level) const;
+
+ private:
+  /// A ball in double, tree frame, shrunk and grown by the guard.
+  struct GuardedBall {
+    Vec3d center;
+    double radius = 0;
+    double innerSq = -1;  ///< a point this near, as computed, is surely in the ball
+  };
+  using Piece = std::array<Vec3d, 3>;  // tree frame
+  class Search;
+
+  std::optional<UncoveredPiece> firstFailure(const std::vector<NodeId>& start, std::uint32_t level, bool descend) const;
+  Vec3d toTree(const Vec3d& meshPoint) const { return meshPoint - tree_.origin(); }
+
+  const SphereTree& tree_;
+  const TriangleMesh& mesh_;
+  double guard_ = 0;                // mesh unit
+  double smallestPiece_ = 0;        // mesh unit
+  std::vector<GuardedBall> balls_;  // by NodeId
+};
+
+}  // namespace cairn::builder

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/protrusion.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace cairn::builder {
+namespace {
+
+/// The directions between three unit vectors, times the radii [inner, outer], from the ball's centre.
+struct Piece {
+  std::array<Vec3d, 3> directions;
+  double inner = 0, outer = 0;
+  double upper = 0;  ///< proved: no point of the piece is farther from the solid
+
+  /// Orders a heap: the largest bound on top. Ties keep no order that matters to the result's validity, and the heap's
+  /// own order is a function of the input alone.
+  friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
+};
+
+class BranchAndBound {
+ public:
+  BranchAndBound(const SignedDistance& solid, const Vec3d& center, double radius, const ProtrusionTolerance& tolerance)
+      : solid_(solid), center_(center), radius_(radius), tolerance_(tolerance) {}
+
+  CertifiedProtrusion run() {
+    const SignedDistance::Answer atCenter = query(center_);
+    depth_ = atCenter.depth;
+    result_.depth = depth_;
+    result_.witness = center_;
+    best_ = std::max(0.0, -depth_);
+    const double whole = radius_ - depth_;
+    double upper = std::max(whole, 0.0);
+    if (whole > 0 && radius_ > 0) {
+      offerFarPoint(atCenter.nearest.point);
+      if (!closeEnough(upper)) upper = refine(whole);
+    }
+    // The guard covers the queries, and the pieces' corners and witness, which are rounded to a few units of the same
+    // lengths.
+    const double guard = 2 * solid_.roundingBound(center_ + Vec3d{radius_, radius_, radius_});
+    result_.upper = whole + guard <= 0 ? 0 : upper + guard;
+    result_.lower = std::max(0.0, best_ - guard);
+    return result_;
+  }
+
+ private:
+  SignedDistance::Answer query(const Vec3d& p) {
+    ++queries_;
+    return solid_.query(p);
+  }
+
+  bool closeEnough(double upper) const { return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute; }
+
+  void offer(const Vec3d& point, double outside) {
+    if (outside > best_) {
+      best_ = outside;
+      result_.witness = point;
+    }
+  }
+
+  /// Beyond the surface point nearest to the centre, or away from it when the centre is outside, is a good first
+  /// witness.
+  void offerFarPoint(const Vec3d& nearest) {
+    const Vec3d away = depth_ > 0 ? nearest - center_ : center_ - nearest;
+    const double reach = length(away);
+    if (!(reach > 0)) return;
+    const Vec3d point = center_ + away * (radius_ / reach);
+    offer(point, -query(point).depth);
+  }
+
+  double refine(double whole) {
+    for (int octant = 0; octant < 8; ++octant) {
+      const double x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
+      push({{Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}}, 0, radius_, whole});
+    }
+    while (!pieces_.empty() && !closeEnough(pieces_.front().upper) && queries_ < tolerance_.maxQueries) {
+      std::pop_heap(pieces_.begin(), pieces_.end());
+      const Piece piece = pieces_.back();
+      pieces_.pop_back();
+      split(piece);
+    }
+    return std::max(best_, pieces_.empty() ? 0.0 : pieces_.front().upper);
+  }
+
+  void split(Piece piece) {
+    const auto& [a, b, c] = piece.directions;
+    piece.inner = std::max(piece.inner, settledRadius());
+    const double width = std::max({lengthSq(a - b), lengthSq(b - c), lengthSq(c - a)}) * piece.outer * piece.outer;
+    const double height = piece.outer - piece.inner;
+    if (height * height > kMostHeightToWidth * kMostHeightToWidth * width) {
+      const double middle = (piece.inner + piece.outer) / 2;
+      push({piece.directions, middle, piece.outer, piece.upper});
+      push({piece.directions, piece.inner, middle, piece.upper});
+      return;
+    }
+    const Vec3d ab = normalized(a + b), bc = normalized(b + c), ca = normalized(c + a);
+    push({{ab, bc, ca}, piece.inner, piece.outer, piece.upper});
+    push({{a, ab, ca}, piece.inner, piece.outer, piece.upper});
+    push({{b, bc, ab}, piece.inner, piece.outer, piece.upper});
+    push({{c, ca, bc}, piece.inner, piece.outer, piece.upper});
+  }
+
+  /// Points this near the centre are no farther from the solid than the witness: dist(x) <= |x - c| - s(c).
+  double settledRadius() const { return std::max(0.0, best_ + depth_); }
+
+  /// Bounds a piece by one query and keeps it if it may hold something farther than the witness.
+  void push(Piece piece) {
+    piece.inner = std::max(piece.inner, settledRadius());
+    piece.upper = std::min(piece.upper, piece.outer - depth_);
+    if (piece.inner >= piece.outer || piece.upper <= best_) return;
+    const auto& [a, b, c] = piece.directions;
+    const Vec3d middle = normalized(a + b + c);
+    const Vec3d point = center_ + middle * piece.outer;
+    const SignedDistance::Answer answer = query(point);
+    offer(point, -answer.depth);
+    piece.upper = std::min(piece.upper, boundOnHull(piece, point, answer));
+    if (piece.upper <= best_) return;
+    pieces_.push_back(piece);
+    std::push_heap(pieces_.begin(), pieces_.end());
+  }
+
+  double boundOnHull(const Piece& piece, const Vec3d& point, const SignedDistance::Answer& answer) const {
+    const auto& [a, b, c] = piece.directions;
+    // The plane through a, b, c passes the centre at `cosine`: a unit direction between them is a combination of
+    // weights >= 0 whose sum lies in [1, 1 / cosine]. So the piece lies in the hull of the corners at `inner` and at
+    // outer / cosine.
+    const double cosine = dot(a, normalized(cross(b - a, c - a)));
+    const double outer = piece.outer / std::abs(cosine);
+    double toTriangle = 0, toPointSq = 0;
+    for (const Vec3d& direction : piece.directions) {
+      for (const double r : {piece.inner, outer}) {
+        const Vec3d corner = center_ + direction * r;
+        toTriangle = std::max(toTriangle, solid_.distanceToTriangle(answer.nearest.triangle, corner));
+        toPointSq = std::max(toPointSq, lengthSq(corner - point));
+      }
+    }
+    // The second is the 1-Lipschitz bound; it is the better one where the piece lies inside the solid.
+    return std::min(toTriangle, std::sqrt(toPointSq) - answer.depth);
+  }
+
+  static constexpr double kMostHeightToWidth = 2;  // from 0.5 to 8 the cost is the same within noise
+
+  const SignedDistance& solid_;
+  Vec3d center_;
+  double radius_;
+  ProtrusionTolerance tolerance_;
+  double depth_ = 0;
+  double best_ = 0;
+  std::uint32_t queries_ = 0;
+  std::vector<Piece> pieces_;
+  CertifiedProtrusion result_;
+};
+
+}  // namespace
+
+ProtrusionTolerance defaultProtrusionTolerance(const SignedDistance& solid) {
+  return {0.01, 1e-4 * solid.bounds().diagonal(), 100'000};
+}
+
+CertifiedProtrusion certifiedProtrusion(const SignedDistance& solid, const Vec3d& center, double radius,
+                                        const ProtrusionTolerance& tolerance) {
+  assert(isFinite(center) && std::isfinite(radius) && radius >= 0);
+  return BranchAndBound(solid, center, radius, tolerance).run();
+}
+
+double protrusionBound(const SignedDistance& solid, const Vec3d& center, double radius, double tolerance) {
+  ProtrusionTolerance t = defaultProtrusionTolerance(solid);
+  t.absolute = tolerance;
+  return certifiedProtrusion(solid, center, radius, t).upper;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/sphere_union.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "evaluate/random_stream.h"
+
+namespace cairn::builder {
+namespace {
+
+constexpr std::size_t kAreaSamples = 100'000;
+constexpr std::size_t kVolumeSamples = 100'000;
+constexpr std::size_t kChunk = 1'000;  // samples of one random stream
+
+/// cumulative[i] = sum of the weights before i; one entry more than weights.
+std::vector<double> cumulated(const std::vector<double>& weights) {
+  std::vector<double> sums(weights.size() + 1, 0);
+  for (std::size_t i = 0; i < weights.size(); ++i) sums[i + 1] = sums[i] + weights[i];
+  return sums;
+}
+
+/// The interval that holds `position`, at or after `from`: positions come in ascending order.
+std::size_t intervalAt(const std::vector<double>& sums, double position) {
+  const auto after = std::upper_bound(sums.begin(), sums.end(), position);
+  const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - sums.begin() - 1, 0));
+  return std::min(index, sums.size() - 2);
+}
+
+std::vector<double> areasOf(const TriangleMesh& mesh) {
+  std::vector<double> areas;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = mesh.corners(t);
+    areas.push_back(length(cross(c[1] - c[0], c[2] - c[0])) / 2);
+  }
+  return areas;
+}
+
+Vec3d uniformPoint(const std::array<Vec3d, 3>& corners, RandomStream& random) {
+  const double root = std::sqrt(random.uniform()), along = random.uniform();
+  return corners[0] * (1 - root) + corners[1] * (root * (1 - along)) + corners[2] * (root * along);
+}
+
+/// Balls that reach a triangle, by its bounding sphere.
+void collectNear(const std::array<Vec3d, 3>& corners, const std::vector<CutBall>& balls, std::vector<CutBall>& near) {
+  near.clear();
+  const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+  double reach = 0;
+  for (const Vec3d& c : corners) reach = std::max(reach, distance(c, middle));
+  for (const CutBall& ball : balls) {
+    const double touch = (ball.radius + reach) * (1 + 1e-12);  // rounding: too many does no harm
+    if (lengthSq(ball.center - middle) <= touch * touch) near.push_back(ball);
+  }
+}
+
+/// Runs `chunk(index)`, which returns a number, over all chunks in parallel and sums in order.
+template <class Chunk>
+double sumOverChunks(std::size_t samples, const Chunk& chunk) {
+  std::vector<double> parts(samples / kChunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) { parts[i] = chunk(i); });
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+double uncoveredAreaFraction(const TriangleMesh& mesh, const std::vector<CutBall>& balls, std::uint64_t seed) {
+  const std::vector<double> sums = cumulated(areasOf(mesh));
+  const double outside = sumOverChunks(kAreaSamples, [&](std::size_t chunk) {
+    RandomStream random(seed, chunk);
+    std::vector<CutBall> near;
+    std::size_t nearTo = mesh.triangles.size();
+    double count = 0;
+    for (std::size_t i = chunk * kChunk; i < (chunk + 1) * kChunk; ++i) {
+      const double position = (static_cast<double>(i) + random.uniform()) / kAreaSamples * sums.back();
+      const std::size_t triangle = intervalAt(sums, position);
+      const auto corners = mesh.corners(static_cast<std::uint32_t>(triangle));
+      if (triangle != nearTo) collectNear(corners, balls, near);
+      nearTo = triangle;
+      const Vec3d point = uniformPoint(corners, random);
+      count += std::none_of(near.begin(), near.end(), [&](const CutBall& b) { return b.contains(point); });
+    }
+    return count;
+  });
+  return outside / kAreaSamples;
+}
+
+double wastedVolume(const SignedDistance& solid, const std::vector<CutBall>& balls, std::uint64_t seed) {
+  std::vector<double> volumes;
+  for (const CutBall& ball : balls) volumes.push_back(4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3));
+  const std::vector<double> sums = cumulated(volumes);
+  const double mean = sumOverChunks(kVolumeSamples, [&](std::size_t chunk) {
+    RandomStream random(seed, chunk);
+    double share = 0;
+    for (std::size_t i = chunk * kChunk; i < (chunk + 1) * kChunk; ++i) {
+      const double position = (static_cast<double>(i) + random.uniform()) / kVolumeSamples * sums.back();
+      const CutBall& ball = balls[intervalAt(sums, position)];
+      const Vec3d point = random.inBall(ball.center, ball.radius);
+      if (solid.depth(point) >= 0) continue;
+      const auto holding =
+          std::count_if(balls.begin(), balls.end(), [&](const CutBall& b) { return b.contains(point); });
+      // At least the ball it was drawn from, whatever rounding says.
+      share += 1.0 / static_cast<double>(std::max<std::ptrdiff_t>(holding, 1));
+    }
+    return share;
+  });
+  return mean / kVolumeSamples * sums.back();
+}
+
+}  // namespace cairn::builder

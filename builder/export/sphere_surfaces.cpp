@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one place that calls assimp to write.
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Exporter.hpp>
+#include <exception>
+#include <memory>
+
+#include "cairn/builder/export.h"
+#include "cairn/core/atomic_file.h"
+#include "export/icosphere.h"
+
+namespace cairn::builder {
+namespace {
+
+constexpr int kSubdivisions = 2;  // 320 triangles a sphere: round at a glance, 160 000 for 512 spheres
+
+/// One mesh with all spheres of the cut.
+std::unique_ptr<aiMesh> meshOf(const SphereTree& tree, const std::vector<NodeId>& cut) {
+  const TriangleMesh unit = unitIcosphere(kSubdivisions);
+  auto mesh = std::make_unique<aiMesh>();
+  mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  mesh->mNumVertices = static_cast<unsigned>(unit.vertices.size() * cut.size());
+  mesh->mVertices = new aiVector3D[mesh->mNumVertices];  // aiMesh deletes them
+  mesh->mNormals = new aiVector3D[mesh->mNumVertices];
+  mesh->mNumFaces = static_cast<unsigned>(unit.triangles.size() * cut.size());
+  mesh->mFaces = new aiFace[mesh->mNumFaces];
+  unsigned vertex = 0, face = 0;
+  for (const NodeId node : cut) {
+    const Sphere sphere = tree.sphere(node);
+    const unsigned first = vertex;
+    for (const Vec3d& direction : unit.vertices) {
+      const Vec3 n(direction), p(tree.origin() + Vec3d(sphere.center) + direction * static_cast<double>(sphere.radius));
+      mesh->mNormals[vertex] = {n.x, n.y, n.z};
+      mesh->mVertices[vertex++] = {p.x, p.y, p.z};
+    }
+    for (const Triangle& t : unit.triangles) {
+      aiFace& target = mesh->mFaces[face++];
+      target.mNumIndices = 3;
+      target.mIndices = new unsigned[3]{first + t[0], first + t[1], first + t[2]};
+    }
+  }
+  return mesh;
+}
+
+std::unique_ptr<aiScene> sceneOf(std::unique_ptr<aiMesh> mesh) {
+  auto scene = std::make_unique<aiScene>();  // owns and deletes all it points to
+  scene->mNumMaterials = 1;
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+  scene->mNumMeshes = 1;
+  scene->mMeshes = new aiMesh* [1] { mesh.release() };
+  scene->mRootNode = new aiNode("spheres");
+  scene->mRootNode->mNumMeshes = 1;
+  scene->mRootNode->mMeshes = new unsigned[1]{0};
+  return scene;
+}
+
+Status writeScene(const aiScene& scene, SurfaceFormat format, const std::filesystem::path& path) {
+  // "objnomtl": the plain one would leave a material file beside the temporary name.
+  const char* id = format == SurfaceFormat::obj ? "objnomtl" : "glb2";
+  try {
+    Assimp::Exporter exporter;
+    if (exporter.Export(&scene, id, path.string()) == aiReturn_SUCCESS) return {};
+    return Error{
+        fmt::format("assimp cannot write it ({}); choose another folder or format", exporter.GetErrorString())};
+  } catch (const std::exception& e) {
+    return Error{fmt::format("assimp failed to write it ({}); choose another folder or format", e.what())};
+  }
+}
+
+}  // namespace
+
+Status writeSphereSurfaces(const SphereTree& tree, std::uint32_t level, SurfaceFormat format,
+                           const std::filesystem::path& path) {
+  if (level > tree.depth())
+    return Error{fmt::format("the tree has levels 0 to {}, not {}; choose one of them", tree.depth(), level)};
+  const std::unique_ptr<aiScene> scene = sceneOf(meshOf(tree, tree.levelCut(level)));
+  return writeFileAtomically(
+      path, [&](const std::filesystem::path& temporary) { return writeScene(*scene, format, temporary); });
+}
+
+}  // namespace cairn::builder

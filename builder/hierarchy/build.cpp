@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairn/builder/build.h"
+
+#include <tbb/task_arena.h>
+
+#include <optional>
+#include <utility>
+
+#include "cairn/builder/import.h"
+#include "hierarchy/build_options.h"
+#include "hierarchy/region_tree.h"
+#include "hierarchy/tree_data.h"
+
+namespace cairn::builder {
+
+namespace {
+
+/// A ball that fits its region within this part of the mesh's diagonal is not split further: the certificate cannot
+/// tell it from a perfect one.
+constexpr double kNegligibleFraction = 1e-6;
+
+BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
+  return {mesh.name,       mesh.sha256, methodName(options.method), options.branching, options.depth,
+          options.samples, options.seed};
+}
+
+/// Splitting takes nearly all the time, and each level about as much per region; what follows is the last tenth.
+double fractionDone(std::uint32_t depth, std::uint32_t level, std::size_t done, std::size_t count) {
+  const double within = static_cast<double>(done) / static_cast<double>(count);
+  return 0.9 * (static_cast<double>(level) + within) / static_cast<double>(depth);
+}
+
+/// Nothing when cancelled.
+std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOptions& options,
+                                        const ProgressCallback& report) {
+  const SignedDistance solid(mesh);
+  const SplitSettings settings{options.method, options.branching, options.seed,
+                               kNegligibleFraction * boundsOf(mesh).diagonal()};
+  const RegionTree regions =
+      growRegionTree(rootRegion(solid, options.samples), options.depth, solid, settings,
+                     [&](std::uint32_t level, std::size_t done, std::size_t count) {
+                       return report("fitting spheres", fractionDone(options.depth, level, done, count));
+                     });
+  if (regions.empty() || !report("certifying errors", 0.9)) return std::nullopt;
+  SphereTreeData data = makeTreeData(regions, solid);
+  data.info = infoOf(mesh, options);
+  return data;
+}
+
+}  // namespace
+
+Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options, const ProgressCallback& progress) {
+  if (Status s = checkOptions(options); !s) return s.error();
+  if (Status s = checkMesh(mesh); !s) return s.error();
+  const ProgressCallback report = progress ? progress : [](std::string_view, double) { return true; };
+  if (!report("fitting spheres", 0)) return Error{std::string(kCancelled)};
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  std::optional<SphereTreeData> data = arena.execute([&] { return buildData(mesh, options, report); });
+  if (!data) return Error{std::string(kCancelled)};
+  Result<SphereTree> tree = SphereTree::create(*std::move(data));
+  if (tree && !report("done", 1)) return Error{std::string(kCancelled)};
+  return tree;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cairn/builder/build.h"
+
+namespace cairn::builder {
+
+/// Refuses an option out of its range, naming the option, its value and the range.
+Status checkOptions(const BuildOptions& options);
+
+}  // namespace cairn::builder

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lookahead.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr int kSwapRounds = 1;
+/// First and last step of a bias, in parts of the stand-off at which seams are divided.
+constexpr double kFirstStep = 0.2, kLastStep = 0.02;
+/// With the mean of the children's worst errors above this part of the largest, siblings have nothing to offer each
+/// other.
+constexpr double kBalanced = 0.85;
+constexpr double kStepAfterFailure = 0.5, kStepAfterSuccess = 1.5;
+/// An attempt has to lower the worst by this factor to count.
+constexpr double kWorthwhile = 0.998;
+
+}  // namespace
+
+Lookahead::Lookahead(Split split, const SignedDistance& solid, const SplitSettings& settings)
+    : split_(std::move(split)),
+      next_(split_.children.size()),
+      searched_(split_.children.size(), false),
+      step_(kFirstStep) {
+  tbb::parallel_for(std::size_t{0}, next_.size(),
+                    [&](std::size_t i) { next_[i] = splitRegion(split_.children[i], solid, settings, 0); });
+}
+
+double Lookahead::worstGrandchild() const {
+  double worst = 0;
+  for (const Split& split : next_) worst = std::max(worst, split.worst());
+  return worst;
+}
+
+std::size_t Lookahead::worstIndex() const {
+  const auto worst = std::max_element(next_.begin(), next_.end(),
+                                      [](const Split& a, const Split& b) { return a.worst() < b.worst(); });
+  return static_cast<std::size_t>(worst - next_.begin());
+}
+
+bool Lookahead::relieve(double limit, const SignedDistance& solid, const SplitSettings& settings) {
+  if (next_.size() < 2 || step_ < kLastStep || worstGrandchild() <= settings.negligible) return false;
+  const std::size_t child = worstIndex();
+  if (!searched_[child]) {
+    searchHarder(child, solid, settings);
+    return true;
+  }
+  if (isBalanced()) return false;
+  moveSeams(child, limit, solid, settings);
+  return true;
+}
+
+bool Lookahead::isBalanced() const {
+  double sum = 0;
+  for (const Split& split : next_) sum += split.worst();
+  return sum > kBalanced * worstGrandchild() * static_cast<double>(next_.size());
+}
+
+void Lookahead::searchHarder(std::size_t child, const SignedDistance& solid, const SplitSettings& settings) {
+  next_[child] = refineSplit(next_[child], split_.children[child], solid, settings, kSwapRounds);
+  searched_[child] = true;
+}
+
+std::vector<double> Lookahead::strongerBias(std::size_t child) const {
+  std::vector<double> bias = split_.bias;
+  const double worst = next_[child].worst();
+  for (std::size_t i = 0; i < bias.size(); ++i)
+    bias[i] += step_ * split_.standOff * std::max(0.0, 2 * next_[i].worst() / worst - 1);
+  return bias;
+}
+
+void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings) {
+  Split moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff), solid);
+  step_ *= kStepAfterFailure;
+  if (moved.children.size() != split_.children.size() || moved.worst() > std::max(limit, split_.worst())) return;
+  if (moved.children[child].pieces == split_.children[child].pieces) return;
+  std::vector<Split> next = next_;
+  std::vector<bool> searched = searched_;
+  const double goal = worstGrandchild() * kWorthwhile;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (moved.children[i].pieces == split_.children[i].pieces) continue;
+    next[i] = splitRegion(moved.children[i], solid, settings, 0);
+    searched[i] = next[i].worst() >= goal;
+    if (searched[i]) next[i] = refineSplit(next[i], moved.children[i], solid, settings, kSwapRounds);
+    if (next[i].worst() >= goal) return;
+  }
+  split_ = std::move(moved);
+  next_ = std::move(next);
+  searched_ = std::move(searched);
+  step_ *= kStepAfterSuccess / kStepAfterFailure;
+}
+
+}  // namespace cairn::builder

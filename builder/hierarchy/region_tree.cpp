@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "region_tree.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "hierarchy/lookahead.h"
+
+namespace cairn::builder {
+
+namespace {
+
+/// Rounds of relief for each level, and how near to the level's worst a node must be to take part: the figure of a
+/// level is its worst sphere.
+constexpr int kRootReliefRounds = 16, kReliefRounds = 6;
+constexpr double kReliefShare = 0.95;
+/// The root's own division decides most and is only one: it gets a thorough search.
+constexpr int kRootSwapRounds = 6;
+
+/// Counts finished regions and passes the news on, from one thread at a time.
+class LevelCounter {
+ public:
+  LevelCounter(const LevelProgress& progress, std::uint32_t level, std::size_t count)
+      : progress_(progress), level_(level), count_(count) {}
+
+  void finishOne() {
+    const std::lock_guard lock(mutex_);
+    if (!cancelled_ && !progress_(level_, ++done_, count_)) cancelled_ = true;
+  }
+  bool cancelled() {
+    const std::lock_guard lock(mutex_);
+    return cancelled_;
+  }
+
+ private:
+  const LevelProgress& progress_;
+  std::uint32_t level_;
+  std::size_t count_;
+  std::size_t done_ = 0;
+  bool cancelled_ = false;
+  std::mutex mutex_;
+};
+
+class Growth {
+ public:
+  Growth(const SignedDistance& solid, const SplitSettings& settings, const LevelProgress& progress)
+      : solid_(solid), settings_(settings), progress_(progress) {}
+
+  RegionTree run(Region root, std::uint32_t depth) {
+    RegionTree tree;
+    tree.push_back({std::move(root), 0, 0, 0});
+    std::vector<Split> splits{splitRegion(tree[0].region, solid_, settings_, kRootSwapRounds)};
+    if (settings_.method != Method::octree)
+      splits[0] = refineSplit(splits[0], tree[0].region, solid_, settings_, kRootSwapRounds);
+    for (std::uint32_t level = 0; level < depth; ++level) {
+      std::vector<Split> next;
+      if (level + 1 < depth && !lookAhead(splits, next, level)) return {};
+      append(tree, splits);
+      splits = std::move(next);
+    }
+    return tree;
+  }
+
+ private:
+  /// Divides the children of the level's nodes, then improves the level's divisions for their sake. False when
+  /// cancelled.
+  bool lookAhead(std::vector<Split>& splits, std::vector<Split>& next, std::uint32_t level) {
+    std::vector<std::unique_ptr<Lookahead>> nodes(splits.size());
+    LevelCounter counter(progress_, level, splits.size());
+    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+      if (counter.cancelled()) return;
+      nodes[i] = std::make_unique<Lookahead>(std::move(splits[i]), solid_, settings_);
+      counter.finishOne();
+    });
+    if (counter.cancelled()) return false;
+    if (settings_.method != Method::octree && !relieveAll(nodes, level)) return false;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      splits[i] = nodes[i]->split();
+      for (Split& split : nodes[i]->takeChildren()) next.push_back(std::move(split));
+    }
+    return true;
+  }
+
+  /// Relieves the worst nodes until the worst of all cannot be relieved any more. Which nodes take part in a round
+  /// depends on the results of the last one only, not on the threads. False when cancelled.
+  bool relieveAll(std::vector<std::unique_ptr<Lookahead>>& nodes, std::uint32_t level) const {
+    double limit = 0;
+    for (const auto& node : nodes) limit = std::max(limit, node->worstChild());
+    const int rounds = nodes.size() == 1 ? kRootReliefRounds : kReliefRounds;
+    for (int round = 0; round < rounds; ++round) {
+      if (!progress_(level, nodes.size(), nodes.size())) return false;
+      double worst = 0;
+      for (const auto& node : nodes) worst = std::max(worst, node->worstGrandchild());
+      std::vector<char> relieved(nodes.size(), 1);
+      tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+        if (nodes[i]->worstGrandchild() >= kReliefShare * worst)
+          relieved[i] = nodes[i]->relieve(limit, solid_, settings_) ? 1 : 0;
+      });
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (relieved[i] == 0 && nodes[i]->worstGrandchild() == worst) return true;
+    }
+    return true;
+  }
+
+  /// The children become nodes. `splits` belong to the last nodes of the tree, in order.
+  static void append(RegionTree& tree, std::vector<Split>& splits) {
+    const std::size_t first = tree.size() - splits.size();
+    for (std::size_t i = 0; i < splits.size(); ++i) {
+      tree[first + i].firstChild = static_cast<std::uint32_t>(tree.size());
+      tree[first + i].childCount = static_cast<std::uint32_t>(splits[i].children.size());
+      for (Region& child : splits[i].children)
+        tree.push_back({std::move(child), static_cast<std::uint32_t>(first + i), 0, 0});
+    }
+  }
+
+  const SignedDistance& solid_;
+  const SplitSettings& settings_;
+  const LevelProgress& progress_;
+};
+
+}  // namespace
+
+RegionTree growRegionTree(Region root, std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
+                          const LevelProgress& progress) {
+  return Growth(solid, settings, progress).run(std::move(root), depth);
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cairn/builder/build.h"
+#include "hierarchy/region.h"
+#include "spheres/sphere_set.h"
+#include "surface/signed_distance.h"
+
+namespace cairn::builder {
+
+/// What all splits of one build have in common.
+struct SplitSettings {
+  Method method = Method::combined;
+  std::size_t branching = 8;
+  std::uint64_t seed = 1;
+  double negligible = 0;  ///< stand-off not worth splitting for, mesh unit, > 0
+};
+
+/// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.
+Region rootRegion(const SignedDistance& solid, std::size_t samples);
+
+/// How a region was divided, kept so that the division can be changed later. For the octree only `children` is filled.
+struct Split {
+  Pieces pieces;             ///< of the region, cut finely enough to fit spheres to
+  PointSet points;           ///< what the spheres were fitted to
+  SphereSet balls;           ///< one for each child; depths as the field they were fitted with sees them
+  std::vector<double> bias;  ///< by ball, see `divide`
+  double standOff = 0;       ///< at which the balls cover the region's pieces, seams included
+  std::vector<Region>
+      children;  ///< at most `branching`; none when the region fits its ball so well that they are pointless
+
+  /// Worst error of the children, 0 without any.
+  double worst() const;
+};
+
+/// Divides a region among at most `branching` balls (thesis Alg. 8 with the chosen reduction). `swapRounds`: see
+/// `optimiseBySwaps`. A pure function of its arguments.
+Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds);
+
+/// A better division of the same region, or the same one: fits the balls of `split` anew against the closing of the
+/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. Not for the octree. A pure
+/// function.
+Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
+                  int swapRounds);
+
+/// Divides the split's pieces anew among its balls, with other seams, and refits the balls of parts that changed.
+Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid);
+
+}  // namespace cairn::builder

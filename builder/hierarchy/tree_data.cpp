@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tree_data.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/protrusion.h"
+#include "hierarchy/region_normals.h"
+#include "hierarchy/support_points.h"
+#include "surface/mass_properties.h"
+
+namespace cairn::builder {
+
+namespace {
+
+/// What one node contributes, before the records are laid end to end.
+struct NodeParts {
+  NodeData record;
+  std::vector<Vec3> supportPoints, faceNormals;
+  std::vector<std::uint32_t> triangles;  // of a leaf
+};
+
+float roundUp(double v) {
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) < v ? std::nextafter(f, INFINITY) : f;
+}
+
+float roundDown(double v) {
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) > v ? std::nextafter(f, -INFINITY) : f;
+}
+
+class Writer {
+ public:
+  Writer(const RegionTree& regions, const SignedDistance& solid) : regions_(regions), solid_(solid) {
+    data_.mass = massPropertiesOf(solid.mesh());
+    data_.origin = Vec3d(Vec3(data_.mass.centerOfMass));
+    double reach = 0;
+    for (const Vec3d& v : solid.mesh().vertices) {
+      const Vec3d local = v - data_.origin;
+      data_.vertices.emplace_back(local);
+      reach = std::max({reach, std::abs(local.x), std::abs(local.y), std::abs(local.z)});
+    }
+    for (const Triangle& t : solid.mesh().triangles) data_.triangles.push_back(t);
+    // A vertex rounded to float moves by at most sqrt(3) 2^-25 of the largest coordinate, the corners of pieces (forty
+    // midpoints in double) and the distances measured here by less than 2^-46 of it; 2^-23 covers all, so that the
+    // balls hold both the mesh as given and the mesh as the tree stores it.
+    guard_ = 0x1p-23 * reach;
+  }
+
+  SphereTreeData write() {
+    std::vector<NodeParts> parts(regions_.size());
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) { parts[i] = partsOf(i); });
+    for (NodeParts& p : parts) append(p);
+    layOutTriangles(0, parts);
+    return std::move(data_);
+  }
+
+ private:
+  Vec3d toTree(const Vec3d& p) const { return p - data_.origin; }
+
+  NodeParts partsOf(std::size_t index) const {
+    const RegionNode& node = regions_[index];
+    NodeParts parts;
+    parts.record.parent = node.parent;
+    const std::vector<Vec3d> corners = cornersOf(node.region.pieces);
+    writeBall(node.region.ball, corners, parts.record);
+    const std::vector<FacingArea> areas = facingAreas(node.region.pieces, solid_.mesh());
+    parts.faceNormals = dominantNormals(areas);
+    parts.record.normalCone = normalConeOf(areas);
+    for (const Vec3d& p : chooseSupportPoints(corners, areas, kMaxSupportPoints, guard_))
+      parts.supportPoints.emplace_back(toTree(p));
+    if (node.childCount == 0) parts.triangles = sourcesOf(node.region.pieces);
+    return parts;
+  }
+
+  void writeBall(const Ball& ball, const std::vector<Vec3d>& corners, NodeData& record) const {
+    record.center = Vec3(toTree(ball.center));
+    const Vec3d center = data_.origin + Vec3d(record.center);
+    double farthestSq = 0;
+    for (const Vec3d& p : corners) farthestSq = std::max(farthestSq, lengthSq(p - center));
+    record.radius = roundUp(std::sqrt(farthestSq) + guard_);
+    const CertifiedProtrusion protrusion =
+        certifiedProtrusion(solid_, center, record.radius, defaultProtrusionTolerance(solid_));
+    record.error = roundUp(protrusion.upper);
+    record.innerRadius = std::clamp(roundDown(protrusion.depth - guard_), 0.0F, record.radius);
+  }
+
+  static std::vector<std::uint32_t> sourcesOf(const Pieces& pieces) {
+    std::vector<std::uint32_t> sources;
+    for (const Piece& piece : pieces) sources.push_back(piece.source);
+    std::sort(sources.begin(), sources.end());
+    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+    return sources;
+  }
+
+  void append(NodeParts& parts) {
+    NodeData& record = parts.record;
+    record.firstSupport = static_cast<std::uint32_t>(data_.supportPoints.size());
+    record.supportCount = static_cast<std::uint32_t>(parts.supportPoints.size());
+    data_.supportPoints.insert(data_.supportPoints.end(), parts.supportPoints.begin(), parts.supportPoints.end());
+    record.firstNormal = static_cast<std::uint32_t>(data_.faceNormals.size());
+    record.normalCount = static_cast<std::uint32_t>(parts.faceNormals.size());
+    data_.faceNormals.insert(data_.faceNormals.end(), parts.faceNormals.begin(), parts.faceNormals.end());
+    data_.nodes.push_back(record);
+  }
+
+  /// Leaves in depth-first order, so that a node's range is its descendants' laid end to end.
+  void layOutTriangles(std::uint32_t index, const std::vector<NodeParts>& parts) {
+    const auto first = static_cast<std::uint32_t>(data_.regionTriangles.size());
+    const RegionNode& node = regions_[index];
+    data_.regionTriangles.insert(data_.regionTriangles.end(), parts[index].triangles.begin(),
+                                 parts[index].triangles.end());
+    for (std::uint32_t c = 0; c < node.childCount; ++c) layOutTriangles(node.firstChild + c, parts);
+    data_.nodes[index].firstTriangle = first;
+    data_.nodes[index].triangleCount = static_cast<std::uint32_t>(data_.regionTriangles.size()) - first;
+  }
+
+  const RegionTree& regions_;
+  const SignedDistance& solid_;
+  SphereTreeData data_;
+  double guard_ = 0;  // mesh unit
+};
+
+}  // namespace
+
+SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid) {
+  return Writer(regions, solid).write();
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace cairn::builder {
+
+/// SHA-256 as 64 hexadecimal digits.
+std::string sha256Hex(std::span<const std::byte> bytes);
+
+}  // namespace cairn::builder

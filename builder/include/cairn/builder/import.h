@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "cairn/builder/triangle_mesh.h"
+#include "cairn/core/result.h"
+
+namespace cairn::builder {
+
+/// What `importMesh` left out without changing the surface, for reports.
+struct ImportCounts {
+  std::size_t degenerateTriangles = 0;  ///< triangles without area
+};
+
+/// Reads a mesh file of any format assimp knows: all its meshes, placed by their nodes, polygons triangulated, vertices
+/// at exactly equal positions welded (so STL soups close), vertices no triangle uses left out. Coordinates pass through
+/// float, as assimp keeps them.
+///
+/// The result has passed `checkMesh`. Text-level facts assimp does not report (an OBJ face that names a vertex the file
+/// does not have, a truncated OFF or STL) are checked first. Fails with one sentence that names the file and the place.
+/// `counts` may be null. O(n log n).
+Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts = nullptr);
+
+/// Whether a mesh bounds a solid, which everything else relies on: finite, indices in range, no triangle without area,
+/// every edge between exactly two triangles that agree on its direction, no two triangles that intersect, every shell
+/// facing away from the solid (cavities inward), a volume that is not zero. Several shells are fine, and so are
+/// vertices where two cones of surface touch in one point: distance, sign and integrals are well defined there. The
+/// error names the first offending element (triangles count from 0) and what to do. O(n log n), exact predicates.
+Status checkMesh(const TriangleMesh& mesh);
+
+}  // namespace cairn::builder

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::builder {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// An indexed triangle mesh in its own frame and unit; counter-clockwise seen from outside. What `importMesh` returns
+/// is closed, oriented outward, welded and free of degenerate triangles; a mesh made by hand is checked by `checkMesh`.
+struct TriangleMesh {
+  std::vector<Vec3d> vertices;
+  std::vector<Triangle> triangles;
+  std::string name;    ///< file name without folder, for reports
+  std::string sha256;  ///< of the file's bytes, hexadecimal; empty for a mesh made by hand
+
+  std::array<Vec3d, 3> corners(std::uint32_t triangle) const {
+    const Triangle& t = triangles[triangle];
+    return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+  }
+};
+
+/// Corners of the axis-aligned bounding box. Precondition: at least one vertex.
+struct Bounds {
+  Vec3d lower, upper;
+  double diagonal() const { return length(upper - lower); }
+  Vec3d center() const { return (lower + upper) * 0.5; }
+};
+Bounds boundsOf(const TriangleMesh& mesh);
+
+}  // namespace cairn::builder

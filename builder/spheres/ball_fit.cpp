@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ball_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "spheres/enclosing_ball.h"
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr int kMaxEvaluations = 60;
+/// A hull whose shortest vector is below this holds nearly opposing gradients: the centre is optimal at this step
+/// length.
+constexpr double kFlat = 0.02;
+/// Part of the decrease a linear model promises that a step must bring to count as one.
+constexpr double kSufficient = 0.1;
+constexpr double kGrow = 1.6, kShrink = 0.35;
+
+struct Evaluation {
+  Ball ball;
+  Vec3d gradient;  ///< one subgradient of the stand-off
+};
+
+Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
+  const Vec3d d = to - from;
+  const double norm = length(d);
+  return norm > 0 ? d / norm : Vec3d{};
+}
+
+Evaluation evaluate(const Vec3d& center, const PointSet& points, const DepthField& solid) {
+  const PointSet::Farthest farthest = points.farthest(center);
+  const DepthField::Sample sample = solid.at(center);
+  return {{center, farthest.distance, sample.depth}, directionFrom(points[farthest.index], center) - sample.rise};
+}
+
+/// Gradients seen around one centre.
+class Bundle {
+ public:
+  void restart(const Vec3d& gradient) {
+    gradients_[0] = gradient;
+    size_ = 1;
+  }
+  bool full() const { return size_ == gradients_.size(); }
+  void add(const Vec3d& gradient) { gradients_[size_++] = gradient; }
+
+  /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction.
+  Vec3d shortest() const {
+    Vec3d v = gradients_[0];
+    for (int round = 0; round < 12; ++round) {
+      std::size_t lowest = 0;
+      for (std::size_t i = 1; i < size_; ++i)
+        if (dot(gradients_[i], v) < dot(gradients_[lowest], v)) lowest = i;
+      const Vec3d edge = gradients_[lowest] - v;
+      const double gain = -dot(v, edge), edgeSq = lengthSq(edge);
+      if (gain <= 1e-12 || edgeSq == 0) break;
+      v += edge * std::min(1.0, gain / edgeSq);
+    }
+    return v;
+  }
+
+ private:
+  std::array<Vec3d, 8> gradients_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
+
+Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& solid) {
+  return {center, points.farthest(center).distance, solid.depth(center)};
+}
+
+Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest) {
+  Evaluation best = evaluate(start.center, points, solid);
+  Bundle bundle;
+  bundle.restart(best.gradient);
+  double step = coarsest;
+  for (int evaluations = 1; evaluations < kMaxEvaluations && step >= finest; ++evaluations) {
+    const Vec3d direction = bundle.shortest();
+    const double slope = length(direction);
+    if (slope < kFlat) {
+      step *= kShrink;
+      bundle.restart(best.gradient);
+      continue;
+    }
+    const Evaluation trial = evaluate(best.ball.center - direction * (step / slope), points, solid);
+    const double gain = best.ball.standOff() - trial.ball.standOff();
+    if (gain > kSufficient * step * slope) {
+      best = trial;
+      bundle.restart(trial.gradient);
+      step *= kGrow;
+    } else if (bundle.full()) {
+      step *= kShrink;
+      bundle.restart(best.gradient);
+    } else {
+      bundle.add(trial.gradient);
+      // A gradient that opposes nothing tells nothing: the step was too long.
+      if (dot(trial.gradient, direction) > 0.5 * slope * slope) step *= kShrink;
+    }
+  }
+  return best.ball;
+}
+
+Ball fitBall(const Vec3d& center, const PointSet& points, const DepthField& solid) {
+  std::vector<Vec3d> list(points.size());
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = points[i];
+  const Ball smallest = ballAround(smallestEnclosingBall(list).center, points, solid);
+  const Ball around = ballAround(center, points, solid);
+  const Ball& start = smallest.standOff() < around.standOff() ? smallest : around;
+  return descend(start, points, solid, 0.2 * start.radius, 1e-4 * start.radius);
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth_field.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <nanoflann.hpp>
+#include <vector>
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr double kRootThree = 1.7320508075688772;
+constexpr std::size_t kPointsPerLeaf = 12;
+
+Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
+  const Vec3d d = to - from;
+  const double norm = length(d);
+  return norm > 0 ? d / norm : Vec3d{};
+}
+
+/// What nanoflann wants to know about a set of points.
+struct PointAdaptor {
+  std::vector<Vec3d> points;
+
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<int>(axis)]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+using PointTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointAdaptor>, PointAdaptor, 3>;
+
+/// Walks an octree around the solid down to cells of edge `spacing` that the offset surface may cross. The nearest
+/// surface point of a cell's centre outside is also that of every point on the way to it, so the point of that way at
+/// the distance `scale` lies exactly on the offset surface.
+class OffsetSampling {
+ public:
+  OffsetSampling(const SignedDistance& solid, double scale, double spacing, const Vec3d& center, double reach)
+      : solid_(solid), scale_(scale), spacing_(spacing), center_(center), reach_(reach) {}
+
+  std::vector<Vec3d> run() {
+    double halfEdge = 0.5 * spacing_;
+    while (halfEdge < reach_) halfEdge *= 2;
+    visit(center_, halfEdge);
+    return std::move(samples_);
+  }
+
+ private:
+  void visit(const Vec3d& center, double halfEdge) {
+    const double reach = kRootThree * halfEdge;
+    if (distance(center, center_) > reach_ + reach) return;
+    const SignedDistance::Answer answer = solid_.query(center);
+    const double height = -answer.depth;
+    const bool last = halfEdge <= 0.75 * spacing_;
+    if (height + reach < scale_ || height - reach > scale_ + (last ? 0 : kRootThree * spacing_)) return;
+    if (last) {
+      if (height >= scale_)
+        samples_.push_back(answer.nearest.point + directionFrom(answer.nearest.point, center) * scale_);
+      return;
+    }
+    const double half = 0.5 * halfEdge;
+    for (int i = 0; i < 8; ++i)
+      visit(center + Vec3d((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half),
+            half);
+  }
+
+  const SignedDistance& solid_;
+  double scale_, spacing_;
+  Vec3d center_;
+  double reach_;
+  std::vector<Vec3d> samples_;
+};
+
+}  // namespace
+
+DepthField::Sample SolidDepth::at(const Vec3d& point) const {
+  const SignedDistance::Answer answer = solid_.query(point);
+  const Vec3d away = directionFrom(answer.nearest.point, point);
+  return {answer.depth, answer.depth < 0 ? -away : away};
+}
+
+struct ClosedDepth::OffsetSurface {
+  PointAdaptor adaptor;
+  PointTree tree;
+
+  explicit OffsetSurface(std::vector<Vec3d> points)
+      : adaptor{std::move(points)}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kPointsPerLeaf)) {}
+};
+
+ClosedDepth::ClosedDepth(const SignedDistance& solid, double scale, double spacing, const Vec3d& center, double reach)
+    : scale_(scale) {
+  assert(scale > 0 && spacing > 0 && reach > 0);
+  offset_ = std::make_unique<OffsetSurface>(OffsetSampling(solid, scale, spacing, center, reach).run());
+}
+
+bool ClosedDepth::usable() const {
+  return !offset_->adaptor.points.empty();
+}
+
+ClosedDepth::~ClosedDepth() = default;
+
+DepthField::Sample ClosedDepth::at(const Vec3d& point) const {
+  assert(usable());
+  const std::array<double, 3> query{point.x, point.y, point.z};
+  std::size_t index = 0;
+  double distanceSq = 0;
+  nanoflann::KNNResultSet<double> result(1);
+  result.init(&index, &distanceSq);
+  offset_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
+  const Vec3d nearest = offset_->adaptor.points[index];
+  return {std::sqrt(distanceSq) - scale_, directionFrom(nearest, point)};
+}
+
+}  // namespace cairn::builder

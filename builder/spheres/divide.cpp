@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "divide.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace cairn::builder {
+
+namespace {
+
+double costOf(const Ball& ball, const Piece& piece) {
+  return std::max({costOf(ball, piece.corners[0]), costOf(ball, piece.corners[1]), costOf(ball, piece.corners[2])});
+}
+
+struct Owner {
+  std::size_t ball = 0;
+  double cost = std::numeric_limits<double>::infinity();
+  double biased = std::numeric_limits<double>::infinity();
+};
+
+/// The cheapest ball, bias counted, of those that hold the piece within `standOff`; the cheapest of all when none does.
+Owner ownerOf(const Piece& piece, std::span<const Ball> balls, std::span<const double> bias, double standOff) {
+  Owner owner;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const double cost = costOf(balls[i], piece);
+    const Owner candidate{i, cost, cost + bias[i]};
+    const bool holds = cost <= standOff, held = owner.cost <= standOff;
+    if (holds && held ? candidate.biased < owner.biased : cost < owner.cost) owner = candidate;
+  }
+  return owner;
+}
+
+}  // namespace
+
+std::vector<Pieces> divide(Pieces pieces, std::span<const Ball> balls, std::span<const double> bias, double standOff,
+                           double finest) {
+  assert(!balls.empty() && bias.size() == balls.size() && finest > 0);
+  std::vector<Pieces> parts(balls.size());
+  while (!pieces.empty()) {
+    const Piece piece = pieces.back();
+    pieces.pop_back();
+    const Owner owner = ownerOf(piece, balls, bias, standOff);
+    if (owner.cost <= standOff || longestEdgeSq(piece) <= finest * finest) {
+      parts[owner.ball].push_back(piece);
+    } else {
+      const std::array<Piece, 2> halves = bisect(piece);
+      pieces.push_back(halves[1]);
+      pieces.push_back(halves[0]);
+    }
+  }
+  return parts;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "spheres/sphere_set.h"
+
+namespace cairn::builder {
+
+/// The improved merge (thesis 5.3.1): every point starts in the medial sphere that holds it most cheaply; pairs of
+/// balls are replaced by one around the points of both until `problem.count` are left. The pair with the smallest
+/// resulting stand-off goes first, except that a merge which improves the worst ball goes before all. The new ball is
+/// the tightest of the smallest enclosing ball and the two old centres.
+///
+/// Pairs are those whose regions touch: the two cheapest balls of some point. A ball without such a neighbour gets
+/// those it overlaps, or else all; from 2.5 times the count on all pairs compete. Precondition: `candidates` not empty.
+/// Some 10 evaluations (a smallest enclosing ball and a distance query) for each candidate.
+SphereSet merge(const CoverProblem& problem, std::span<const Ball> candidates);
+
+}  // namespace cairn::builder

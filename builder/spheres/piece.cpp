@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "piece.h"
+
+#include <queue>
+
+namespace cairn::builder {
+
+namespace {
+
+/// The first corner of the longest edge; the edge runs to the next corner.
+int longestEdge(const Piece& piece, double& lengthSqOut) {
+  int longest = 0;
+  lengthSqOut = -1;
+  for (int i = 0; i < 3; ++i) {
+    const double edgeSq = lengthSq(piece.corners[(i + 1) % 3] - piece.corners[i]);
+    if (edgeSq > lengthSqOut) {
+      lengthSqOut = edgeSq;
+      longest = i;
+    }
+  }
+  return longest;
+}
+
+struct QueuedPiece {
+  double edgeSq;
+  std::size_t index;
+
+  friend bool operator<(const QueuedPiece& a, const QueuedPiece& b) {
+    return a.edgeSq != b.edgeSq ? a.edgeSq < b.edgeSq : a.index > b.index;
+  }
+};
+
+}  // namespace
+
+double longestEdgeSq(const Piece& piece) {
+  double edgeSq = 0;
+  longestEdge(piece, edgeSq);
+  return edgeSq;
+}
+
+double areaOf(const Piece& piece) {
+  return 0.5 * length(cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]));
+}
+
+Vec3d centroidOf(const Piece& piece) {
+  return (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
+}
+
+std::array<Piece, 2> bisect(const Piece& piece) {
+  double edgeSq = 0;
+  const int first = longestEdge(piece, edgeSq);
+  const int second = (first + 1) % 3;
+  const Vec3d middle = (piece.corners[first] + piece.corners[second]) * 0.5;
+  std::array<Piece, 2> halves{piece, piece};
+  halves[0].corners[second] = middle;
+  halves[1].corners[first] = middle;
+  return halves;
+}
+
+Pieces piecesOf(const TriangleMesh& mesh) {
+  Pieces pieces(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < pieces.size(); ++t) pieces[t] = {mesh.corners(t), t};
+  return pieces;
+}
+
+void refinePieces(Pieces& pieces, std::size_t count) {
+  if (pieces.empty() || pieces.size() >= count) return;
+  std::priority_queue<QueuedPiece> queue;
+  for (std::size_t i = 0; i < pieces.size(); ++i) queue.push({longestEdgeSq(pieces[i]), i});
+  while (pieces.size() < count) {
+    const std::size_t index = queue.top().index;
+    queue.pop();
+    const std::array<Piece, 2> halves = bisect(pieces[index]);
+    pieces[index] = halves[0];
+    pieces.push_back(halves[1]);
+    queue.push({longestEdgeSq(halves[0]), index});
+    queue.push({longestEdgeSq(halves[1]), pieces.size() - 1});
+  }
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spheres/piece.h"
+
+namespace cairn::builder {
+
+/// Points as structure of arrays, for the loops that measure many distances from one centre.
+class PointSet {
+ public:
+  PointSet() = default;
+  explicit PointSet(std::span<const Vec3d> points);
+
+  std::size_t size() const { return x_.size(); }
+  bool empty() const { return x_.empty(); }
+  Vec3d operator[](std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+  void clear();
+  void push(const Vec3d& point);
+
+  struct Farthest {
+    double distance = 0;
+    std::size_t index = 0;
+  };
+  /// The point farthest from `center`, the lowest index on a tie. Precondition: not empty. Linear.
+  Farthest farthest(const Vec3d& center) const;
+  /// Distance of every point from `center`, minus `offset`. Precondition: `out.size() == size()`.
+  void distances(const Vec3d& center, double offset, std::span<double> out) const;
+
+ private:
+  std::vector<double> x_, y_, z_;
+};
+
+/// The corners of the pieces, each position once, in lexicographic order.
+std::vector<Vec3d> cornersOf(std::span<const Piece> pieces);
+
+/// At most `count` of the points, spread evenly: starts with point `first`, then takes the one farthest from those
+/// taken. O(count * n); keeps the extremes of a cluster, which a random choice would lose (Gonzalez 1985).
+std::vector<Vec3d> farthestPointSample(std::span<const Vec3d> points, std::size_t count, std::size_t first);
+
+}  // namespace cairn::builder

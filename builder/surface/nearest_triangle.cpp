@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. Products
+// and sums stay separate (no fused multiply-add) and in one order, so that every target gives the same bits.
+#include "surface/nearest_triangle.h"
+
+#include <array>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "surface/nearest_triangle.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::builder::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, 4>;
+using V = hn::Vec<Lanes>;
+
+/// Squared distance of the query to four boxes.
+HWY_INLINE void distancesSq(const HierarchyNode& node, const Vec3d& query, double* HWY_RESTRICT out) {
+  const Lanes d;
+  for (std::size_t i = 0; i < HierarchyNode::kWidth; i += hn::Lanes(d)) {
+    V sum = hn::Zero(d);
+    for (int axis = 0; axis < 3; ++axis) {
+      const V q = hn::Set(d, query[axis]);
+      const V below = hn::Sub(hn::Load(d, node.lower[axis] + i), q);
+      const V above = hn::Sub(q, hn::Load(d, node.upper[axis] + i));
+      const V gap = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::Add(sum, hn::Mul(gap, gap));
+    }
+    hn::Store(sum, d, out + i);
+  }
+}
+
+/// Nearest point of one edge per lane, within the planes. Every edge starts on the line AB, at (start, 0).
+struct EdgePoints {
+  V x, y, distanceSq;
+};
+
+HWY_INLINE EdgePoints nearestOnEdges(V x, V y, V start, V directionX, V directionY, V length) {
+  const Lanes d;
+  const V fromStart = hn::Sub(x, start);
+  const V along = hn::Add(hn::Mul(fromStart, directionX), hn::Mul(y, directionY));
+  const V clamped = hn::Min(hn::Max(along, hn::Zero(d)), length);
+  const V pointX = hn::Add(start, hn::Mul(clamped, directionX)), pointY = hn::Mul(clamped, directionY);
+  const V dx = hn::Sub(x, pointX), dy = hn::Sub(y, pointY);
+  return {pointX, pointY, hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy))};
+}
+
+HWY_INLINE void keepNearer(EdgePoints& best, const EdgePoints& other) {
+  const auto nearer = hn::Lt(other.distanceSq, best.distanceSq);
+  best.x = hn::IfThenElse(nearer, other.x, best.x);
+  best.y = hn::IfThenElse(nearer, other.y, best.y);
+  best.distanceSq = hn::IfThenElse(nearer, other.distanceSq, best.distanceSq);
+}
+
+/// Squared distance of the query to four triangles. `TrianglePacket::nearest` is its scalar twin.
+HWY_INLINE void distancesSq(const TrianglePacket& t, const Vec3d& query, double* HWY_RESTRICT out) {
+  const Lanes d;
+  const V zero = hn::Zero(d);
+  for (std::size_t i = 0; i < TrianglePacket::kWidth; i += hn::Lanes(d)) {
+    const V px = hn::Sub(hn::Set(d, query.x), hn::Load(d, t.originX + i));
+    const V py = hn::Sub(hn::Set(d, query.y), hn::Load(d, t.originY + i));
+    const V pz = hn::Sub(hn::Set(d, query.z), hn::Load(d, t.originZ + i));
+    const V ux = hn::Load(d, t.uX + i), uy = hn::Load(d, t.uY + i), uz = hn::Load(d, t.uZ + i);
+    const V vx = hn::Load(d, t.vX + i), vy = hn::Load(d, t.vY + i), vz = hn::Load(d, t.vZ + i);
+    const V x = hn::Add(hn::Add(hn::Mul(px, ux), hn::Mul(py, uy)), hn::Mul(pz, uz));
+    const V y = hn::Add(hn::Add(hn::Mul(px, vx), hn::Mul(py, vy)), hn::Mul(pz, vz));
+    const V ab = hn::Load(d, t.lengthAB + i), fromB = hn::Sub(x, ab);
+    const V acX = hn::Load(d, t.acX + i), acY = hn::Load(d, t.acY + i);
+    const V bcX = hn::Load(d, t.bcX + i), bcY = hn::Load(d, t.bcY + i);
+
+    EdgePoints best = nearestOnEdges(x, y, zero, hn::Set(d, 1.0), zero, ab);
+    keepNearer(best, nearestOnEdges(x, y, ab, bcX, bcY, hn::Load(d, t.lengthBC + i)));
+    keepNearer(best, nearestOnEdges(x, y, zero, acX, acY, hn::Load(d, t.lengthAC + i)));
+    const auto inside = hn::And(hn::Ge(y, zero), hn::And(hn::Le(hn::Mul(acX, y), hn::Mul(acY, x)),
+                                                         hn::Ge(hn::Mul(bcX, y), hn::Mul(bcY, fromB))));
+    const V nearX = hn::IfThenElse(inside, x, best.x), nearY = hn::IfThenElse(inside, y, best.y);
+    const V dx = hn::Sub(hn::Sub(px, hn::Mul(nearX, ux)), hn::Mul(nearY, vx));
+    const V dy = hn::Sub(hn::Sub(py, hn::Mul(nearX, uy)), hn::Mul(nearY, vy));
+    const V dz = hn::Sub(hn::Sub(pz, hn::Mul(nearX, uz)), hn::Mul(nearY, vz));
+    hn::Store(hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz)), d, out + i);
+  }
+}
+
+TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query) {
+  struct Entry {
+    double distanceSq;
+    std::uint32_t child;
+  };
+  std::array<Entry, TriangleHierarchy::kStackSize> stack;
+  std::size_t size = 0;
+  stack[size++] = {0, 0};
+  double best = std::numeric_limits<double>::infinity();
+  TriangleHierarchy::Place place;
+  alignas(32) double distances[HierarchyNode::kWidth];
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.distanceSq >= best) continue;
+    if (entry.child & HierarchyNode::kPacketBit) {
+      const std::uint32_t index = entry.child & ~HierarchyNode::kPacketBit;
+      distancesSq(hierarchy.packet(index), query, distances);
+      for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
+        if (distances[lane] < best) best = distances[lane], place = {index, lane};
+      }
+      continue;
+    }
+    const HierarchyNode& node = hierarchy.node(entry.child);
+    distancesSq(node, query, distances);
+    const std::size_t bottom = size;
+    for (int lane = 0; lane < HierarchyNode::kWidth; ++lane) {
+      if (!(distances[lane] < best)) continue;
+      // Insertion by descending distance: the nearest child is on top of the stack.
+      std::size_t at = size++;
+      for (; at > bottom && stack[at - 1].distanceSq < distances[lane]; --at) stack[at] = stack[at - 1];
+      stack[at] = {distances[lane], node.child[lane]};
+    }
+  }
+  return place;
+}
+
+}  // namespace cairn::builder::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cairn::builder {
+
+HWY_EXPORT(nearest);
+
+TriangleHierarchy::Place nearestTriangle(const TriangleHierarchy& hierarchy, const Vec3d& query) {
+  return HWY_DYNAMIC_DISPATCH(nearest)(hierarchy, query);
+}
+
+}  // namespace cairn::builder
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "cairn/builder/triangle_mesh.h"
+
+namespace cairn::builder {
+
+/// The point of a surface nearest to some query.
+struct SurfacePoint {
+  Vec3d point;
+  double distance = 0;  ///< unsigned
+  std::uint32_t triangle = 0;
+};
+
+/// Distance queries against a closed mesh: the hot path of the whole builder.
+///
+/// A bounding-volume hierarchy over the triangles in double precision; the sign comes from the angle-weighted
+/// pseudonormal of the nearest feature (Baerentzen and Aanaes 2005), exact for closed meshes that do not intersect
+/// themselves. Below 1 us a query at 1500 triangles, growing logarithmically. Safe to query from many threads. Queries
+/// must be finite.
+class SignedDistance {
+ public:
+  /// Keeps a reference to `mesh`, which must outlive this. Precondition: `checkMesh(mesh)`.
+  explicit SignedDistance(const TriangleMesh& mesh);
+  explicit SignedDistance(TriangleMesh&&) = delete;  ///< it would not outlive this
+  ~SignedDistance();
+  SignedDistance(SignedDistance&&) noexcept;
+  SignedDistance& operator=(SignedDistance&&) noexcept;
+
+  SurfacePoint closest(const Vec3d& query) const;
+  /// Positive inside, negative outside: "signed depth", s(c) of the design.
+  double depth(const Vec3d& query) const;
+  /// `closest` and `depth` in one query.
+  struct Answer {
+    SurfacePoint nearest;
+    double depth = 0;
+  };
+  Answer query(const Vec3d& query) const;
+  /// `depth` of many points, in parallel; the result does not depend on the number of threads.
+  void depths(std::span<const Vec3d> queries, std::span<double> out) const;
+
+  /// Unsigned distance from `point` to one triangle of the mesh: never less than `closest(point).distance`, and, as a
+  /// triangle is convex, a convex function of `point`. Constant time.
+  double distanceToTriangle(std::uint32_t triangle, const Vec3d& point) const;
+
+  /// No distance or depth returned for `query` is farther than this from the exact one. See the derivation at its
+  /// definition.
+  double roundingBound(const Vec3d& query) const;
+
+  const TriangleMesh& mesh() const;
+  const Bounds& bounds() const;
+
+ private:
+  struct Hierarchy;
+  std::unique_ptr<Hierarchy> hierarchy_;
+};
+
+}  // namespace cairn::builder

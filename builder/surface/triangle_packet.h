@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::builder {
+
+/// Which part of a triangle holds its point nearest to a query. Edge i runs from corner i to corner i + 1.
+enum class Feature : std::uint8_t { corner0, corner1, corner2, edge0, edge1, edge2, face };
+
+/// Up to four triangles in structure-of-arrays form, each in an orthonormal frame of its own plane: corner A is the
+/// frame's origin, B lies at (lengthAB, 0), and C at lengthAC * ac, above AB.
+///
+/// The frame makes the distance backward stable: what is computed is the exact distance to a triangle whose corners
+/// moved by a few units in the last place of (edge length + distance), also when the triangle is a sliver. Barycentric
+/// coordinates lose half of the digits there.
+struct alignas(64) TrianglePacket {
+  static constexpr int kWidth = 4;
+
+  double originX[kWidth], originY[kWidth], originZ[kWidth];
+  double uX[kWidth], uY[kWidth], uZ[kWidth];  ///< unit, along AB
+  double vX[kWidth], vY[kWidth], vZ[kWidth];  ///< unit, in the plane, towards C
+  double lengthAB[kWidth];
+  double acX[kWidth], acY[kWidth], lengthAC[kWidth];  ///< unit direction in the plane, and length
+  double bcX[kWidth], bcY[kWidth], lengthBC[kWidth];
+  std::uint32_t triangle[kWidth];
+
+  void set(int lane, std::uint32_t index, const std::array<Vec3d, 3>& corners);
+
+  /// The vector from the nearest point of one triangle to `query`, and the feature that point lies on.
+  struct Nearest {
+    Vec3d offset;
+    Feature feature = Feature::face;
+  };
+  Nearest nearest(int lane, const Vec3d& query) const;
+};
+
+}  // namespace cairn::builder

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairn/builder/build.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cairn/builder/certify.h"
+#include "cairn/builder/evaluate.h"
+#include "cairn/builder/import.h"
+#include "cairn/core/tree_file.h"
+#include "tool/command.h"
+#include "tool/interrupt.h"
+#include "tool/progress_bar.h"
+#include "tool/report.h"
+#include "tool/stopwatch.h"
+
+namespace cairn::tool {
+namespace {
+
+constexpr const char* kAbout =
+    "Build a certified sphere-tree of a closed mesh.\n\n"
+    "  cairn build rock.obj -o rock.cairn\n"
+    "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
+    "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate";
+
+struct BuildCommand {
+  std::string mesh, output, json;
+  std::string method = builder::methodName(builder::BuildOptions{}.method);
+  builder::BuildOptions options;
+  bool noEvaluate = false;
+};
+
+struct Built {
+  builder::TriangleMesh mesh;
+  SphereTree tree;
+  builder::Certificate certificate;
+};
+
+Result<Built> build(const BuildCommand& command, const builder::ProgressCallback& progress) {
+  builder::ImportCounts counts;
+  Result<builder::TriangleMesh> mesh = builder::importMesh(command.mesh, &counts);
+  if (!mesh) return mesh.error();
+  if (counts.degenerateTriangles > 0)
+    fmt::print(stderr, "cairn: {}: left out {} triangles without area\n", mesh.value().name,
+               counts.degenerateTriangles);
+  if (interrupted()) return Error{std::string(builder::kCancelled)};
+  Result<SphereTree> tree = builder::buildTree(mesh.value(), command.options, progress);
+  if (!tree) return tree.error();
+  Result<builder::Certificate> certificate = builder::certify(tree.value(), mesh.value(), progress);
+  if (!certificate) return certificate.error();
+  if (const auto failures = certificate.value().failures(tree.value()); !failures.empty())
+    return Error{
+        fmt::format("{}: the tree could not be certified and was not written ({}); try other options and report "
+                    "this mesh",
+                    mesh.value().name, failures.front())};
+  return Built{std::move(mesh).value(), std::move(tree).value(), std::move(certificate).value()};
+}
+
+int report(const BuildCommand& command, const Built& built, double cpuSeconds, double wallSeconds,
+           const builder::ProgressCallback& progress) {
+  const double peakMb = peakMemoryMb();  // of the build: before the evaluation
+  const auto sampling = command.noEvaluate ? builder::Sampling::none : builder::Sampling::full;
+  const auto fits =
+      builder::evaluate(built.tree, built.mesh, built.certificate, sampling, command.options.seed, progress);
+  if (!fits) return refuse(fits.error());
+  Json json = buildInfoJson(built.tree);
+  json["threads"] = threadsUsed(command.options.threads);
+  json["build_cpu_s"] = cpuSeconds;
+  json["build_wall_s"] = wallSeconds;
+  json["peak_rss_mb"] = peakMb;
+  json["tree_sha256"] = treeSha256(built.tree);
+  json["levels"] = levelsJson(fits.value(), sampling);
+  if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
+  if (command.json == "-") return kDone;
+  fmt::print("{}: {} nodes from {} triangles in {:.2f} s ({:.2f} s of CPU, {:.0f} MB)\n", command.output,
+             built.tree.nodeCount(), built.mesh.triangles.size(), wallSeconds, cpuSeconds, peakMb);
+  printLevels(fits.value(), sampling);
+  return kDone;
+}
+
+int run(BuildCommand& command) {
+  Result<builder::Method> method = builder::parseMethod(command.method);
+  if (!method) return refuse(method.error());
+  command.options.method = method.value();
+  if (Status s = checkWritable(command.output); !s) return refuse(s.error());
+  if (!command.json.empty() && command.json != "-") {
+    if (Status s = checkWritable(command.json); !s) return refuse(s.error());
+  }
+  const Stopwatch stopwatch;
+  ProgressBar bar;
+  Result<Built> built = build(command, bar.callback());
+  if (!built) return refuse(built.error());
+  const double cpuSeconds = stopwatch.cpuSeconds(), wallSeconds = stopwatch.wallSeconds();
+  if (interrupted()) return refuse({std::string(builder::kCancelled)});
+  if (Status s = saveTree(built.value().tree, command.output); !s) return refuse(s.error());
+  return report(command, built.value(), cpuSeconds, wallSeconds, bar.callback());
+}
+
+}  // namespace
+
+void addBuildCommand(CLI::App& app, Action& action) {
+  auto command = std::make_shared<BuildCommand>();
+  CLI::App* sub = app.add_subcommand("build", kAbout);
+  sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
+  sub->add_option("-o,--output", command->output, "Tree file to write (.cairn)")->required();
+  sub->add_option("--method", command->method, "How regions are covered by spheres")
+      ->check(CLI::IsMember({"combined", "merge", "expand", "octree"}))
+      ->capture_default_str();
+  sub->add_option("--branching", command->options.branching, "Most children of a sphere")
+      ->check(CLI::Range(2U, 8U))
+      ->capture_default_str();
+  sub->add_option("--depth", command->options.depth, "Levels below the root")
+      ->check(CLI::Range(1U, 8U))
+      ->capture_default_str();
+  sub->add_option("--samples", command->options.samples, "Surface pieces the spheres are fitted to, about")
+      ->check(CLI::Range(100U, 1000000U))
+      ->capture_default_str();
+  sub->add_option("--seed", command->options.seed, "Same mesh, options and seed: same bytes")->capture_default_str();
+  addThreadsOption(*sub, command->options.threads);
+  sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
+  sub->add_flag("--no-evaluate", command->noEvaluate,
+                "Report what is certified only, without the slower sampled measures");
+  sub->callback([command, &action] {
+    action = [command] { return withThreads(command->options.threads, [command] { return run(*command); }); };
+  });
+}
+
+}  // namespace cairn::tool

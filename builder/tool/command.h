@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "cairn/core/result.h"
+
+namespace cairn::tool {
+
+/// What the program ends with; scripts rely on it.
+enum ExitCode { kDone = 0, kRefused = 1, kWrongUsage = 2, kCancelledByUser = 130 };
+
+/// What the chosen subcommand does once all options are known; returns the exit code.
+using Action = std::function<int()>;
+
+/// Each adds one subcommand, which sets `action` when it is the one chosen.
+void addBuildCommand(CLI::App& app, Action& action);
+void addEvaluateCommand(CLI::App& app, Action& action);
+void addCertifyCommand(CLI::App& app, Action& action);
+void addInspectCommand(CLI::App& app, Action& action);
+void addExportCommand(CLI::App& app, Action& action);
+
+/// Prints `cairn: <sentence>` on standard error (nothing more than "cancelled" when the user did that) and returns the
+/// exit code that belongs to the error.
+int refuse(const Error& error);
+
+/// Whether a file could be written at `path`, without touching it: its folder exists and may be written, and `path` is
+/// no folder. Asked before long work starts.
+Status checkWritable(const std::string& path);
+
+/// Adds `--threads`, which limits the parallel work of the whole program. 0: one thread per core.
+void addThreadsOption(CLI::App& command, unsigned& threads);
+
+/// Runs `work` with at most that many threads; 0: one per core.
+int withThreads(unsigned threads, const Action& work);
+unsigned threadsUsed(unsigned threads);
+
+}  // namespace cairn::tool

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "tool/command.h"
+#include "tool/interrupt.h"
+
+namespace {
+
+constexpr const char* kAbout =
+    "Turns meshes into certified sphere-trees for collision detection.\n\n"
+    "  cairn build rock.obj -o rock.cairn          make a tree and print how well each level fits\n"
+    "  cairn certify rock.obj rock.cairn           prove that a tree covers a mesh\n"
+    "  cairn evaluate rock.obj rock.cairn          measure the fit again\n"
+    "  cairn inspect rock.cairn                    what is in a tree file\n"
+    "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n\n"
+    "Exit codes: 0 done, 1 input refused or check failed, 2 wrong usage, 130 cancelled.";
+
+int run(int argc, char** argv) {
+  CLI::App app(kAbout, "cairn");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", CAIRN_VERSION);
+  cairn::tool::Action action;
+  cairn::tool::addBuildCommand(app, action);
+  cairn::tool::addEvaluateCommand(app, action);
+  cairn::tool::addCertifyCommand(app, action);
+  cairn::tool::addInspectCommand(app, action);
+  cairn::tool::addExportCommand(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& e) {
+    fmt::print(stderr, "cairn: {}; `cairn --help` explains\n", e.what());
+    return cairn::tool::kWrongUsage;
+  }
+  cairn::tool::catchInterrupts();
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "cairn: stopped by an unexpected failure ({}); nothing was written\n", e.what());
+    return cairn::tool::kRefused;
+  }
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "builder_meshes.h"
+#include "cairn/builder/build.h"
+#include "cairn/builder/certify.h"
+#include "cairn/core/state_hash.h"
+#include "cairn/core/tree_file.h"
+#include "hierarchy/region_normals.h"
+#include "hierarchy/region_tree.h"
+#include "hierarchy/support_points.h"
+
+namespace cairn::builder {
+namespace {
+
+BuildOptions smallBuild(Method method, std::uint32_t depth = 2) {
+  BuildOptions options;
+  options.method = method;
+  options.depth = depth;
+  options.samples = 1000;
+  return options;
+}
+
+SphereTree built(const TriangleMesh& mesh, const BuildOptions& options) {
+  Result<SphereTree> tree = buildTree(mesh, options);
+  if (!tree) throw std::runtime_error(tree.error().message);
+  return std::move(tree).value();
+}
+
+std::string hashOf(const SphereTree& tree) {
+  StateHash hash;
+  for (const std::byte b : encodeTree(tree)) hash.add(static_cast<std::uint64_t>(b));
+  return hash.hex();
+}
+
+class EveryMethod : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Build, EveryMethod,
+                         testing::Values(Method::combined, Method::merge, Method::expand, Method::octree),
+                         [](const auto& name) { return std::string(methodName(name.param)); });
+
+TEST_P(EveryMethod, SymmetricAndRoundSolids_AreProvedToBeCovered) {
+  const std::vector<TriangleMesh> meshes{test::meshOf(test::cuboid({1, 1, 1}, 1)), test::meshOf(test::ball(1, 1)),
+                                         test::meshOf(test::ball(1, 2)), test::torus(1, 0.35, 16, 8),
+                                         test::lumpyBall(2, 1)};
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    SCOPED_TRACE("mesh " + std::to_string(i));
+    const SphereTree tree = built(meshes[i], smallBuild(GetParam()));
+    EXPECT_GT(tree.leafCount(), 8U);
+    const Result<Certificate> certificate = certify(tree, meshes[i]);
+    ASSERT_TRUE(certificate);
+    EXPECT_EQ(certificate.value().failures(tree), std::vector<std::string>{});
+  }
+}
+
+TEST_P(EveryMethod, AnyNumberOfThreads_GivesTheSameBits) {
+  const TriangleMesh mesh = test::lumpyBall(2, 8);
+  BuildOptions options = smallBuild(GetParam());
+  options.threads = 1;
+  const std::string first = hashOf(built(mesh, options));
+  EXPECT_EQ(hashOf(built(mesh, options)), first);
+  options.threads = 2;
+  EXPECT_EQ(hashOf(built(mesh, options)), first);
+}
+
+TEST_P(EveryMethod, DeeperLevels_HaveSmallerErrors) {
+  const SphereTree tree = built(test::torus(1, 0.35, 16, 8), smallBuild(GetParam()));
+  // The root is a smallest ball whatever the method; the balls around an octree's first cubes may stand off more.
+  if (GetParam() != Method::octree) EXPECT_LT(tree.levelError(1), tree.levelError(0));
+  EXPECT_LT(tree.levelError(2), tree.levelError(1));
+}
+
+TEST(Build, Combined_BeatsTheOctreeByFar) {
+  const TriangleMesh mesh = test::torus(1, 0.35, 24, 12);
+  const SphereTree combined = built(mesh, smallBuild(Method::combined)),
+                   octree = built(mesh, smallBuild(Method::octree));
+  for (std::uint32_t level = 1; level <= 2; ++level)
+    EXPECT_LT(combined.levelError(level), 0.5F * octree.levelError(level));
+}
+
+TEST(Build, Branching_BoundsEveryFamily) {
+  BuildOptions options = smallBuild(Method::combined);
+  options.branching = 3;
+  const SphereTree tree = built(test::lumpyBall(2, 3), options);
+  std::vector<std::uint32_t> children(tree.nodeCount(), 0);
+  for (std::size_t i = 1; i < tree.data().nodes.size(); ++i) ++children[tree.data().nodes[i].parent];
+  EXPECT_LE(*std::max_element(children.begin(), children.end()), 3U);
+  EXPECT_EQ(tree.depth(), 2U);
+}
+
+// Regenerate after a deliberate change: builder_tests --gtest_filter=Build.SmallTree_HasItsGoldenHash prints the new
+// hash.
+TEST(Build, SmallTree_HasItsGoldenHash) {
+  const SphereTree tree = built(test::meshOf(test::cuboid({1, 0.7, 0.4}, 2)), smallBuild(Method::combined));
+  EXPECT_EQ(hashOf(tree), "726b6acefee88520");
+}
+
+TEST(Build, OptionsOutOfRange_AreNamedInOneSentence) {
+  const TriangleMesh mesh = test::meshOf(test::cuboid({1, 1, 1}, 1));
+  const auto refusal = [&](auto change) {
+    BuildOptions options;
+    change(options);
+    const Result<SphereTree> tree = buildTree(mesh, options);
+    return tree ? std::string() : tree.error().message;
+  };
+  EXPECT_EQ(refusal([](BuildOptions& o) { o.branching = 9; }), "the option branching is 9; choose 2 to 8");
+  EXPECT_EQ(refusal([](BuildOptions& o) { o.branching = 1; }), "the option branching is 1; choose 2 to 8");
+  EXPECT_EQ(refusal([](BuildOptions& o) { o.depth = 0; }), "the option depth is 0; choose 1 to 8");
+  EXPECT_EQ(refusal([](BuildOptions& o) { o.samples = 99; }), "the option samples is 99; choose 100 to 1000000");
+  EXPECT_EQ(refusal([](BuildOptions& o) { o.threads = 2000; }), "the option threads is 2000; choose 0 to 1024");
+  EXPECT_NE(refusal([](BuildOptions& o) {
+              o.method = Method::octree;
+              o.branching = 4;
+            }).find("choose 8"),
+            std::string::npos);
+}
+
+TEST(Build, OpenMesh_IsRefused) {
+  TriangleMesh mesh = test::meshOf(test::cuboid({1, 1, 1}, 1));
+  mesh.triangles.pop_back();
+  EXPECT_FALSE(buildTree(mesh, {}));
+}
+
+TEST(Build, Progress_NeverFallsAndEndsAtOne) {
+  double last = 0;
+  bool falls = false;
+  const Result<SphereTree> tree =
+      buildTree(test::lumpyBall(1, 1), smallBuild(Method::combined), [&](std::string_view, double fraction) {
+        falls = falls || fraction < last;
+        last = fraction;
+        return true;
+      });
+  ASSERT_TRUE(tree);
+  EXPECT_FALSE(falls);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Build, CancelledAtAnyReport_SaysSo) {
+  const TriangleMesh mesh = test::lumpyBall(1, 1);
+  const BuildOptions options = smallBuild(Method::combined);
+  int reports = 0;
+  ASSERT_TRUE(buildTree(mesh, options, [&](std::string_view, double) { return ++reports > 0; }));
+  for (int stop = 1; stop <= reports; ++stop) {
+    int seen = 0;
+    const Result<SphereTree> tree = buildTree(mesh, options, [&](std::string_view, double) { return ++seen < stop; });
+    ASSERT_FALSE(tree) << "stopped at report " << stop;
+    EXPECT_EQ(tree.error().message, kCancelled);
+  }
+}
+
+TEST(Method, NamesRoundTrip) {
+  for (const Method method : {Method::combined, Method::merge, Method::expand, Method::octree}) {
+    const Result<Method> parsed = parseMethod(methodName(method));
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(parsed.value(), method);
+  }
+  EXPECT_FALSE(parseMethod("spline"));
+}
+
+TEST(RegionTree, ChildrenRegions_CoverTheParentsAndStayInAllAncestors) {
+  const TriangleMesh mesh = test::lumpyBall(2, 12);
+  const SignedDistance solid(mesh);
+  const SplitSettings settings{Method::combined, 8, 1, 1e-6};
+  const RegionTree tree = growRegionTree(rootRegion(solid, 800), 2, solid, settings, [](auto...) { return true; });
+  for (const RegionNode& node : tree) {
+    std::vector<double> left(mesh.triangles.size(), 0);
+    for (const Piece& piece : node.region.pieces) left[piece.source] += areaOf(piece);
+    for (std::uint32_t c = 0; c < node.childCount; ++c)
+      for (const Piece& piece : tree[node.firstChild + c].region.pieces) left[piece.source] -= areaOf(piece);
+    if (node.childCount > 0) {
+      for (const double area : left) EXPECT_NEAR(area, 0, 1e-12);
+    }
+    // Midpoints of a region's pieces are rounded, its ancestors' balls were measured without them.
+    for (const RegionNode* above = &node;; above = &tree[above->parent]) {
+      for (const Piece& piece : node.region.pieces)
+        for (const Vec3d& corner : piece.corners)
+          ASSERT_LE(distance(corner, above->region.ball.center), above->region.ball.radius + 1e-14);
+      if (above == &tree[0]) break;
+    }
+  }
+}
+
+TEST(NodeData, Normals_LieInTheirCones) {
+  const TriangleMesh mesh = test::lumpyBall(2, 5);
+  const SphereTree tree = built(mesh, smallBuild(Method::combined));
+  for (const NodeData& node : tree.data().nodes) {
+    for (std::uint32_t k = 0; k < node.triangleCount; ++k) {
+      const auto [a, b, c] = mesh.corners(tree.data().regionTriangles[node.firstTriangle + k]);
+      const Vec3d normal = normalized(cross(b - a, c - a));
+      EXPECT_GE(dot(normal, Vec3d(node.normalCone.axis)), node.normalCone.cosine);
+    }
+  }
+}
+
+TEST(NodeData, BallsOfTheFloatMesh_HoldItsVertices) {
+  const TriangleMesh mesh = test::lumpyBall(2, 6);
+  const SphereTree tree = built(mesh, smallBuild(Method::combined));
+  const NodeData& root = tree.data().nodes[0];
+  for (const Vec3& v : tree.vertices())
+    EXPECT_LE(distance(Vec3d(v), Vec3d(root.center)), static_cast<double>(root.radius));
+}
+
+TEST(DominantNormals, Cuboid_HasThreeExactOnes) {
+  const TriangleMesh mesh = test::meshOf(test::cuboid({3, 2, 1}, 1));
+  // Without the opposite faces: the three largest are left.
+  Pieces pieces = piecesOf(mesh);
+  std::erase_if(pieces, [&](const Piece& p) {
+    const Vec3d n = cross(p.corners[1] - p.corners[0], p.corners[2] - p.corners[0]);
+    return n.x + n.y + n.z < 0;
+  });
+  const std::vector<Vec3> normals = dominantNormals(facingAreas(pieces, mesh));
+  EXPECT_EQ(normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+}
+
+TEST(NormalCone, WholeSolid_FacesEverywhere) {
+  const TriangleMesh mesh = test::meshOf(test::cuboid({1, 1, 1}, 1));
+  EXPECT_EQ(normalConeOf(facingAreas(piecesOf(mesh), mesh)).cosine, -1);
+}
+
+TEST(SupportPoints, Choice_ReachesNearlyAsFarAsAllPoints) {
+  const TriangleMesh mesh = test::lumpyBall(2, 21);
+  Pieces pieces = piecesOf(mesh);
+  std::erase_if(pieces, [](const Piece& p) { return centroidOf(p).z < 0.5; });
+  const std::vector<Vec3d> points = cornersOf(pieces);
+  const std::vector<FacingArea> areas = facingAreas(pieces, mesh);
+  const std::vector<Vec3d> chosen = chooseSupportPoints(points, areas, kMaxSupportPoints, 1e-9);
+  EXPECT_LE(chosen.size(), kMaxSupportPoints);
+  const auto reach = [](const std::vector<Vec3d>& list, const Vec3d& direction) {
+    double best = -1e300;
+    for (const Vec3d& p : list) best = std::max(best, dot(p, direction));
+    return best;
+  };
+  // Sixteen points for a bumpy cap about 1.6 wide: they may miss a bump, not a side. Bumps are 0.3 high.
+  for (const FacingArea& a : areas) EXPECT_GE(reach(chosen, a.normal), reach(points, a.normal) - 0.1);
+}
+
+}  // namespace
+}  // namespace cairn::builder

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "builder_meshes.h"
+#include "cairn/builder/import.h"
+#include "import/self_intersection.h"
+#include "run_program.h"
+#include "surface/mass_properties.h"
+
+namespace cairn::builder {
+namespace {
+
+using test::cuboid;
+using test::meshOf;
+
+// ---------------------------------------------------------------------------------------------- formats
+
+/// Corners of the triangles in the order of the file, as floats: what a format keeps of them.
+void expectSameSurface(const TriangleMesh& a, const TriangleMesh& b) {
+  ASSERT_EQ(a.triangles.size(), b.triangles.size());
+  for (std::uint32_t t = 0; t < a.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(Vec3(a.corners(t)[i]), Vec3(b.corners(t)[i])) << "triangle " << t;
+  }
+}
+
+std::string offText(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n# a comment\n" << mesh.vertices.size() << ' ' << mesh.triangles.size() << " 0\n";
+  for (const Vec3d& v : mesh.vertices) out << v.x << ' ' << v.y << ' ' << v.z << '\n';
+  for (const Triangle& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  return out.str();
+}
+
+std::string plyText(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.vertices.size()
+      << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.triangles.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Vec3d& v : mesh.vertices) out << v.x << ' ' << v.y << ' ' << v.z << '\n';
+  for (const Triangle& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  return out.str();
+}
+
+std::string stlText(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "solid test\n";
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const Vec3d& c : mesh.corners(t)) out << "vertex " << c.x << ' ' << c.y << ' ' << c.z << '\n';
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid test\n";
+  return out.str();
+}
+
+template <class T>
+void appendBytes(std::string& text, const T& value) {
+  text.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string stlBinary(const TriangleMesh& mesh) {
+  std::string bytes(80, ' ');
+  appendBytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    appendBytes(bytes, Vec3{});
+    for (const Vec3d& c : mesh.corners(t)) appendBytes(bytes, Vec3(c));
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+struct Format {
+  const char* name;
+  std::string (*text)(const TriangleMesh&);
+};
+
+class ImportFormat : public testing::TestWithParam<Format> {};
+
+TEST_P(ImportFormat, GivesBackTheSurface) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh mesh = test::lumpyBall(4, 11);
+  const auto path = test::writeText(folder.path() / GetParam().name, GetParam().text(mesh));
+  const Result<TriangleMesh> read = importMesh(path);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectSameSurface(read.value(), mesh);
+  EXPECT_EQ(read.value().vertices.size(), mesh.vertices.size());  // also a soup's corners are welded
+  EXPECT_EQ(read.value().name, GetParam().name);
+  EXPECT_EQ(read.value().sha256.size(), 64U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ImportFormat,
+                         testing::Values(Format{"mesh.obj", test::objText}, Format{"mesh.off", offText},
+                                         Format{"mesh.ply", plyText}, Format{"text.stl", stlText},
+                                         Format{"binary.stl", stlBinary}),
+                         [](const auto& format) {
+                           return std::string(format.param.name).substr(0, 4) + std::to_string(format.index);
+                         });
+
+TEST(Import, AppliesNodeTransformsAndMirrors) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({2, 2, 2}, 1));
+  std::string buffer;
+  for (const Vec3d& v : cube.vertices) appendBytes(buffer, Vec3(v));
+  const std::size_t positions = buffer.size();
+  for (const Triangle& t : cube.triangles) {
+    for (const std::uint32_t v : t) appendBytes(buffer, static_cast<std::uint16_t>(v));
+  }
+  test::writeText(folder.path() / "cube.bin", buffer);
+  std::ostringstream json;
+  json << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+       << R"("nodes":[{"scale":[2,2,2],"children":[1,2]},{"mesh":0,"translation":[5,0,0]},)"
+       << R"({"mesh":0,"translation":[-5,0,0],"scale":[-1,1,1]}],)"
+       << R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+       << R"("buffers":[{"uri":"cube.bin","byteLength":)" << buffer.size() << "}],"
+       << R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":)" << positions << R"(},{"buffer":0,"byteOffset":)"
+       << positions << R"(,"byteLength":)" << buffer.size() - positions << "}],"
+       << R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" << cube.vertices.size()
+       << R"(,"min":[-1,-1,-1],"max":[1,1,1]},{"bufferView":1,"componentType":5123,"type":"SCALAR","count":)"
+       << 3 * cube.triangles.size() << "}]}";
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cubes.gltf", json.str()));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read.value().triangles.size(), 24U);
+  EXPECT_NEAR(signedVolume(read.value()), 2 * 64, 1e-3);  // both outward, the mirrored one too
+  EXPECT_NEAR(boundsOf(read.value()).lower.x, -12, 1e-5);
+  EXPECT_NEAR(boundsOf(read.value()).upper.x, 12, 1e-5);
+}
+
+TEST(Import, TriangulatesPolygonsAndResolvesNegativeIndices) {
+  const test::TemporaryFolder folder;
+  const auto path = test::writeText(folder.path() / "cube.obj",
+                                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf -8 -4 -1 -5\n");
+  const Result<TriangleMesh> read = importMesh(path);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_NEAR(signedVolume(read.value()), 1, 1e-12);
+}
+
+TEST(Import, CountsTrianglesWithoutArea) {
+  const test::TemporaryFolder folder;
+  const std::string text = test::objText(meshOf(cuboid({1, 1, 1}, 1))) + "f 1 1 2\nf 3 3 3\n";
+  ImportCounts counts;
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.obj", text), &counts);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(counts.degenerateTriangles, 2U);
+  EXPECT_EQ(read.value().triangles.size(), 12U);
+}
+
+TEST(Import, LeavesOutVerticesNobodyUses) {
+  const test::TemporaryFolder folder;
+  const std::string text = "v 9 9 9\n" + std::string("v 8 8 8\n");
+  std::string cube = test::objText(meshOf(cuboid({1, 1, 1}, 1)));
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.obj", cube + text));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read.value().vertices.size(), 8U);
+}
+
+// ---------------------------------------------------------------------------------------------- refused files
+
+struct BadFile {
+  const char* test;
+  const char* name;
+  std::string text;
+  const char* message;  // a part of it
+};
+
+class ImportRefuses : public testing::TestWithParam<BadFile> {};
+
+TEST_P(ImportRefuses, WithOneSentence) {
+  const test::TemporaryFolder folder;
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / GetParam().name, GetParam().text));
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find(GetParam().message), std::string::npos) << read.error().message;
+  EXPECT_NE(read.error().message.find(GetParam().name), std::string::npos) << read.error().message;
+  EXPECT_EQ(read.error().message.find('\n'), std::string::npos) << read.error().message;
+}
+
+const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, ImportRefuses,
+    testing::Values(
+        BadFile{"Empty", "a.obj", "", "is empty"},  //
+        BadFile{"UnknownFormat", "a.xyzzy", "hello", "not the extension of a mesh format"},
+        BadFile{"NoTriangles", "a.obj", kTetrahedron, "a.obj"},
+        BadFile{"ObjNan", "a.obj", "v 0 0 0\nv nan 0 0\n", "line 2: the coordinate nan is not finite"},
+        BadFile{"ObjHuge", "a.obj", "v 0 0 0\nv 1e300 0 0\n", "line 2: the coordinate 1e300 is not finite"},
+        BadFile{"ObjWord", "a.obj", "v 0 0 0\nv 1 x 0\n", "line 2: 'x' is not a coordinate"},
+        BadFile{"ObjTruncatedVertex", "a.obj", "v 0 0 0\nv 1 2", "line 2: a vertex needs three coordinates"},
+        BadFile{"ObjIndexTooLarge", "a.obj", kTetrahedron + "f 1 3 2\nf 1 2 9\n",
+                "line 6: the face names vertex 9 but the file has 4"},
+        BadFile{"ObjIndexZero", "a.obj", kTetrahedron + "f 0 1 2\n", "line 5: '0' does not name a vertex"},
+        BadFile{"ObjIndexTooNegative", "a.obj", kTetrahedron + "f -1 -2 -9\n", "line 5: the face names vertex -4"},
+        BadFile{"ObjTruncatedFace", "a.obj", kTetrahedron + "f 1 2", "line 5: a face needs at least three vertices"},
+        BadFile{"OffTruncatedVertices", "a.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n", "ends after 2 of 4 vertices"},
+        BadFile{"OffTruncatedFaces", "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after 1 of 2 faces"},
+        BadFile{"OffIndex", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n",
+                "line 6: '7' does not name one of the 3"},
+        BadFile{"OffNotOff", "a.off", "hello\n", "line 1: an OFF file begins with the word OFF"},
+        BadFile{"StlTruncatedText", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0", "truncated"},
+        BadFile{"StlTruncatedBinary", "a.stl",
+                std::string(80, ' ') + std::string("\x0c\0\0\0", 4) + std::string(99, 'a'),
+                "183 bytes are too few for a binary STL of 12 triangles"},
+        BadFile{"PlyTruncated", "a.ply", plyText(meshOf(cuboid({1, 1, 1}, 1))).substr(0, 300), "a.ply"},
+        BadFile{"GltfGarbage", "a.gltf", "{]", "a.gltf: assimp cannot read it"},
+        BadFile{"GlbGarbage", "a.glb", "glTF garbage that is long enough to hold a header",
+                "a.glb: assimp cannot read it"},
+        BadFile{"Open", "a.obj", kTetrahedron + "f 1 3 2\nf 1 2 4\nf 2 3 4\n",
+                "the mesh is open: the edge (0, 0, 0) - (0, 1, 0) has triangle 0"}),
+    [](const auto& file) { return file.param.test; });
+
+TEST(ImportOfBadFiles, AMissingFile) {
+  const Result<TriangleMesh> read = importMesh("no/such/file.obj");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("no/such/file.obj"), std::string::npos);
+}
+
+TEST(ImportOfBadFiles, EveryTruncationOfAFile) {
+  // Wherever the text ends, the answer is a sentence or a closed solid, never a crash and never an open surface.
+  const test::TemporaryFolder folder;
+  const TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
+  for (const Format& format : {Format{"a.obj", test::objText}, Format{"a.off", offText}, Format{"a.ply", plyText},
+                               Format{"a.stl", stlText}, Format{"a.stl", stlBinary}}) {
+    const std::string text = format.text(mesh);
+    for (std::size_t length = 0; length < text.size(); length += 7) {
+      const Result<TriangleMesh> read =
+          importMesh(test::writeText(folder.path() / format.name, text.substr(0, length)));
+      if (read.ok()) {
+        EXPECT_TRUE(checkMesh(read.value()).ok());
+        EXPECT_EQ(read.value().triangles.size(), 12U) << format.name << " cut at " << length;
+      }
+    }
+  }
+}
+
+// ---------------------------------------------------------------------------------------------- checkMesh
+
+void expectRefused(const TriangleMesh& mesh, const std::string& part) {
+  const Status status = checkMesh(mesh);
+  ASSERT_FALSE(status.ok()) << "expected: " << part;
+  EXPECT_NE(status.error().message.find(part), std::string::npos) << status.error().message;
+  EXPECT_EQ(status.error().message.find('\n'), std::string::npos);
+}
+
+TEST(CheckMesh, AcceptsClosedSolids) {
+  EXPECT_TRUE(checkMesh(meshOf(cuboid({1, 2, 3}, 3))).ok());
+  EXPECT_TRUE(checkMesh(test::torus(1, 0.3, 16, 8)).ok());
+  EXPECT_TRUE(checkMesh(test::lumpyBall(8, 1)).ok());
+  EXPECT_TRUE(checkMesh(meshOf(test::twoCuboids({1, 1, 1}, {2, 0, 0}, 2))).ok());
+}
+
+TEST(CheckMesh, AcceptsNestedShellsThatFaceAwayFromTheSolid) {
+  const auto box = [](double size) { return meshOf(cuboid({size, size, size}, 2)); };
+  const TriangleMesh hollow = test::joined(box(3), test::flipped(box(2)));
+  EXPECT_TRUE(checkMesh(hollow).ok()) << checkMesh(hollow).error().message;
+  EXPECT_TRUE(checkMesh(test::joined(hollow, box(1))).ok());  // a stone in the cavity
+}
+
+TEST(CheckMesh, AcceptsAPinchedVertex) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}};
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
+  EXPECT_TRUE(checkMesh(mesh).ok()) << checkMesh(mesh).error().message;
+}
+
+TEST(CheckMesh, RefusesBadElements) {
+  expectRefused({}, "there are no triangles");
+  TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
+  mesh.vertices[3].y = std::nan("");
+  expectRefused(mesh, "vertex 3 is not finite");
+  mesh = meshOf(cuboid({1, 1, 1}, 1));
+  mesh.triangles[5][1] = 8;
+  expectRefused(mesh, "triangle 5 names vertex 8 of 8");
+  mesh = meshOf(cuboid({1, 1, 1}, 1));
+  mesh.triangles[4][1] = mesh.triangles[4][0];
+  expectRefused(mesh, "triangle 4 at ");
+}
+
+TEST(CheckMesh, RefusesAHoleAndNamesTheEdge) {
+  TriangleMesh mesh = meshOf(cuboid({2, 2, 2}, 1));
+  mesh.triangles.pop_back();
+  expectRefused(mesh, "the mesh is open: the edge (1, ");
+}
+
+TEST(CheckMesh, RefusesAnEdgeOfFourTriangles) {
+  // Two cubes that share one edge.
+  const TriangleMesh cube = meshOf(cuboid({1, 1, 1}, 1));
+  const TriangleMesh other = test::moved(cube, [](const Vec3d& v) { return v + Vec3d{1, 1, 0}; });
+  TriangleMesh mesh = cube;
+  for (std::uint32_t t = 0; t < other.triangles.size(); ++t) {
+    Triangle triangle{};
+    for (int i = 0; i < 3; ++i) {
+      const Vec3d p = other.corners(t)[i];
+      auto found = std::find(mesh.vertices.begin(), mesh.vertices.end(), p);
+      if (found == mesh.vertices.end()) found = mesh.vertices.insert(found, p);
+      triangle[i] = static_cast<std::uint32_t>(found - mesh.vertices.begin());
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  expectRefused(mesh, "belongs to 4 triangles");
+}
+
+TEST(CheckMesh, RefusesInconsistentOrientation) {
+  TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
+  std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
+  expectRefused(mesh, "face opposite sides at their common edge");
+}
+
+TEST(CheckMesh, RefusesAnInsideOutMesh) {
+  expectRefused(test::flipped(test::lumpyBall(3, 1)), "inside out");
+}
+
+TEST(CheckMesh, RefusesAFlatMesh) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+  expectRefused(mesh, "flat");
+}
+
+TEST(CheckMesh, RefusesSelfIntersection) {
+  const TriangleMesh cube = meshOf(cuboid({1, 1, 1}, 1));
+  expectRefused(test::joined(cube, test::moved(cube,
+                                               [](const Vec3d& v) {
+                                                 return v + Vec3d{0.5, 0.5, 0.5};
+                                               })),
+                "intersect");
+  // Touching face to face, with no common vertex, is refused too: which side is inside is undecided there.
+  expectRefused(test::joined(cube, test::moved(cube,
+                                               [](const Vec3d& v) {
+                                                 return v + Vec3d{1, 0.25, 0.25};
+                                               })),
+                "intersect");
+  TriangleMesh spike = meshOf(cuboid({1, 1, 1}, 3));
+  spike.vertices[0] = spike.vertices[0] * -3.0;
+  expectRefused(spike, "intersect");
+}
+
+TEST(CheckMesh, RefusesShellsThatFaceTheWrongWay) {
+  const auto box = [](double size) { return meshOf(cuboid({size, size, size}, 2)); };
+  expectRefused(test::joined(box(3), box(2)), "faces outward inside another one");
+  const TriangleMesh aside = test::moved(box(1), [](const Vec3d& v) { return v + Vec3d{5, 0, 0}; });
+  expectRefused(test::joined(box(3), test::flipped(aside)), "faces inward but is no cavity");
+}
+
+TEST(SelfIntersection, NamesTheLowestPairOfABruteForceSearch) {
+  // Random soups of single triangles: no shared vertices, so the plain test of two triangles decides. The oracle
+  // samples edges against triangles in long double; pairs too close to call are left out by the generator.
+  std::mt19937_64 engine(5);
+  int found = 0;
+  for (int round = 0; round < 200; ++round) {
+    TriangleMesh mesh;
+    for (std::uint32_t t = 0; t < 12; ++t) {
+      const Vec3d center = test::randomPoint(engine) * 2.0;
+      for (int i = 0; i < 3; ++i) mesh.vertices.push_back(center + test::randomPoint(engine));
+      mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const auto edgeHits = [&](std::uint32_t a, std::uint32_t b) {
+      const auto p = mesh.corners(a), q = mesh.corners(b);
+      const Vec3d n = cross(q[1] - q[0], q[2] - q[0]);
+      for (int i = 0; i < 3; ++i) {
+        const Vec3d from = p[i], to = p[(i + 1) % 3];
+        const double d0 = dot(from - q[0], n), d1 = dot(to - q[0], n);
+        if ((d0 > 0) == (d1 > 0)) continue;
+        const Vec3d x = from + (to - from) * (d0 / (d0 - d1));
+        bool inside = true;
+        for (int j = 0; j < 3; ++j) inside &= dot(cross(q[(j + 1) % 3] - q[j], x - q[j]), n) >= 0;
+        if (inside) return true;
+      }
+      return false;
+    };
+    std::optional<std::pair<std::uint32_t, std::uint32_t>> expected;
+    for (std::uint32_t a = 0; a < 12 && !expected; ++a) {
+      for (std::uint32_t b = a + 1; b < 12 && !expected; ++b) {
+        if (edgeHits(a, b) || edgeHits(b, a)) expected = {a, b};
+      }
+    }
+    EXPECT_EQ(findSelfIntersection(mesh), expected) << "seed 5, round " << round;
+    found += expected.has_value();
+  }
+  EXPECT_GT(found, 20);
+  EXPECT_LT(found, 200);
+}
+
+}  // namespace
+}  // namespace cairn::builder
