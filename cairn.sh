@@ -1,0 +1,186 @@
+#!/usr/bin/env bash
+# The house's commands. ./cairn.sh help lists them.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+usage() {
+  cat <<'END'
+Cairn: collision detection that keeps its deadline.
+
+  ./cairn.sh demo            build everything, make a sphere-tree of a real mesh, drop a hundred of them in Bullet,
+                             print what a step costs with the tree and with GImpact, draw two pictures (out/demo/)
+  ./cairn.sh test            what continuous integration runs: release, sanitizers, double precision, fuzzing, formatting
+  ./cairn.sh test fast       the release tests alone
+  ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
+  ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
+  ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
+  ./cairn.sh format          format the sources
+  ./cairn.sh lint            check formatting and include arrows
+
+Every command first installs what it needs from Debian's packages (cmake/packages-debian.txt); that needs root or sudo.
+On other systems it prints the list and goes on.
+END
+}
+
+say() { printf '\n== %s\n' "$*"; }
+
+# Prints the packages of the given rooms that are not installed, one "package<TAB>why" a line.
+missing_packages() {
+  local room package why wanted
+  while read -r room package why; do
+    [[ -z $room || $room == \#* ]] && continue
+    for wanted in "$@"; do
+      [[ $wanted == "$room" ]] || continue
+      dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || printf '%s\t%s\n' "$package" "$why"
+    done
+  done < cmake/packages-debian.txt
+}
+
+as_root() {
+  if [[ $(id -u) == 0 ]]; then "$@"; else sudo "$@"; fi
+}
+
+# Installs what the given rooms need. Fails when something is missing and cannot be installed.
+need() {
+  if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
+    [[ -n ${CAIRN_TOLD_PACKAGES:-} ]] && return 0
+    export CAIRN_TOLD_PACKAGES=1
+    say "This is not Debian: please see to these yourself (Debian's names)"
+    grep -v '^#' cmake/packages-debian.txt
+    return 0
+  fi
+  local missing
+  missing=$(missing_packages "$@")
+  [[ -z $missing ]] && return 0
+  say "Installing what is missing"
+  printf '%s\n' "$missing" | awk -F '\t' '{ printf "  %-24s %s\n", $1, $2 }'
+  if [[ $(id -u) != 0 ]] && ! command -v sudo > /dev/null; then
+    echo "cairn.sh: installing packages needs root or sudo; install the packages above and run this again." >&2
+    return 1
+  fi
+  local names
+  mapfile -t names < <(printf '%s\n' "$missing" | cut -f 1)
+  as_root apt-get update -q > /dev/null
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${names[@]}" > /dev/null
+}
+
+everything=(build core plugin builder)
+
+configure_and_build() {
+  local preset=$1
+  shift
+  cmake --preset "$preset" > "/dev/null"
+  cmake --build --preset "$preset" "$@"
+}
+
+build() {
+  local preset=${1:-release}
+  case $preset in
+    plugin | double) need build core plugin tests ;;
+    fuzz) need build core tests fuzz ;;
+    *) need "${everything[@]}" tests ;;
+  esac
+  say "Building $preset"
+  configure_and_build "$preset"
+}
+
+# The bunny of Debian's libcgal-demo, or nothing when it cannot be had.
+fetch_bunny() {
+  local archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  need demo || echo "cairn.sh: going on without the demo's packages." >&2
+  [[ -r $archive ]] && tar -xzf "$archive" -O data/meshes/bunny00.off > "$1" 2> /dev/null && [[ -s $1 ]] && return 0
+  rm -f "$1"
+  return 1
+}
+
+demo() {
+  need "${everything[@]}"
+  local out=out/demo bin=build/release/bin mesh name
+  mkdir -p "$out"
+  say "Building"
+  cmake --preset release -DCAIRN_TESTS=OFF > /dev/null
+  cmake --build --preset release
+  if fetch_bunny "$out/bunny.off"; then
+    mesh=$out/bunny.off
+  else
+    say "No bunny: libcgal-demo could not be had. A generated rock stands in for it"
+    "$bin/make_rock" --seed 1 -o "$out/rock.obj"
+    mesh=$out/rock.obj
+  fi
+  name=$(basename "${mesh%.*}")
+  say "A certified sphere-tree of $mesh"
+  "$bin/cairn" build "$mesh" -o "$out/$name.cairn" --json "$out/$name.json"
+  say "A hundred of them in Bullet, with the tree and with GImpact"
+  "$bin/frame_budget" --scene heap --tree "$out/$name.cairn" --bodies 100 --shape tree,gimpact \
+    --json "$out/heap.json" --csv "$out/heap.csv" --picture "$out/heap.png"
+  say "The tree's levels"
+  "$bin/tree_picture" "$out/$name.cairn" -o "$out/levels.png"
+  say "Done in $SECONDS s: look at $out/levels.png and $out/heap.png; figures in $out/heap.json, per step in $out/heap.csv"
+}
+
+run_tests() {
+  local preset=$1
+  shift
+  build "$preset"
+  say "Testing $preset"
+  ctest --preset "$preset" -j "$(nproc)" "$@"
+}
+
+test_all() {
+  need "${everything[@]}" tests fuzz lint
+  lint
+  run_tests release
+  [[ ${1:-} == fast ]] && { say "All fast tests passed in $SECONDS s"; return; }
+  run_tests double
+  run_tests asan
+  build fuzz
+  say "Fuzzing the tree loader for a short while"
+  ctest --test-dir build/fuzz -L fuzz --output-on-failure
+  say "All tests passed in $SECONDS s"
+}
+
+bench() {
+  build release
+  local mesh=()
+  mkdir -p out/bench
+  fetch_bunny out/bench/bunny.off && mesh=(--mesh out/bench/bunny.off)
+  build/release/bin/frame_budget --scene heap "${mesh[@]}" --bodies 100 --shape tree,hull,spheres,gimpact \
+    --json out/bench/heap.json
+}
+
+fuzz() {
+  build fuzz
+  mkdir -p out/fuzz/tree_file
+  build/fuzz/bin/tree_file_fuzz -max_total_time="${1:-600}" -max_len=65536 -artifact_prefix=out/fuzz/ out/fuzz/tree_file
+}
+
+sources() { git ls-files -- '*.h' '*.cpp'; }
+
+format() {
+  need lint
+  sources | xargs clang-format -i
+}
+
+lint() {
+  need build lint
+  say "Checking formatting and include arrows"
+  sources | xargs clang-format --dry-run --Werror
+  cmake -DROOT="$PWD" -P cmake/CheckArrows.cmake
+}
+
+command=${1:-help}
+shift || true
+case $command in
+  demo) demo "$@" ;;
+  test) test_all "$@" ;;
+  build) build "$@" ;;
+  bench) bench "$@" ;;
+  fuzz) fuzz "$@" ;;
+  format) format "$@" ;;
+  lint) lint "$@" ;;
+  help | -h | --help) usage ;;
+  *)
+    echo "cairn.sh: unknown command '$command'; './cairn.sh help' lists the commands." >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Zlib
+// Rocks fall on the ground: a plain Bullet program but for the lines marked "Cairn".
+#include <btBulletDynamicsCommon.h>
+#include <cairn/bullet/dispatcher.h>
+#include <cairn/bullet/sphere_tree_shape.h>
+#include <cairn/core/tree_file.h>
+
+#include <cstdio>
+#include <deque>
+
+int main(int argc, char** argv) {
+  if (argc != 2) return std::fprintf(stderr, "usage: hello_bullet TREE.cairn\n"), 2;
+  auto tree = cairn::loadTree(argv[1]);  // Cairn
+  if (!tree) return std::fprintf(stderr, "hello_bullet: %s.\n", tree.error().message.c_str()), 1;
+  const auto rock = cairn::bullet::SphereTreeShape::create(std::move(tree).value()).value();  // Cairn
+
+  btDefaultCollisionConfiguration configuration;
+  cairn::bullet::Dispatcher<> dispatcher(&configuration);                          // Cairn
+  if (!dispatcher.setBudget({.operations = 20000, .microseconds = {}})) return 1;  // Cairn
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  btStaticPlaneShape plane({0, 1, 0}, 0);
+  btRigidBody ground(0, nullptr, &plane);
+  world.addRigidBody(&ground);
+  btVector3 inertia;
+  rock->calculateLocalInertia(1, inertia);
+  std::deque<btRigidBody> rocks;
+  for (int i = 0; i < 20; ++i) {
+    btRigidBody& body = rocks.emplace_back(1, nullptr, rock.get(), inertia);
+    body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(i + 1), 0) * rock->size()));
+    world.addRigidBody(&body);
+  }
+  for (int second = 0; second <= 10; ++second) {
+    std::printf("%2d s: the last rock is %.2f up, %u contacts\n", second,
+                double(rocks.back().getWorldTransform().getOrigin().y()), dispatcher.lastStep().contacts);
+    for (int step = 0; step < 60; ++step) world.stepSimulation(btScalar(1) / 60);
+  }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "scenes/pit.h"
+
+namespace cairn::scenes {
+
+struct HeapOptions {
+  std::uint32_t bodies = 100;  ///< at least 1
+  std::uint64_t seed = 1;      ///< of the bodies' orientations and places
+  WorldOptions world;          ///< its shape is what the bodies collide as
+  ShapeOptions shape;
+};
+
+/// Bodies of one mesh, dropped in a column into a pit, at random orientations; no two touch at the start.
+class Heap {
+ public:
+  /// Fails for what the shape or the dispatcher refuses.
+  static Result<std::unique_ptr<Heap>> create(const Model& model, const HeapOptions& options);
+
+  StepRecord step() { return world_->step(); }
+
+  const World& world() const { return *world_; }
+  const Pit& pit() const { return pit_; }
+  const Model& model() const { return model_; }
+
+  /// Bodies that left the pit through ground or walls by more than half their size, or whose place is no longer a
+  /// number.
+  std::uint32_t countLost() const;
+
+ private:
+  Heap(const Model& model, const HeapOptions& options);
+  void dropBodies(const HeapOptions& options);
+
+  Model model_;
+  std::uint32_t bodiesPerSide_;  // of one layer of the column
+  Pit pit_;
+  std::unique_ptr<BodyShape> shape_;
+  std::unique_ptr<World> world_;  // last, so that it goes first: it refers to the shapes
+};
+
+}  // namespace cairn::scenes

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cairn/builder/progress.h"
+#include "cairn/core/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace cairn::scenes {
+
+/// Exit codes every program of the house uses.
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitRefused = 1;  ///< the input was refused or a check failed
+inline constexpr int kExitWrongUsage = 2;
+inline constexpr int kExitCancelled = 130;
+
+/// Parses the command line. Returns the exit code if the program is to end now: help was printed, or the usage is wrong
+/// and one sentence said so on standard error.
+std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv);
+
+/// Prints one sentence on standard error and returns the exit code that belongs to it.
+int refuse(std::string_view program, const Error& error);
+int refuseUsage(std::string_view program, const Error& error);
+
+/// From now on the interrupt key (SIGINT) only sets a flag.
+void watchForInterrupt();
+bool interrupted();
+
+/// A line on standard error that overwrites itself, shown only on a terminal; empties itself at the end.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string title);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Returns false once the user has pressed the interrupt key.
+  bool show(std::string_view what, double fraction);
+  builder::ProgressCallback callback();
+
+ private:
+  std::string title_;
+  bool onTerminal_;
+  int lastPercent_ = -1;
+};
+
+}  // namespace cairn::scenes

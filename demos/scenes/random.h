@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <LinearMath/btQuaternion.h>
+
+#include <cstdint>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::scenes {
+
+/// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n), so adding a
+/// consumer never shifts the numbers of another. Two rounds of the SplitMix64 finaliser (Steele, Lea and Flood 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
+
+  std::uint64_t bits();
+  /// In [0, 1), all 53 bits of a double.
+  double uniform();
+  /// In [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Uniform on the unit sphere (Marsaglia 1972: no trigonometry, hence the same bits with every C library).
+  Vec3d direction();
+  /// Uniform over all rotations (Marsaglia 1972).
+  btQuaternion rotation();
+
+ private:
+  std::uint64_t key_;
+  std::uint64_t counter_ = 0;
+};
+
+/// The hash behind `Random`, for noise on a lattice.
+std::uint64_t mixBits(std::uint64_t bits);
+
+}  // namespace cairn::scenes

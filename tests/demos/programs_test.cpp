@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cairn/core/tree_file.h"
+#include "run_program.h"
+#include "scene_trees.h"
+
+namespace cairn::test {
+namespace {
+
+/// One line that begins with the program's name, ends with a full stop and holds `words`.
+void expectOneSentence(const ProgramResult& result, const std::string& program, const std::string& words) {
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_EQ(result.errors.rfind(program + ": ", 0), 0U) << result.errors;
+  EXPECT_NE(result.errors.find(words), std::string::npos) << result.errors;
+  EXPECT_TRUE(result.output.empty()) << result.output;
+}
+
+struct WrongUsage {
+  const char* program;
+  const char* arguments;
+  const char* words;
+
+  friend std::ostream& operator<<(std::ostream& out, const WrongUsage& usage) {
+    return out << usage.program << ' ' << usage.arguments;
+  }
+};
+
+class ProgramsWrongUsage : public ::testing::TestWithParam<WrongUsage> {};
+
+TEST_P(ProgramsWrongUsage, IsOneSentenceAndExitCodeTwo) {
+  const ProgramResult result = runProgram(GetParam().program, GetParam().arguments);
+  EXPECT_EQ(result.exitCode, 2) << GetParam().arguments;
+  expectOneSentence(result, GetParam().program, GetParam().words);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Demos, ProgramsWrongUsage,
+    ::testing::Values(WrongUsage{"frame_budget", "--shape triangle", "use tree, gimpact, hull or spheres"},
+                      WrongUsage{"frame_budget", "--shape tree,", "there is no shape ''"},
+                      WrongUsage{"frame_budget", "--scene crush", "use heap"},
+                      WrongUsage{"frame_budget", "--budget-ops -5", "--budget-ops"},
+                      WrongUsage{"frame_budget", "--budget-us -0.5", "--budget-us"},
+                      WrongUsage{"frame_budget", "--budget-us nan", "--budget-us"},
+                      WrongUsage{"frame_budget", "--bodies 0", "--bodies"},
+                      WrongUsage{"frame_budget", "--priority loudest", "use round-robin"},
+                      WrongUsage{"frame_budget", "--unresolved hope", "use guard, repel, ignore or compensate"},
+                      WrongUsage{"frame_budget", "--method magic", "magic"},
+                      WrongUsage{"frame_budget", "--tree a.cairn --mesh b.obj", "excludes"},
+                      WrongUsage{"frame_budget", "--speed 3", "--speed"},
+                      WrongUsage{"rockfall", "--rocks 0", "--rocks"},
+                      WrongUsage{"rockfall", "--budget-ops x", "--budget-ops"},
+                      WrongUsage{"rockfall", "--budget-us nan", "--budget-us"},
+                      WrongUsage{"tree_picture", "", "TREE"}));
+
+TEST(Programs_UnreadableInput, IsOneSentenceThatNamesTheFileAndExitCodeOne) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "out.json").string();
+  const ProgramResult mesh = runProgram("frame_budget", "--mesh no_such_mesh.obj --json '" + json + "'");
+  EXPECT_EQ(mesh.exitCode, 1);
+  expectOneSentence(mesh, "frame_budget", "no_such_mesh.obj");
+  const ProgramResult tree = runProgram("frame_budget", "--tree no_such_tree.cairn --json '" + json + "'");
+  EXPECT_EQ(tree.exitCode, 1);
+  expectOneSentence(tree, "frame_budget", "no_such_tree.cairn");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  const ProgramResult picture = runProgram("tree_picture", "no_such_tree.cairn -o '" + json + "'");
+  EXPECT_EQ(picture.exitCode, 1);
+  expectOneSentence(picture, "tree_picture", "no_such_tree.cairn");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Programs_Help, ListsTheOptionsAndSucceeds) {
+  for (const char* program : {"frame_budget", "rockfall", "tree_picture"}) {
+    const ProgramResult result = runProgram(program, "--help");
+    EXPECT_EQ(result.exitCode, 0) << program;
+    EXPECT_NE(result.output.find("--"), std::string::npos) << program;
+    EXPECT_TRUE(result.errors.empty()) << result.errors;
+  }
+}
+
+class ProgramsWithATree : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Status saved = saveTree(*smallRockTree(), tree_);
+    ASSERT_TRUE(saved) << saved.error().message;
+  }
+  std::string path(const char* name) const { return "'" + (folder_.path() / name).string() + "'"; }
+
+  TemporaryFolder folder_;
+  std::filesystem::path tree_ = folder_.path() / "rock.cairn";
+};
+
+TEST_F(ProgramsWithATree, FrameBudgetWritesAnObjectForOneShapeAndAnArrayForSeveral) {
+  const std::string common =
+      "--scene heap --tree " + path("rock.cairn") + " --bodies 4 --steps 30 --budget-ops 2000 --seed 3 ";
+  const ProgramResult one = runProgram("frame_budget", common + "--shape tree --json " + path("one.json"));
+  ASSERT_EQ(one.exitCode, 0) << one.errors;
+  const auto object = nlohmann::json::parse(contentOf(folder_.path() / "one.json"));
+  EXPECT_EQ(object.at("scene"), "heap");
+  EXPECT_EQ(object.at("shape"), "tree");
+  EXPECT_EQ(object.at("bodies"), 4);
+  EXPECT_EQ(object.at("steps"), 30);
+  EXPECT_EQ(object.at("seed"), 3);
+  EXPECT_EQ(object.at("mesh"), "rock-2");
+  const ProgramResult several = runProgram("frame_budget", common + "--shape tree,hull --json " + path("two.json"));
+  ASSERT_EQ(several.exitCode, 0) << several.errors;
+  const auto array = nlohmann::json::parse(contentOf(folder_.path() / "two.json"));
+  ASSERT_EQ(array.size(), 2U);
+  EXPECT_EQ(array[0].at("state_hash"), object.at("state_hash"));
+  EXPECT_EQ(array[1].at("shape"), "hull");
+  EXPECT_NE(several.output.find("narrow phase / tree's"), std::string::npos) << several.output;
+}
+
+TEST_F(ProgramsWithATree, FrameBudgetLeavesNothingWhereItCannotWrite) {
+  const ProgramResult result = runProgram(
+      "frame_budget", "--tree " + path("rock.cairn") + " --bodies 1 --steps 1 --json " + path("missing/out.json"));
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.errors.find("out.json"), std::string::npos) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "missing"));
+}
+
+TEST_F(ProgramsWithATree, PictureIsAPngOrOneSentenceWithoutPovray) {
+  const ProgramResult drawn = runProgram("tree_picture", path("rock.cairn") + " -o " + path("tree.png"));
+  if (drawn.exitCode == 0) {
+    EXPECT_EQ(contentOf(folder_.path() / "tree.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  } else {
+    expectOneSentence(drawn, "tree_picture", "install the package povray");
+  }
+  std::filesystem::remove(folder_.path() / "tree.png");
+  ASSERT_EQ(setenv("PATH", folder_.path().c_str(), 1), 0);
+  const ProgramResult missing = runProgram("tree_picture", path("rock.cairn") + " -o " + path("tree.png"));
+  EXPECT_EQ(missing.exitCode, 1);
+  expectOneSentence(missing, "tree_picture", "install the package povray");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree.png"));
+}
+
+TEST_F(ProgramsWithATree, HelloBulletPrintsHeightsThatFall) {
+  const ProgramResult result = runProgram("hello_bullet", path("rock.cairn"));
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  std::vector<double> heights;
+  std::istringstream lines(result.output);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t height = line.find("is ");
+    ASSERT_NE(height, std::string::npos) << line;
+    heights.push_back(std::stod(line.substr(height + 3)));
+  }
+  ASSERT_EQ(heights.size(), 11U);
+  EXPECT_GT(heights.front(), 10);
+  EXPECT_LT(heights.back(), 5);
+  EXPECT_EQ(runProgram("hello_bullet", "").exitCode, 2);
+  EXPECT_EQ(runProgram("hello_bullet", "no_such_tree.cairn").exitCode, 1);
+}
+
+TEST(Programs_Rockfall, WritesTrajectoriesOfEveryRock) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  const ProgramResult result = runProgram(
+      "rockfall", "--rocks 5 --distinct 1 --seconds 1 --budget-ops 20000 -o '" + out + "' --json '" + out + ".json'");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const std::string csv = contentOf(folder.path() / "run" / "trajectories.csv");
+  EXPECT_EQ(csv.rfind("time_s,rock,x_m,y_m,z_m,", 0), 0U);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 11 * 5);
+  const auto json = nlohmann::json::parse(contentOf(folder.path() / "run.json"));
+  EXPECT_EQ(json.at("bodies_lost"), 0);
+  EXPECT_EQ(json.at("rocks"), 5);
+  EXPECT_NE(result.output.find(json.at("state_hash").get<std::string>()), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cairn::test
