@@ -84,13 +84,19 @@ build() {
   configure_and_build "$preset"
 }
 
-# The bunny of Debian's libcgal-demo, or nothing when it cannot be had.
-fetch_bunny() {
-  local archive=/usr/share/doc/libcgal-dev/data.tar.gz
+# A mesh to show things with, in the folder $1: the bunny of Debian's libcgal-demo with as many triangles as a game would
+# carry, or a generated rock when it cannot be had. Sets `mesh`.
+fetch_mesh() {
+  local archive=/usr/share/doc/libcgal-dev/data.tar.gz bin=build/release/bin
   need demo || echo "cairn.sh: going on without the demo's packages." >&2
-  [[ -r $archive ]] && tar -xzf "$archive" -O data/meshes/bunny00.off > "$1" 2> /dev/null && [[ -s $1 ]] && return 0
-  rm -f "$1"
-  return 1
+  if [[ -r $archive ]] && tar -xzf "$archive" -O data/meshes/bunny00.off > "$1/bunny00.off" && [[ -s $1/bunny00.off ]]; then
+    mesh=$1/bunny.obj
+    "$bin/cairn" simplify "$1/bunny00.off" --triangles 1500 -o "$mesh"
+  else
+    say "No bunny: libcgal-demo could not be had. A generated rock stands in for it"
+    mesh=$1/rock.obj
+    "$bin/make_rock" --seed 1 -o "$mesh"
+  fi
 }
 
 demo() {
@@ -100,13 +106,7 @@ demo() {
   say "Building"
   cmake --preset release -DCAIRN_TESTS=OFF > /dev/null
   cmake --build --preset release
-  if fetch_bunny "$out/bunny.off"; then
-    mesh=$out/bunny.off
-  else
-    say "No bunny: libcgal-demo could not be had. A generated rock stands in for it"
-    "$bin/make_rock" --seed 1 -o "$out/rock.obj"
-    mesh=$out/rock.obj
-  fi
+  fetch_mesh "$out"
   name=$(basename "${mesh%.*}")
   say "A certified sphere-tree of $mesh"
   "$bin/cairn" build "$mesh" -o "$out/$name.cairn" --json "$out/$name.json"
@@ -141,10 +141,10 @@ test_all() {
 
 bench() {
   build release
-  local mesh=()
+  local mesh
   mkdir -p out/bench
-  fetch_bunny out/bench/bunny.off && mesh=(--mesh out/bench/bunny.off)
-  build/release/bin/frame_budget --scene heap "${mesh[@]}" --bodies 100 --shape tree,hull,spheres,gimpact \
+  fetch_mesh out/bench
+  build/release/bin/frame_budget --scene heap --mesh "$mesh" --bodies 100 --shape tree,hull,spheres,gimpact \
     --json out/bench/heap.json
 }
 

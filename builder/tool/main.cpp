@@ -14,7 +14,8 @@ constexpr const char* kAbout =
     "  cairn certify rock.obj rock.cairn           prove that a tree covers a mesh\n"
     "  cairn evaluate rock.obj rock.cairn          measure the fit again\n"
     "  cairn inspect rock.cairn                    what is in a tree file\n"
-    "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n\n"
+    "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n"
+    "  cairn simplify scan.ply -o rock.obj         fewer triangles, if a mesh has too many\n\n"
     "Exit codes: 0 done, 1 input refused or check failed, 2 wrong usage, 130 cancelled.";
 
 int run(int argc, char** argv) {
@@ -27,6 +28,7 @@ int run(int argc, char** argv) {
   cairn::tool::addCertifyCommand(app, action);
   cairn::tool::addInspectCommand(app, action);
   cairn::tool::addExportCommand(app, action);
+  cairn::tool::addSimplifyCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // make_rock: a concave rock as an OBJ file, for whoever has no mesh at hand.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <iterator>
 #include <string>
 
+#include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
 #include "scenes/program.h"
 #include "scenes/rock.h"
-
-namespace {
-
-std::string objOf(const cairn::builder::TriangleMesh& mesh) {
-  std::string text;
-  for (const cairn::Vec3d& v : mesh.vertices) fmt::format_to(std::back_inserter(text), "v {} {} {}\n", v.x, v.y, v.z);
-  for (const auto& t : mesh.triangles)
-    fmt::format_to(std::back_inserter(text), "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
-  return text;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace cairn;
@@ -33,6 +19,6 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("-o,--output", file, "the OBJ file to write")->required();
   if (const auto code = scenes::parseCommandLine(app, argc, argv)) return *code;
-  const Status status = writeFileAtomically(file, objOf(scenes::generateRock(options)));
+  const Status status = writeFileAtomically(file, builder::objText(scenes::generateRock(options)));
   return status ? scenes::kExitDone : scenes::refuse("make_rock", status.error());
 }

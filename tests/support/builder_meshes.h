@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "cairn/builder/simplify.h"
 #include "cairn/builder/triangle_mesh.h"
 #include "random_tree.h"
 #include "test_solids.h"
@@ -70,14 +71,7 @@ inline builder::TriangleMesh torus(double major, double minor, std::uint32_t aro
   return mesh;
 }
 
-inline std::string objText(const builder::TriangleMesh& mesh) {
-  std::ostringstream out;
-  out.precision(std::numeric_limits<double>::max_digits10);
-  for (const Vec3d& v : mesh.vertices) out << "v " << v.x << ' ' << v.y << ' ' << v.z << '\n';
-  for (const builder::Triangle& t : mesh.triangles)
-    out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  return out.str();
-}
+using builder::objText;
 
 inline std::filesystem::path writeText(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One of the few files that see CGAL.
+#include "cairn/builder/simplify.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <vector>
+
+#include "cairn/builder/import.h"
+
+namespace cairn::builder {
+namespace {
+
+namespace sms = CGAL::Surface_mesh_simplification;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// Empty when a vertex is pinched, which a halfedge structure cannot hold.
+Surface surfaceOf(const TriangleMesh& mesh) {
+  Surface surface;
+  std::vector<Surface::Vertex_index> names;
+  for (const Vec3d& v : mesh.vertices) names.push_back(surface.add_vertex({v.x, v.y, v.z}));
+  for (const Triangle& t : mesh.triangles)
+    if (surface.add_face(names[t[0]], names[t[1]], names[t[2]]) == Surface::null_face()) return {};
+  return surface;
+}
+
+TriangleMesh meshOf(const Surface& surface, const TriangleMesh& source) {
+  TriangleMesh mesh;
+  mesh.name = source.name;
+  std::vector<std::uint32_t> numbers(surface.num_vertices() + surface.number_of_removed_vertices());
+  for (const Surface::Vertex_index v : surface.vertices()) {
+    numbers[v] = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Kernel::Point_3& p = surface.point(v);
+    mesh.vertices.push_back({p.x(), p.y(), p.z()});
+  }
+  for (const Surface::Face_index f : surface.faces()) {
+    Triangle& t = mesh.triangles.emplace_back();
+    auto corner = t.begin();
+    for (const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      *corner++ = numbers[v];
+  }
+  return mesh;
+}
+
+void collapse(Surface& surface, std::uint32_t triangles) {
+  // Every edge of a closed mesh has two triangles, every triangle three edges.
+  const sms::Count_stop_predicate<Surface> enough(triangles / 2 * 3 + 1);
+  const sms::Bounded_normal_change_placement<sms::LindstromTurk_placement<Surface>> placement;
+  sms::edge_collapse(surface, enough, CGAL::parameters::get_placement(placement));
+}
+
+}  // namespace
+
+Result<TriangleMesh> simplify(const TriangleMesh& mesh, std::uint32_t triangles) try {
+  if (mesh.triangles.size() <= triangles) return mesh;
+  Surface surface = surfaceOf(mesh);
+  if (surface.is_empty())
+    return Error{"the mesh has a vertex where two surfaces only touch, which cannot be simplified; separate it"};
+  collapse(surface, triangles);
+  TriangleMesh simple = meshOf(surface, mesh);
+  if (simple.triangles.size() > triangles)
+    return Error{fmt::format("the mesh could only be simplified to {} triangles, not to {}; ask for more",
+                             simple.triangles.size(), triangles)};
+  if (Status s = checkMesh(simple); !s)
+    return Error{fmt::format("with {} triangles {}; ask for more", triangles, s.error().message)};
+  return simple;
+} catch (const std::exception& e) {
+  return Error{fmt::format("the mesh could not be simplified ({})", e.what())};
+}
+
+std::string objText(const TriangleMesh& mesh) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (const Vec3d& v : mesh.vertices) fmt::format_to(out, "v {} {} {}\n", v.x, v.y, v.z);
+  for (const Triangle& t : mesh.triangles) fmt::format_to(out, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  return text;
+}
+
+}  // namespace cairn::builder

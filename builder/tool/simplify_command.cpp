@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairn/builder/simplify.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cairn/builder/import.h"
+#include "cairn/core/atomic_file.h"
+#include "tool/command.h"
+
+namespace cairn::tool {
+namespace {
+
+constexpr const char* kAbout =
+    "Write a closed mesh with fewer triangles, as OBJ: a scan is far finer than a game wants to carry.\n\n"
+    "  cairn simplify scan.ply --triangles 1500 -o rock.obj";
+
+struct SimplifyCommand {
+  std::string mesh, output;
+  std::uint32_t triangles = 1500;
+};
+
+int run(const SimplifyCommand& command) {
+  if (Status s = checkWritable(command.output); !s) return refuse(s.error());
+  const Result<builder::TriangleMesh> mesh = builder::importMesh(command.mesh);
+  if (!mesh) return refuse(mesh.error());
+  const Result<builder::TriangleMesh> simple = builder::simplify(mesh.value(), command.triangles);
+  if (!simple) return refuse({fmt::format("{}: {}", command.mesh, simple.error().message)});
+  if (Status s = writeFileAtomically(command.output, builder::objText(simple.value())); !s) return refuse(s.error());
+  fmt::print("{}: {} of {} triangles\n", command.output, simple.value().triangles.size(),
+             mesh.value().triangles.size());
+  return kDone;
+}
+
+}  // namespace
+
+void addSimplifyCommand(CLI::App& app, Action& action) {
+  auto command = std::make_shared<SimplifyCommand>();
+  CLI::App* sub = app.add_subcommand("simplify", kAbout);
+  sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
+  sub->add_option("--triangles", command->triangles, "Most triangles to keep")
+      ->check(CLI::Range(4U, 1U << 30))
+      ->capture_default_str();
+  sub->add_option("-o,--output", command->output, "OBJ file to write")->required();
+  sub->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace cairn::tool
