@@ -62,35 +62,55 @@ class RemovedUnlessKept {
 bool flushToDisk(std::FILE* f) {
   if (std::fflush(f) != 0) return false;
 #if defined(__unix__) || defined(__APPLE__)
-  // Some targets (pipes, /dev/null) cannot be synced; that is no failure of writing.
+  // Devices and pipes cannot be synced; that is no failure of writing.
   if (fsync(fileno(f)) != 0 && errno != EINVAL && errno != ENOTSUP) return false;
 #endif
   return true;
 }
 
-Status writePlainly(const fs::path& path, std::span<const std::byte> bytes, const fs::path& nameForErrors) {
-  const File file(std::fopen(path.string().c_str(), "wbx"));
+Status writePlainly(const fs::path& path, const char* mode, std::span<const std::byte> bytes,
+                    const fs::path& nameForErrors) {
+  const File file(std::fopen(path.string().c_str(), mode));
   if (!file) return cannot("write", nameForErrors, reason());
   if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() || !flushToDisk(file.get()))
     return cannot("write", nameForErrors, reason());
   return {};
 }
 
+// A device, a pipe: something that a rename would replace instead of writing to it.
+bool isSpecial(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// Where a link leads, so that the file is written and the link stays.
+fs::path behindLinks(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::is_symlink(path, failure)) return path;
+  const fs::path target = fs::weakly_canonical(path, failure);
+  return failure ? path : target;
+}
+
 }  // namespace
 
 Status writeFileAtomically(const fs::path& path, const std::function<Status(const fs::path&)>& write) {
   if (path.filename().empty()) return cannot("write", path, "it is not a file name");
-  RemovedUnlessKept temporary(temporaryBeside(path));
+  if (isSpecial(path)) return cannot("write", path, "it is not a regular file");
+  const fs::path target = behindLinks(path);
+  RemovedUnlessKept temporary(temporaryBeside(target));
   if (Status written = write(temporary.path()); !written) return written;
   std::error_code failure;
-  fs::rename(temporary.path(), path, failure);
+  fs::rename(temporary.path(), target, failure);
   if (failure) return cannot("write", path, failure.message());
   temporary.keep();
   return {};
 }
 
 Status writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
-  return writeFileAtomically(path, [&](const fs::path& temporary) { return writePlainly(temporary, bytes, path); });
+  if (isSpecial(path)) return writePlainly(path, "wb", bytes, path);
+  return writeFileAtomically(path,
+                             [&](const fs::path& temporary) { return writePlainly(temporary, "wbx", bytes, path); });
 }
 
 Status writeFileAtomically(const fs::path& path, std::string_view text) {

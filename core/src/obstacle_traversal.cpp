@@ -22,7 +22,7 @@ Progress ObstacleTraversal::refine(Budget& budget) {
     const std::uint32_t size = tree_->familySize(family);
     if (!budget.charge(kSphereUpdateCost + size * kOverlapTestCost)) return Progress::budgetSpent;
     ++head_;
-    std::uint32_t hits = obstacle_->touches(tree_->family(family), size, pair.b);
+    std::uint32_t hits = obstacle_->touches(tree_->family(family), size, pair.b) & tree_->livingLanes(family);
     for (; hits != 0; hits &= hits - 1) {
       const NodeId child = family * kFamilyWidth + static_cast<NodeId>(std::countr_zero(hits));
       (tree_->isLeaf(child) ? leafPairs_ : queue_).push_back({child, pair.b});

@@ -16,8 +16,12 @@ void RoundRobin::begin(std::span<const ScheduledPair> pairs) {
   ring_.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (!pairs[i].traversal->done()) ring_.push_back(i);
-  const auto after = std::find_if(ring_.begin(), ring_.end(), [&](std::size_t i) { return pairs[i].id > lastServed_; });
-  std::rotate(ring_.begin(), after, ring_.end());
+  // What is left of the round under way, then what it has served, then what came since it began.
+  const auto firstAbove = [&](std::uint64_t id) {
+    return std::find_if(ring_.begin(), ring_.end(), [&](std::size_t i) { return pairs[i].id > id; });
+  };
+  const auto unserved = firstAbove(lastServed_), fresh = firstAbove(roundEnd_);
+  std::rotate(ring_.begin(), unserved, fresh);
 }
 
 std::optional<std::size_t> RoundRobin::next() {
@@ -30,7 +34,9 @@ std::optional<std::size_t> RoundRobin::next() {
 }
 
 void RoundRobin::turnEnded(std::size_t pair, Progress progress) {
-  lastServed_ = pairs_[pair].id;
+  const std::uint64_t id = pairs_[pair].id;
+  if (id <= lastServed_ || id > roundEnd_) roundEnd_ = pairs_.back().id;  // a new round
+  lastServed_ = id;
   if (progress == Progress::done) ring_[cursor_] = kFinished;
   ++cursor_;
 }

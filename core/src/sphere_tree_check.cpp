@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "sphere_tree_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace {
 // Unit vectors are rounded to float and matrices computed in double: both pass with room, damage does not.
 constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
+// Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
+constexpr float kLargestLength = 1e15F;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 26;
 
 Error bad(const std::string& what) {
@@ -34,6 +37,9 @@ Status checkNumbers(const NodeData& n, const std::string& name) {
   if (!isFinite(n.center) || !std::isfinite(n.radius) || !std::isfinite(n.error) || !std::isfinite(n.innerRadius))
     return bad(name + " has a number that is not finite");
   if (!(n.radius > 0)) return bad(name + " has no positive radius");
+  if (n.radius > kLargestLength ||
+      std::max({std::abs(n.center.x), std::abs(n.center.y), std::abs(n.center.z)}) > kLargestLength)
+    return bad(name + " lies outside the range of lengths that can be tested");
   if (n.error < 0) return bad(name + " has a negative error");
   if (n.innerRadius < 0 || n.innerRadius > n.radius) return bad(name + " has an inner radius outside 0 to its radius");
   if (!isUnit(n.normalCone.axis) || !(std::abs(n.normalCone.cosine) <= 1))

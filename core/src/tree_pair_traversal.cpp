@@ -66,6 +66,7 @@ void TreePairTraversal::splitA(const NodePair& pair) {
   const Sphere s = b_->sphere(pair.b);
   const bool otherIsLeaf = b_->isLeaf(pair.b);
   std::uint32_t hits = overlap(a_->family(family), {aFromB_ * s.center, s.radius * aFromB_.scale + marginInA_});
+  hits &= a_->livingLanes(family);
   for (; hits != 0; hits &= hits - 1) {
     const NodeId child = family * kFamilyWidth + static_cast<NodeId>(std::countr_zero(hits));
     (otherIsLeaf && a_->isLeaf(child) ? leafPairs_ : queue_).push_back({child, pair.b});
@@ -77,6 +78,7 @@ void TreePairTraversal::splitB(const NodePair& pair) {
   const Sphere s = a_->sphere(pair.a);
   const bool otherIsLeaf = a_->isLeaf(pair.a);
   std::uint32_t hits = overlap(b_->family(family), {bFromA_ * s.center, s.radius * bFromA_.scale + marginInB_});
+  hits &= b_->livingLanes(family);
   for (; hits != 0; hits &= hits - 1) {
     const NodeId child = family * kFamilyWidth + static_cast<NodeId>(std::countr_zero(hits));
     (otherIsLeaf && b_->isLeaf(child) ? leafPairs_ : queue_).push_back({pair.a, child});

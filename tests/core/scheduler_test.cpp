@@ -110,6 +110,19 @@ TEST(RoundRobin, NoPairStarves_WhenABudgetServesOnlyOneTurn) {
   }
 }
 
+TEST(RoundRobin, NoPairStarves_WhenNewPairsKeepComing) {
+  Crowd crowd(3, 2), others(3, 12);
+  RoundRobin priority;
+  ASSERT_FALSE(crowd.traversals[0].done());
+  // The old pair, and in each step one that has never been seen; the budget lets one turn through.
+  for (std::uint64_t step = 0; step < 40; ++step) {
+    std::vector<ScheduledPair> pairs{{1, &crowd.traversals[0], 0}, {step + 2, &others.traversals[step], 0}};
+    Budget budget = Budget::operations(Scheduler::kTurnOperations);
+    (void)Scheduler().run(pairs, priority, budget);
+  }
+  EXPECT_TRUE(crowd.traversals[0].done());
+}
+
 TEST(RoundRobin, OrderOfPairs_DoesNotMatter) {
   Crowd one(4), other(4);
   std::mt19937_64 engine(5);

@@ -82,6 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"node 3 has a number that is not finite", [](auto& d) { d.nodes[3].center.y = kNan; }},
         Damage{"node 3 has a number that is not finite", [](auto& d) { d.nodes[3].radius = kInf; }},
         Damage{"node 3 has no positive radius", [](auto& d) { d.nodes[3].radius = 0; }},
+        Damage{"node 3 lies outside the range of lengths", [](auto& d) { d.nodes[3].center.z = -1e30F; }},
+        Damage{"node 3 lies outside the range of lengths", [](auto& d) { d.nodes[3].radius = 1e16F; }},
         Damage{"node 3 has a negative error", [](auto& d) { d.nodes[3].error = -1; }},
         Damage{"node 3 has an inner radius", [](auto& d) { d.nodes[3].innerRadius = d.nodes[3].radius * 2; }},
         Damage{"the root has a parent", [](auto& d) { d.nodes[0].parent = 1; }},

@@ -163,6 +163,21 @@ TEST(TreePairTraversal, FarFromTheOrigin_FindsTheSamePairs) {
   EXPECT_EQ(setOf(near.leafPairs()), setOf(away.leafPairs()));
 }
 
+TEST(TreePairTraversal, AbsurdlyFarBodies_ReportOnlyNodesThatExist) {
+  PairCase c = randomCase(4);
+  for (const double away : {1e18, 1e25, 1e37}) {
+    c.poseB.translation = {away, -away, away};
+    TreePairTraversal traversal;
+    traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    Budget budget = Budget::operations(100000);
+    (void)traversal.refine(budget);
+    for (const NodePair& p : traversal.leafPairs()) {
+      ASSERT_LT(p.a % kFamilyWidth, c.treeA.familySize(p.a / kFamilyWidth)) << away;
+      ASSERT_LT(p.b % kFamilyWidth, c.treeB.familySize(p.b / kFamilyWidth)) << away;
+    }
+  }
+}
+
 // Half-spaces as obstacles: the simplest thing whose answer is known in closed form.
 class HalfSpaces final : public Obstacle {
  public:

@@ -13,12 +13,14 @@
 namespace cairn {
 
 /// Writes a file completely or not at all: to a temporary name beside `path`, flushed to disk, then renamed over it. On
-/// failure, or when the process is told to end while writing, `path` is as it was and the temporary file is gone.
+/// failure `path` is as it was and the temporary file is gone (only a process that is killed outright leaves it). A
+/// symbolic link is followed; what is no regular file, a device or a pipe, is written to directly.
 Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
 /// For writers that insist on a file name of their own: `write` gets a temporary path beside `path` with the same
-/// extension, which is renamed over `path` when it returns success and removed when it does not.
+/// extension, which is renamed over `path` when it returns success and removed when it does not. Devices and pipes are
+/// refused.
 Status writeFileAtomically(const std::filesystem::path& path,
                            const std::function<Status(const std::filesystem::path& temporary)>& write);
 

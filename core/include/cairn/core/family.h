@@ -21,7 +21,8 @@ struct Sphere {
 inline constexpr std::uint32_t kFamilyWidth = 8;
 
 /// Up to eight sibling spheres, structure of arrays: two cache lines answer a whole family. Dead lanes sit at infinity
-/// with radius 0, so that no test ever passes there and no arithmetic on them raises a floating-point exception.
+/// with radius 0, so that no test against a ball of sane size passes there (`SphereTree::livingLanes` is for the
+/// others) and no arithmetic on them raises a floating-point exception.
 struct alignas(64) Family {
   static constexpr float kNowhere = std::numeric_limits<float>::infinity();
 

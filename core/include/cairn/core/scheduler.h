@@ -31,8 +31,8 @@ class Priority {
 };
 
 /// Round-robin over all unfinished pairs (Hubbard 1996): every pair advances breadth-first at the same pace. A step
-/// begins with the pair after the last one served in the step before, so no pair starves under any budget that lets one
-/// turn through.
+/// goes on where the last one stopped, and pairs that are new wait until the round under way is over, so no pair
+/// starves under any budget that lets one turn through.
 class RoundRobin final : public Priority {
  public:
   void begin(std::span<const ScheduledPair> pairs) override;
@@ -44,6 +44,7 @@ class RoundRobin final : public Priority {
   std::vector<std::size_t> ring_;  // unfinished pairs in serving order
   std::size_t cursor_ = 0;
   std::uint64_t lastServed_ = 0;
+  std::uint64_t roundEnd_ = 0;  // the largest id when the round under way began; never below lastServed_
 };
 
 /// Shares one budget over all pairs of a step.

@@ -96,6 +96,9 @@ class SphereTree {
   std::uint32_t childFamily(NodeId node) const { return childFamily_[node]; }
   std::uint32_t childCount(NodeId node) const { return familySize_[childFamily_[node]] * (childFamily_[node] != 0); }
   std::uint32_t familySize(std::uint32_t family) const { return familySize_[family]; }
+  /// One bit per living lane of a family: what overlap bits are masked with, because between bodies at absurd distances
+  /// even the lanes at infinity overlap.
+  std::uint32_t livingLanes(std::uint32_t family) const { return (1U << familySize_[family]) - 1; }
   bool isLeaf(NodeId node) const { return childFamily_[node] == 0; }
 
   Sphere sphere(NodeId node) const { return families_[node / kFamilyWidth].sphere(node % kFamilyWidth); }

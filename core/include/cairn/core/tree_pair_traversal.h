@@ -15,6 +15,7 @@ class TreePairTraversal final : public Traversal {
   /// trees must outlive the traversal. The root test is part of starting and is not charged.
   void start(const SphereTree& a, const SphereTree& b, const Pose& poseA, const Pose& poseB, float margin);
   /// Goes on at moved bodies without forgetting what was found; pairs already dismissed stay dismissed until `start`.
+  /// Precondition: started.
   void movePoses(const Pose& poseA, const Pose& poseB);
 
   Progress refine(Budget& budget) override;
