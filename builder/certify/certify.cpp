@@ -9,6 +9,7 @@
 
 #include "certify/cover_proof.h"
 #include "certify/protrusion.h"
+#include "certify/record_check.h"
 
 namespace cairn::builder {
 namespace {
@@ -106,6 +107,7 @@ std::vector<std::string> Certificate::failures(const SphereTree& tree) const {
       list.push_back(fmt::format("node {}: its inner radius is {:.9g}, but its centre lies {:.9g} below the surface", i,
                                  stored.innerRadius, c.depth));
   }
+  list.insert(list.end(), records.begin(), records.end());
   return list;
 }
 
@@ -116,6 +118,7 @@ Result<Certificate> certify(const SphereTree& tree, const TriangleMesh& mesh, co
   if (!certifyCover(tree, mesh, progress, certificate.levels)) return Error{std::string(kCancelled)};
   const SignedDistance solid(mesh);
   if (!certifyNodes(tree, solid, progress, certificate.nodes)) return Error{std::string(kCancelled)};
+  certificate.records = recordFailures(tree, mesh);
   for (LevelCertificate& level : certificate.levels) summarize(tree, certificate.nodes, level);
   return certificate;
 }

@@ -20,7 +20,7 @@ std::string text(const Vec3d& p) {
 
 class Checker {
  public:
-  explicit Checker(const TriangleMesh& mesh) : mesh_(mesh) {}
+  Checker(const TriangleMesh& mesh, std::size_t leftOut) : mesh_(mesh), leftOut_(leftOut) {}
 
   Status run() const {
     if (Status s = checkElements(); !s) return s;
@@ -28,7 +28,7 @@ class Checker {
     if (Status s = checkEdges(halfEdges); !s) return s;
     if (Status s = checkVolume(); !s) return s;
     if (const auto pair = findSelfIntersection(mesh_))
-      return refused("triangles {} (near {}) and {} intersect; repair the mesh or wrap it", pair->first,
+      return refused("triangles {} (near {}) and {} intersect; repair the mesh", pair->first,
                      text(mesh_.corners(pair->first)[0]), pair->second);
     return checkShells(halfEdges);
   }
@@ -42,6 +42,13 @@ class Checker {
 
   std::string edge(const HalfEdge& h) const {
     return text(mesh_.vertices[h.from]) + " - " + text(mesh_.vertices[h.to]);
+  }
+
+  /// A triangle without area may have closed a gap without width: two short edges against a long one.
+  std::string omission() const {
+    if (leftOut_ == 0) return {};
+    return leftOut_ == 1 ? " after 1 triangle without area was left out"
+                         : fmt::format(" after {} triangles without area were left out", leftOut_);
   }
 
   Status checkElements() const {
@@ -66,8 +73,8 @@ class Checker {
       for (last = first; last < halfEdges.size() && halfEdges[last].sameEdge(h);) ++last;
       if (last - first == 1)
         return refused(
-            "the mesh is open: the edge {} has triangle {} on one side and nothing on the other; close the hole",
-            edge(h), h.triangle);
+            "the mesh is open: the edge {} has triangle {} on one side and nothing on the other{}; close the hole",
+            edge(h), h.triangle, omission());
       if (last - first > 2)
         return refused(
             "the edge {} belongs to {} triangles ({}, {}, {}, ...), it may belong to two; separate the sheets "
@@ -83,10 +90,11 @@ class Checker {
 
   Status checkVolume() const {
     const double volume = signedVolume(mesh_);
-    // The sum of n signed tetrahedra rounds by less than n units of the box's volume, which cube of the diagonal
-    // exceeds.
-    const double rounding =
-        0x1p-50 * static_cast<double>(mesh_.triangles.size()) * std::pow(boundsOf(mesh_).diagonal(), 3);
+    // Each of the n signed tetrahedra, taken from the box's centre, rounds by a few units of the box's volume: every
+    // product in it is one length along each axis, none longer than the box.
+    const Bounds bounds = boundsOf(mesh_);
+    const Vec3d size = bounds.upper - bounds.lower;
+    const double rounding = 0x1p-50 * static_cast<double>(mesh_.triangles.size()) * size.x * size.y * size.z;
     if (std::abs(volume) <= rounding) return refused("the mesh is flat: it encloses no volume; give it thickness");
     if (volume < 0)
       return refused("the mesh is inside out: its volume is {:.6g}; flip the orientation of all triangles", volume);
@@ -109,12 +117,13 @@ class Checker {
   }
 
   const TriangleMesh& mesh_;
+  std::size_t leftOut_;
 };
 
 }  // namespace
 
-Status checkMesh(const TriangleMesh& mesh) {
-  return Checker(mesh).run();
+Status checkMesh(const TriangleMesh& mesh, std::size_t leftOut) {
+  return Checker(mesh, leftOut).run();
 }
 
 }  // namespace cairn::builder

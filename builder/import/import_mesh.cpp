@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "cairn/builder/import.h"
@@ -24,6 +27,13 @@ Status checkFinite(const std::string& file, const TriangleSoup& soup) {
   return {};
 }
 
+/// What follows a UTF-8 byte order mark, which some editors put before a text.
+std::span<const std::byte> withoutMark(std::span<const std::byte> bytes) {
+  constexpr std::array kMark{std::byte{0xEF}, std::byte{0xBB}, std::byte{0xBF}};
+  const bool marked = bytes.size() >= kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin());
+  return marked ? bytes.subspan(kMark.size()) : bytes;
+}
+
 }  // namespace
 
 Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts) {
@@ -31,16 +41,20 @@ Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts*
   Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
   if (bytes.value().empty()) return Error{fmt::format("{}: the file is empty; export the mesh again", path.string())};
-  if (Status s = checkMeshText(path, bytes.value()); !s) return s.error();
+  const std::span<const std::byte> text = withoutMark(bytes.value());
+  if (Status s = checkMeshText(path, text); !s) return s.error();
 
-  Result<TriangleSoup> soup = readTriangles(path);
+  // The readers of assimp take a mark for a part of the first line.
+  const bool marked = text.size() != bytes.value().size();
+  Result<TriangleSoup> soup = marked ? readTriangles(path, text) : readTriangles(path);
   if (!soup) return soup.error();
   if (Status s = checkFinite(file, soup.value()); !s) return s.error();
-  ImportCounts local;
-  TriangleMesh mesh = weld(soup.value(), counts != nullptr ? *counts : local);
+  ImportCounts found;
+  TriangleMesh mesh = weld(soup.value(), found);
+  if (counts != nullptr) *counts = found;
   mesh.name = file;
   mesh.sha256 = sha256Hex(bytes.value());
-  if (Status s = checkMesh(mesh); !s) return s.error();
+  if (Status s = checkMesh(mesh, found.degenerateTriangles); !s) return s.error();
   return mesh;
 }
 

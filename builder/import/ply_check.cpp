@@ -13,6 +13,7 @@ namespace cairn::builder {
 namespace {
 
 struct Property {
+  std::string name;
   std::size_t size = 0;       // bytes of one value
   std::size_t countSize = 0;  // bytes of a list's length; 0 when not a list
 };
@@ -52,6 +53,7 @@ Status readProperty(LineReader& line, Header& header) {
   }
   property.size = sizeOfType(type);
   if (property.size == 0) return line.error(fmt::format("'{}' is not a type of PLY; export the mesh again", type));
+  property.name = std::string(line.nextWord());
   if (header.elements.empty()) return line.error("a property comes before any element; export the mesh again");
   header.elements.back().properties.push_back(property);
   return {};
@@ -80,18 +82,35 @@ Error truncated(const std::string& file, const Element& element, std::uint64_t f
                            found, element.count, element.name)};
 }
 
+/// The corners of a face: assimp stops the whole program when there are none.
+bool holdsCorners(const Element& element, const Property& property) {
+  return property.countSize != 0 && element.name == "face" &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+std::string tooFewCorners(std::uint64_t face, std::uint64_t corners) {
+  return fmt::format("face {} has {} vertices, it needs three or more; remove it or export again", face, corners);
+}
+
+Status checkTextValues(LineReader& line, const Element& element, std::uint64_t index) {
+  for (const Property& property : element.properties) {
+    std::string_view word = line.nextWord();
+    if (property.countSize != 0) {
+      const auto length = parseNumber<std::uint32_t>(word);
+      if (!length) return line.error("a list does not begin with its length; export again");
+      if (holdsCorners(element, property) && *length < 3) return line.error(tooFewCorners(index, *length));
+      for (std::uint32_t k = 0; k < *length && !word.empty(); ++k) word = line.nextWord();
+    }
+    if (word.empty()) return line.error("the line has too few values; the file may be truncated, export it again");
+  }
+  return {};
+}
+
 Status checkTextData(const std::string& file, LineReader& line, const Header& header) {
   for (const Element& element : header.elements) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!line.nextContent()) return truncated(file, element, i);
-      for (const Property& property : element.properties) {
-        std::string_view word = line.nextWord();
-        const auto length = parseNumber<std::uint32_t>(word);
-        if (property.countSize != 0 && !length)
-          return line.error("a list does not begin with its length; export again");
-        for (std::uint32_t k = 0; property.countSize != 0 && k < *length && !word.empty(); ++k) word = line.nextWord();
-        if (word.empty()) return line.error("the line has too few values; the file may be truncated, export it again");
-      }
+      if (Status s = checkTextValues(line, element, i); !s) return s;
     }
   }
   return {};
@@ -117,6 +136,8 @@ Status checkBinaryData(const std::string& file, std::string_view bytes, const He
           if (bytes.size() < property.countSize) return truncated(file, element, i);
           values = frontInteger(bytes, property.countSize, header.encoding);
           bytes.remove_prefix(property.countSize);
+          if (holdsCorners(element, property) && values < 3)
+            return Error{fmt::format("{}: {}", file, tooFewCorners(i, values))};
         }
         if (bytes.size() / property.size < values) return truncated(file, element, i);
         bytes.remove_prefix(values * property.size);

@@ -55,7 +55,8 @@ bool appendNode(const aiScene& scene, const aiNode& node, const Placement& paren
   return true;
 }
 
-Result<TriangleSoup> readScene(const std::filesystem::path& path) {
+/// From the file itself when `text` is empty.
+Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<const std::byte> text) {
   const std::string file = path.filename().string();
   Assimp::Importer importer;
   if (!importer.IsExtensionSupported(path.extension().string()))
@@ -63,7 +64,10 @@ Result<TriangleSoup> readScene(const std::filesystem::path& path) {
         fmt::format("{}: '{}' is not the extension of a mesh format assimp reads; export it as OBJ, OFF, PLY, STL "
                     "or glTF",
                     file, path.extension().string())};
-  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
+  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
+  const std::string format = path.extension().string().substr(1);
+  const aiScene* scene = text.empty() ? importer.ReadFile(path.string(), kSteps)
+                                      : importer.ReadFileFromMemory(text.data(), text.size(), kSteps, format.c_str());
   if (scene == nullptr || scene->mRootNode == nullptr)
     return Error{fmt::format("{}: assimp cannot read it ({}); check that the file is complete and export it again",
                              file, importer.GetErrorString())};
@@ -77,8 +81,12 @@ Result<TriangleSoup> readScene(const std::filesystem::path& path) {
 }  // namespace
 
 Result<TriangleSoup> readTriangles(const std::filesystem::path& path) {
+  return readTriangles(path, {});
+}
+
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text) {
   try {
-    return readScene(path);
+    return readScene(path, text);
   } catch (const std::exception& e) {
     return Error{fmt::format("{}: assimp failed on it ({}); check that the file is complete and export it again",
                              path.filename().string(), e.what())};

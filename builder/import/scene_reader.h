@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "cairn/core/result.h"
@@ -17,5 +19,8 @@ using TriangleSoup = std::vector<std::array<Vec3d, 3>>;
 /// they keep facing outward. The one place that calls assimp to read. Fails when assimp cannot read the file or finds
 /// no triangles.
 Result<TriangleSoup> readTriangles(const std::filesystem::path& path);
+
+/// The same of a text that is at hand and needs no other file; `path` gives the format and the name for errors.
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text);
 
 }  // namespace cairn::builder

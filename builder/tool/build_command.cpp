@@ -57,13 +57,16 @@ Result<Built> build(const BuildCommand& command, const builder::ProgressCallback
   return Built{std::move(mesh).value(), std::move(tree).value(), std::move(certificate).value()};
 }
 
-int report(const BuildCommand& command, const Built& built, double cpuSeconds, double wallSeconds,
+/// Evaluates, and only then writes: a cancelled run leaves nothing.
+int finish(const BuildCommand& command, const Built& built, double cpuSeconds, double wallSeconds,
            const builder::ProgressCallback& progress) {
   const double peakMb = peakMemoryMb();  // of the build: before the evaluation
   const auto sampling = command.noEvaluate ? builder::Sampling::none : builder::Sampling::full;
   const auto fits =
       builder::evaluate(built.tree, built.mesh, built.certificate, sampling, command.options.seed, progress);
   if (!fits) return refuse(fits.error());
+  if (interrupted()) return refuse({std::string(builder::kCancelled)});
+  if (Status s = saveTree(built.tree, command.output); !s) return refuse(s.error());
   Json json = buildInfoJson(built.tree);
   json["threads"] = threadsUsed(command.options.threads);
   json["build_cpu_s"] = cpuSeconds;
@@ -84,17 +87,19 @@ int run(BuildCommand& command) {
   if (!method) return refuse(method.error());
   command.options.method = method.value();
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
-  if (!command.json.empty() && command.json != "-") {
-    if (Status s = checkWritable(command.json); !s) return refuse(s.error());
-  }
+  if (Status s = checkOutputs({command.mesh}, {command.output, command.json}); !s) return refuse(s.error());
   const Stopwatch stopwatch;
   ProgressBar bar;
   Result<Built> built = build(command, bar.callback());
   if (!built) return refuse(built.error());
   const double cpuSeconds = stopwatch.cpuSeconds(), wallSeconds = stopwatch.wallSeconds();
-  if (interrupted()) return refuse({std::string(builder::kCancelled)});
-  if (Status s = saveTree(built.value().tree, command.output); !s) return refuse(s.error());
-  return report(command, built.value(), cpuSeconds, wallSeconds, bar.callback());
+  return finish(command, built.value(), cpuSeconds, wallSeconds, bar.callback());
+}
+
+/// What single options cannot tell; throws as the parser does.
+void checkUsage(const BuildCommand& command) {
+  if (command.method == "octree" && command.options.branching != 8)
+    throw CLI::ValidationError("--branching", "the method octree divides by eight; choose 8 or another method");
 }
 
 }  // namespace
@@ -116,12 +121,13 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("--samples", command->options.samples, "Surface pieces the spheres are fitted to, about")
       ->check(CLI::Range(100U, 1000000U))
       ->capture_default_str();
-  sub->add_option("--seed", command->options.seed, "Same mesh, options and seed: same bytes")->capture_default_str();
+  addSeedOption(*sub, command->options.seed, "Same mesh, options and seed: same bytes");
   addThreadsOption(*sub, command->options.threads);
   sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
   sub->add_flag("--no-evaluate", command->noEvaluate,
                 "Report what is certified only, without the slower sampled measures");
   sub->callback([command, &action] {
+    checkUsage(*command);
     action = [command] { return withThreads(command->options.threads, [command] { return run(*command); }); };
   });
 }

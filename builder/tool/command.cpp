@@ -6,6 +6,7 @@
 #include <tbb/info.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 
@@ -18,7 +19,45 @@ int refuse(const Error& error) {
   return error.message == builder::kCancelled ? kCancelledByUser : kRefused;
 }
 
+namespace {
+
+bool sameFile(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  if (std::filesystem::exists(a, ignored) && std::filesystem::exists(b, ignored))
+    // Two outputs may go to one device or pipe; only a file would be lost.
+    return std::filesystem::is_regular_file(a, ignored) && std::filesystem::equivalent(a, b, ignored);
+  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
+std::string checkSeed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (!text.empty() && error == std::errc{} && end == text.data() + text.size()) return {};
+  return fmt::format("'{}' is not a whole number from 0 to 18446744073709551615", text);
+}
+
+}  // namespace
+
+Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  std::vector<std::string> others = inputs;
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-") continue;
+    if (Status s = checkWritable(output); !s) return s;
+    for (const std::string& other : others) {
+      if (sameFile(output, other))
+        return Error{fmt::format("{}: the output is the same file as {}; name another one", output, other)};
+    }
+    others.push_back(output);
+  }
+  return {};
+}
+
+CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& about) {
+  return command.add_option("--seed", seed, about)->check(CLI::Validator(checkSeed, "", "seed"))->capture_default_str();
+}
+
 Status checkWritable(const std::string& path) {
+  if (path.empty()) return Error{"the output has no name; name a file"};
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     return Error{fmt::format("{}: it is a folder; name a file in it", path)};

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cairn/core/result.h"
 
@@ -30,6 +32,13 @@ int refuse(const Error& error);
 /// Whether a file could be written at `path`, without touching it: its folder exists and may be written, and `path` is
 /// no folder. Asked before long work starts.
 Status checkWritable(const std::string& path);
+
+/// Whether every output could be written (empty names of inputs and outputs are passed over, as is "-") and is neither
+/// an input nor another output, whatever names they go by. Asked before any work starts.
+Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
+
+/// Adds `--seed`, a whole number of 64 bits.
+CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& about);
 
 /// Adds `--threads`, which limits the parallel work of the whole program. 0: one thread per core.
 void addThreadsOption(CLI::App& command, unsigned& threads);

@@ -9,12 +9,14 @@
 #include "tool/mesh_and_tree.h"
 #include "tool/progress_bar.h"
 #include "tool/report.h"
+#include "tool/stopwatch.h"
 
 namespace cairn::tool {
 namespace {
 
 constexpr const char* kAbout =
-    "Measure how well each level of a tree fits a mesh, certified and sampled.\n\n"
+    "Measure how well each level of a tree fits a mesh, certified and sampled.\n"
+    "Ends with 1 when what `cairn certify` proves cannot be proved.\n\n"
     "  cairn evaluate rock.obj rock.cairn\n"
     "  cairn evaluate rock.obj rock.cairn --json - | jq .levels";
 
@@ -25,9 +27,7 @@ struct EvaluateCommand {
 };
 
 int run(const EvaluateCommand& command) {
-  if (!command.json.empty() && command.json != "-") {
-    if (Status s = checkWritable(command.json); !s) return refuse(s.error());
-  }
+  if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
   const Result<MeshAndTree> input = readMeshAndTree(command.mesh, command.tree);
   if (!input) return refuse(input.error());
   const auto& [mesh, tree] = input.value();
@@ -40,11 +40,14 @@ int run(const EvaluateCommand& command) {
   Json json = buildInfoJson(tree);
   json["mesh"] = mesh.name;
   json["threads"] = threadsUsed(command.threads);
+  json["build_cpu_s"] = nullptr;  // a tree file does not tell
+  json["build_wall_s"] = nullptr;
+  json["peak_rss_mb"] = peakMemoryMb();
   json["tree_sha256"] = treeSha256(tree);
   json["levels"] = levelsJson(fits.value(), builder::Sampling::full);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
   if (command.json != "-") printLevels(fits.value(), builder::Sampling::full);
-  return kDone;
+  return refuseUnproved(input.value(), command.tree, certificate.value().failures(tree));
 }
 
 }  // namespace
@@ -54,7 +57,7 @@ void addEvaluateCommand(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("evaluate", kAbout);
   sub->add_option("MESH", command->mesh, "The mesh to compare with")->required();
   sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
-  sub->add_option("--seed", command->seed, "Of the sampled measures")->capture_default_str();
+  addSeedOption(*sub, command->seed, "Of the sampled measures");
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
   sub->callback([command, &action] {

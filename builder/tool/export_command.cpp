@@ -39,6 +39,7 @@ Status write(const SphereTree& tree, const ExportCommand& command) {
 
 int run(const ExportCommand& command) {
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
+  if (Status s = checkOutputs({command.tree}, {command.output}); !s) return refuse(s.error());
   const Result<SphereTree> tree = loadTree(command.tree);
   if (!tree) return refuse(tree.error());
   if (Status s = write(tree.value(), command); !s)

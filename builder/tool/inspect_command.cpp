@@ -77,6 +77,7 @@ void print(const std::string& file, const Json& json) {
 }
 
 int run(const InspectCommand& command) {
+  if (Status s = checkOutputs({command.tree}, {command.json}); !s) return refuse(s.error());
   const Result<SphereTree> tree = loadTree(command.tree);
   if (!tree) return refuse(tree.error());
   const Json json = describe(tree.value());

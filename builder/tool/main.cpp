@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "tool/command.h"
 #include "tool/interrupt.h"
@@ -41,13 +43,26 @@ int run(int argc, char** argv) {
   return action();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int guardedRun(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& e) {
     fmt::print(stderr, "cairn: stopped by an unexpected failure ({}); nothing was written\n", e.what());
     return cairn::tool::kRefused;
   }
+}
+
+/// Whether all that was printed arrived; a full disk is noticed here at the latest.
+bool outputArrived() {
+  std::cout.flush();
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = guardedRun(argc, argv);
+  if (code != cairn::tool::kDone || outputArrived()) return code;
+  fmt::print(stderr, "cairn: standard output cannot be written; check where it leads\n");
+  return cairn::tool::kRefused;
 }

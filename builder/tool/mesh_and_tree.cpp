@@ -7,8 +7,15 @@
 
 #include "cairn/builder/import.h"
 #include "cairn/core/tree_file.h"
+#include "tool/command.h"
 
 namespace cairn::tool {
+
+int refuseUnproved(const MeshAndTree& input, const std::string& treePath, const std::vector<std::string>& failures) {
+  if (failures.empty()) return kDone;
+  return refuse({fmt::format("{}: {} of its claims about {} failed, the first: {}", treePath, failures.size(),
+                             input.mesh.name, failures.front())});
+}
 
 Result<MeshAndTree> readMeshAndTree(const std::string& meshPath, const std::string& treePath) {
   Result<builder::TriangleMesh> mesh = builder::importMesh(meshPath);

@@ -8,6 +8,8 @@
 #include "cairn/builder/import.h"
 #include "cairn/core/atomic_file.h"
 #include "tool/command.h"
+#include "tool/interrupt.h"
+#include "tool/progress_bar.h"
 
 namespace cairn::tool {
 namespace {
@@ -23,9 +25,12 @@ struct SimplifyCommand {
 
 int run(const SimplifyCommand& command) {
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
+  if (Status s = checkOutputs({command.mesh}, {command.output}); !s) return refuse(s.error());
   const Result<builder::TriangleMesh> mesh = builder::importMesh(command.mesh);
   if (!mesh) return refuse(mesh.error());
-  const Result<builder::TriangleMesh> simple = builder::simplify(mesh.value(), command.triangles);
+  ProgressBar bar;
+  const auto simple = builder::simplify(mesh.value(), command.triangles, bar.callback());
+  if (interrupted()) return refuse({std::string(builder::kCancelled)});
   if (!simple) return refuse({fmt::format("{}: {}", command.mesh, simple.error().message)});
   if (Status s = writeFileAtomically(command.output, builder::objText(simple.value())); !s) return refuse(s.error());
   fmt::print("{}: {} of {} triangles\n", command.output, simple.value().triangles.size(),

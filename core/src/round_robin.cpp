@@ -11,17 +11,40 @@ constexpr std::size_t kFinished = std::numeric_limits<std::size_t>::max();
 }
 
 void RoundRobin::begin(std::span<const ScheduledPair> pairs) {
-  pairs_ = pairs;
+  handOutTickets(pairs);
   cursor_ = 0;
   ring_.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (!pairs[i].traversal->done()) ring_.push_back(i);
-  // What is left of the round under way, then what it has served, then what came since it began.
-  const auto firstAbove = [&](std::uint64_t id) {
-    return std::find_if(ring_.begin(), ring_.end(), [&](std::size_t i) { return pairs[i].id > id; });
-  };
-  const auto unserved = firstAbove(lastServed_), fresh = firstAbove(roundEnd_);
-  std::rotate(ring_.begin(), unserved, fresh);
+  std::sort(ring_.begin(), ring_.end(), [&](std::size_t l, std::size_t r) {
+    const Ticket &left = tickets_[l], &right = tickets_[r];
+    return left.wasServed != right.wasServed ? right.wasServed : left.number < right.number;
+  });
+  interleaveNewcomers();
+}
+
+void RoundRobin::interleaveNewcomers() {
+  line_.assign(ring_.begin(), ring_.end());
+  const auto regulars = std::find_if(line_.begin(), line_.end(), [&](std::size_t i) { return tickets_[i].wasServed; });
+  auto fresh = line_.begin(), old = regulars;
+  bool freshTurn = newcomersTurn_;
+  for (std::size_t& place : ring_) {
+    if (fresh == regulars || old == line_.end()) freshTurn = fresh != regulars;
+    place = freshTurn ? *fresh++ : *old++;
+    freshTurn = !freshTurn;
+  }
+}
+
+// Afterwards there is one ticket for each pair, in the same order; who is new stands behind the others who are.
+void RoundRobin::handOutTickets(std::span<const ScheduledPair> pairs) {
+  lastStep_.swap(tickets_);
+  tickets_.clear();
+  auto known = lastStep_.begin();
+  for (const ScheduledPair& pair : pairs) {
+    while (known != lastStep_.end() && known->id < pair.id) ++known;
+    const bool isKnown = known != lastStep_.end() && known->id == pair.id;
+    tickets_.push_back(isKnown ? *known : Ticket{pair.id, nextTicket_++, false});
+  }
 }
 
 std::optional<std::size_t> RoundRobin::next() {
@@ -34,9 +57,9 @@ std::optional<std::size_t> RoundRobin::next() {
 }
 
 void RoundRobin::turnEnded(std::size_t pair, Progress progress) {
-  const std::uint64_t id = pairs_[pair].id;
-  if (id <= lastServed_ || id > roundEnd_) roundEnd_ = pairs_.back().id;  // a new round
-  lastServed_ = id;
+  newcomersTurn_ = tickets_[pair].wasServed;
+  tickets_[pair].number = nextTicket_++;
+  tickets_[pair].wasServed = true;
   if (progress == Progress::done) ring_[cursor_] = kFinished;
   ++cursor_;
 }

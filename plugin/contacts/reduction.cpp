@@ -2,6 +2,7 @@
 #include "contacts/reduction.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn::bullet {
 

@@ -2,13 +2,20 @@
 #include "counterparts/convex_counterpart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
 
 namespace {
+
+// What a plane must separate better by, as a fraction of the reach, to be preferred.
+constexpr float kPlaneGain = 0.1F;
+// Halvings of the way to where a leaf touches, for a point of it that hangs over the shape's edge.
+constexpr int kMaxPulls = 3;
 
 struct Box {
   Vec3 center, halfExtents;
@@ -70,9 +77,12 @@ void ConvexCounterpart::start(std::vector<NodePair>& /*known*/) {
   traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
 }
 
-NearestPoint ConvexCounterpart::nearest(const Vec3& pointInPair) {
-  const NearestPoint inShape = surface_.nearest(shapeFromPair_ * pointInPair);
+NearestPoint ConvexCounterpart::inPair(const NearestPoint& inShape) const {
   return {pairFromShapeAxes_ * inShape.point + shapeOrigin_, pairFromShapeAxes_ * inShape.normal, inShape.distance};
+}
+
+NearestPoint ConvexCounterpart::nearest(const Vec3& pointInPair) {
+  return inPair(surface_.nearest(shapeFromPair_ * pointInPair));
 }
 
 bool ConvexCounterpart::isCertainlyApart(const Sphere& sphere) const {
@@ -96,29 +106,77 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
     if (planes_.size() < kMaxPlanes) planes_.push_back({center.normal, dot(center.normal, center.point)});
     return;
   }
-  // A planar leaf touches with its corners: which of them is extreme would change with every rounding.
+  Touch touch = touchAlong(leaf, {center.normal, dot(center.normal, center.point)});
+  if (touch.height - margin_ < reach_) improve(leaf, touch);
+  if (touch.height - margin_ >= reach_) return;
   if (!tree_.isPlanar(leaf)) {
-    appendContact(leaf, center, tree_.support(leaf, -center.normal), -1, contacts);
+    appendContact(leaf, touch, tree_.support(leaf, -touch.plane.normal), -1, contacts);
     return;
   }
+  // A planar leaf touches with its corners: which of them is extreme would change with every rounding.
   int index = 0;
   for (const Vec3& point : tree_.supportPoints(leaf))
-    appendContact(leaf, center, tree_.toPair() * point, index++, contacts);
+    appendContact(leaf, touch, tree_.toPair() * point, index++, contacts);
 }
 
-void ConvexCounterpart::appendContact(NodeId leaf, const NearestPoint& center, const Vec3& onTree, int pointIndex,
+ConvexCounterpart::Touch ConvexCounterpart::touchAlong(NodeId leaf, const Plane& plane) const {
+  const Vec3 lowest = tree_.support(leaf, -plane.normal);
+  return {plane, dot(plane.normal, lowest) - plane.offset, lowest};
+}
+
+// The plane nearest to the leaf's centre lies above a round shape everywhere else, and coarse leaves would float. Every
+// plane that supports the shape is a true bound, so the best of several is taken. Where the leaf's lowest point is as
+// near as the plane says, there is none better.
+void ConvexCounterpart::improve(NodeId leaf, Touch& touch) {
+  if (nearest(touch.point).distance <= touch.height + kPlaneGain * reach_) return;
+  offerFaces(leaf, touch);
+  if (touch.height - margin_ >= reach_) return;
+  const std::span<const Vec3> points = tree_.supportPoints(leaf);
+  std::array<Vec3, kMaxSupportPoints> inShape;
+  for (std::size_t i = 0; i < points.size(); ++i) inShape[i] = shapeFromPair_ * (tree_.toPair() * points[i]);
+  const std::optional<NearestPoint> found = surface_.nearestToHull(std::span(inShape).first(points.size()));
+  if (!found) return;
+  const NearestPoint onShape = inPair(*found);
+  offer(leaf, {onShape.normal, dot(onShape.normal, onShape.point)}, touch);
+  touch.point = onShape.point + onShape.normal * onShape.distance;
+}
+
+// Planes that are better by less than a tenth of the reach would only make the choice flicker.
+void ConvexCounterpart::offer(NodeId leaf, const Plane& plane, Touch& touch) const {
+  const Touch other = touchAlong(leaf, plane);
+  if (other.height > touch.height + kPlaneGain * reach_) touch = other;
+}
+
+void ConvexCounterpart::offerFaces(NodeId leaf, Touch& touch) const {
+  const Mat3 pairFromTreeAxes = transpose(tree_.axesFromPair());
+  const Mat3 shapeFromPairAxes = transpose(pairFromShapeAxes_);
+  for (const Vec3& outwards : tree_.tree().faceNormals(leaf)) {
+    const Vec3 normal = -(pairFromTreeAxes * outwards);
+    const Vec3 onShape = pairFromShapeAxes_ * surface_.support(shapeFromPairAxes * normal) + shapeOrigin_;
+    offer(leaf, {normal, dot(normal, onShape)}, touch);
+  }
+}
+
+// Where a point of the leaf hangs over the shape's edge, the contact is nearer to where the leaf touches.
+Vec3 ConvexCounterpart::pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height) {
+  Vec3 where = onTree;
+  for (int i = 0; i < kMaxPulls && nearest(where).distance > std::max(height, 0.0F) + reach_; ++i)
+    where = 0.5F * (where + anchor);
+  return where;
+}
+
+void ConvexCounterpart::appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,
                                       std::vector<Contact>& contacts) {
-  const float height = dot(center.normal, onTree - center.point);
+  const Plane& plane = touch.plane;
+  const float height = dot(plane.normal, onTree) - plane.offset;
   Contact contact;
   contact.gap = height - margin_;
   if (contact.gap >= reach_) return;
   contact.pair = {leaf, 0};
-  contact.normal = center.normal;
+  contact.normal = plane.normal;
   contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
-  // Where the region's point hangs over the shape's edge, the contact is between it and the shape's own point.
-  const bool overhangs = nearest(onTree).distance > std::max(height, 0.0F) + reach_;
-  const Vec3 where = overhangs ? 0.5F * (onTree + center.point) : onTree;
-  contact.position = where + contact.normal * (dot(contact.normal, center.point - where) + 0.5F * contact.gap);
+  const Vec3 where = pulledOntoShape(onTree, touch.point, height);
+  contact.position = where + contact.normal * (plane.offset - dot(contact.normal, where) + 0.5F * contact.gap);
   contacts.push_back(contact);
 }
 

@@ -41,13 +41,26 @@ class ConvexCounterpart final : public Counterpart {
     Vec3 normal;
     float offset;
   };
+  // How a leaf and the shape are apart, or overlap.
+  struct Touch {
+    Plane plane;   // supports the shape; of all that were tried, the one the leaf lies highest above
+    float height;  // of the leaf's lowest point above it
+    Vec3 point;    // of the leaf, about the nearest to the shape
+  };
   static constexpr std::size_t kMaxPlanes = 8;
 
   bool isCertainlyApart(const Sphere& sphere) const;
   NearestPoint nearest(const Vec3& pointInPair);
   void appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<Contact>& contacts);
-  void appendContact(NodeId leaf, const NearestPoint& center, const Vec3& onTree, int pointIndex,
+  Touch touchAlong(NodeId leaf, const Plane& plane) const;
+  // Replaces the plane if the leaf lies higher above another.
+  void improve(NodeId leaf, Touch& touch);
+  void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
+  void offerFaces(NodeId leaf, Touch& touch) const;
+  void appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,
                      std::vector<Contact>& contacts);
+  Vec3 pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height);
+  NearestPoint inPair(const NearestPoint& inShape) const;
 
   PlacedTree tree_;
   float margin_ = 0;

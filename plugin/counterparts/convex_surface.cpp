@@ -62,15 +62,32 @@ NearestPoint ConvexSurface::nearest(const Vec3& p) {
   }
 }
 
+Vec3 ConvexSurface::support(const Vec3& direction) const {
+  return toVec3(shape_->localGetSupportingVertex(toBullet(direction)));
+}
+
 NearestPoint ConvexSurface::nearestByGjk(const Vec3& p) {
-  btGjkPairDetector gjk(&point_, shape_, &simplex_, &penetration_);
+  const std::optional<NearestPoint> found = askGjk(point_, p);
+  return found ? *found : supportingPlane(p);
+}
+
+std::optional<NearestPoint> ConvexSurface::nearestToHull(std::span<const Vec3> points) {
+  const std::size_t count = std::min<std::size_t>(points.size(), hullPoints_.size());
+  for (std::size_t i = 0; i < count; ++i) hullPoints_[i] = toBullet(points[i]);
+  hull_.setPoints(hullPoints_.data(), static_cast<int>(count), false);
+  return askGjk(hull_, {});
+}
+
+std::optional<NearestPoint> ConvexSurface::askGjk(const btConvexShape& other, const Vec3& origin) {
+  btGjkPairDetector gjk(&other, shape_, &simplex_, &penetration_);
   btDiscreteCollisionDetectorInterface::ClosestPointInput input;
   input.m_transformA.setIdentity();
-  input.m_transformA.setOrigin(toBullet(p));
+  input.m_transformA.setOrigin(toBullet(origin));
   input.m_transformB.setIdentity();
   GjkAnswer answer;
   gjk.getClosestPoints(input, answer, nullptr);
-  return answer.found ? answer.nearest : supportingPlane(p);
+  if (!answer.found) return std::nullopt;
+  return answer.nearest;
 }
 
 // GJK and EPA can give up on a point that lies on the surface. The plane that supports the shape in the point's
@@ -80,8 +97,7 @@ NearestPoint ConvexSurface::supportingPlane(const Vec3& p) const {
   shape_->getAabb(btTransform::getIdentity(), lower, upper);
   const Vec3 out = p - toVec3((lower + upper) * btScalar(0.5));
   const Vec3 normal = lengthSq(out) > 0 ? normalized(out) : Vec3(0, 0, 1);
-  const Vec3 support = toVec3(shape_->localGetSupportingVertex(toBullet(normal)));
-  const float distance = dot(normal, p - support);
+  const float distance = dot(normal, p - support(normal));
   return {p - normal * distance, normal, distance};
 }
 

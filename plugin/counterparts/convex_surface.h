@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <array>
+#include <optional>
+#include <span>
+
+#include "cairn/core/sphere_tree.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn::bullet {
@@ -21,18 +27,26 @@ struct NearestPoint {
 /// in closed form, everything else by GJK, and by EPA inside.
 class ConvexSurface {
  public:
-  ConvexSurface() : point_(0) {}
+  ConvexSurface() : point_(0) { hull_.setMargin(0); }
 
   /// The shape must outlive its use here.
   void setShape(const btConvexShape& shape) { shape_ = &shape; }
   NearestPoint nearest(const Vec3& p);
+  /// The same for the hull of at most `kMaxSupportPoints` points instead of a single one, always by GJK; nothing when
+  /// that gives up.
+  std::optional<NearestPoint> nearestToHull(std::span<const Vec3> points);
+  /// The shape's point that lies farthest along a unit direction.
+  Vec3 support(const Vec3& direction) const;
 
  private:
   NearestPoint nearestByGjk(const Vec3& p);
+  std::optional<NearestPoint> askGjk(const btConvexShape& other, const Vec3& origin);
   NearestPoint supportingPlane(const Vec3& p) const;
 
   const btConvexShape* shape_ = nullptr;
   btSphereShape point_;
+  std::array<btVector3, kMaxSupportPoints> hullPoints_;
+  btConvexPointCloudShape hull_;
   btVoronoiSimplexSolver simplex_;
   btGjkEpaPenetrationDepthSolver penetration_;
 };

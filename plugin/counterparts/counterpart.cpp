@@ -2,6 +2,8 @@
 #include "counterparts/counterpart.h"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "counterparts/convex_counterpart.h"
@@ -15,10 +17,23 @@ Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, const Vec3& /*last*/) 
   return {};
 }
 
-CounterpartKind kindOf(const btCollisionShape& shape) {
+namespace {
+
+// These are concave by name, but their `processAllTriangles` is empty. Others may share their type numbers.
+bool hidesTriangles(const btCollisionShape& shape) {
+  if (shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE)
+    return dynamic_cast<const btGImpactCompoundShape*>(&shape) != nullptr;
+  return shape.getShapeType() == SDF_SHAPE_PROXYTYPE && dynamic_cast<const btSdfCollisionShape*>(&shape) != nullptr;
+}
+
+}  // namespace
+
+std::optional<CounterpartKind> kindOf(const btCollisionShape& shape) {
   if (asSphereTree(&shape)) return CounterpartKind::tree;
   if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return CounterpartKind::plane;
-  return shape.isConvex() ? CounterpartKind::convex : CounterpartKind::triangles;
+  if (shape.isConvex()) return CounterpartKind::convex;
+  if (!shape.isConcave() || hidesTriangles(shape)) return std::nullopt;
+  return CounterpartKind::triangles;
 }
 
 std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind) {

@@ -4,6 +4,7 @@
 #include <LinearMath/btTransform.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,8 +63,9 @@ class Counterpart {
 enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles };
 inline constexpr int kCounterpartKinds = 4;
 
-/// What a shape is treated as. Precondition: not a compound, not a soft body.
-CounterpartKind kindOf(const btCollisionShape& shape);
+/// What a shape is treated as; nothing for what is neither convex nor can show its triangles: compounds, soft bodies,
+/// GImpact compounds and signed distance fields.
+std::optional<CounterpartKind> kindOf(const btCollisionShape& shape);
 
 std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind);
 

@@ -19,12 +19,17 @@ constexpr float kApproachFraction = 0.008F;
 
 void PairContacts::reset() {
   known_.clear();
+  retested_.clear();
   guards_.clear();
   seeds_ = {};
   commonNormals_ = {};
   seenLeafPairs_ = 0;
   isAnswered_ = false;
+  answerHadContacts_ = false;
+  approach_ = 0;
+  centers_ = {};
   started_ = false;
+  isRetested_ = false;
 }
 
 void PairContacts::begin(Counterpart& counterpart, Budget& budget) {
@@ -56,11 +61,17 @@ void PairContacts::appendNewlyResolved(Counterpart& counterpart, Budget& budget,
 
 namespace {
 
+// Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
+std::span<const NodePair> headOf(std::span<const NodePair> front) {
+  return front.first(std::min(front.size(), PairContacts::kMaxFrontPairs));
+}
+
 void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
                  std::vector<Contact>& contacts) {
   const Traversal& traversal = counterpart.traversal();
-  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(traversal.front().size()));
-  for (const NodePair& pair : traversal.front()) {
+  const std::span<const NodePair> front = headOf(traversal.front());
+  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
+  for (const NodePair& pair : front) {
     Contact contact = counterpart.boundingContact(pair);
     if (compensate) contact.gap += traversal.pairError(pair);
     if (contact.gap < reach) contacts.push_back(contact);
@@ -71,9 +82,7 @@ void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget&
 
 void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                                 ContactScratch& scratch) {
-  // Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
-  const std::span<const NodePair> whole = counterpart.traversal().front();
-  const std::span<const NodePair> front = whole.first(std::min(whole.size(), kMaxFrontPairs));
+  const std::span<const NodePair> front = headOf(counterpart.traversal().front());
   budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
   std::vector<Contact>& guards = scratch.guards;
   guards.clear();
@@ -122,7 +131,10 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
   if (counterpart.traversal().done()) {
-    counterpart.appendContacts(counterpart.traversal().leafPairs(), contacts);
+    // A resumed traversal may have found leaf pairs at older poses: all are measured at this one's.
+    const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+    budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(leafPairs.size()));
+    counterpart.appendContacts(leafPairs, contacts);
     isAnswered_ = true;
     approach_ = 0;
     centers_ = motion.treeCenter - motion.otherCenter;

@@ -26,7 +26,7 @@ class PairContacts {
   /// Resolved pairs that are re-tested while a traversal is unfinished. Bounds, with `kMaxFrontPairs`, the work of a
   /// pair that gets no budget.
   static constexpr std::size_t kMaxKnownPairs = 32;
-  /// Pairs of the front that are looked at for guards.
+  /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 128;
 
   /// Forgets everything; for a pair that is new.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "counterparts/tree_counterpart.h"
 
+#include <cmath>
+
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "shape/bullet_math.h"
 

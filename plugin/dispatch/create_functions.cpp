@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
+#include <optional>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
@@ -42,11 +43,12 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
     const btCollisionShape& shape0 = *body0->getCollisionShape();
     const btCollisionShape& shape1 = *body1->getCollisionShape();
     const bool isTree0 = asSphereTree(&shape0) != nullptr;
-    if (!isTree0 && !asSphereTree(&shape1))
+    const bool hasTree = isTree0 || asSphereTree(&shape1);
+    const std::optional<CounterpartKind> kind = hasTree ? kindOf(isTree0 ? shape1 : shape0) : std::nullopt;
+    if (!kind)
       return original(shape0.getShapeType(), shape1.getShapeType())->CreateCollisionAlgorithm(info, body0, body1);
-    const CounterpartKind kind = kindOf(isTree0 ? shape1 : shape0);
     void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(TreeAlgorithm));
-    return new (memory) TreeAlgorithm(info, narrowPhase_, kind, !isForQueries_);
+    return new (memory) TreeAlgorithm(info, narrowPhase_, *kind, !isForQueries_);
   }
 
  private:

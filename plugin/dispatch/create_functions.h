@@ -13,8 +13,8 @@ namespace cairn::bullet {
 
 /// Enters the tree algorithms into a dispatcher's two tables (contacts and closest points), for sphere-trees against
 /// every shape that is neither a compound nor soft; compounds reach them child by child through Bullet's own algorithm.
-/// A shape of the same type number that is not ours gets what the dispatcher's configuration has for it. Undone on
-/// destruction.
+/// A shape of the same type number that is not ours gets what the dispatcher's configuration has for it, and so does a
+/// sphere-tree against a concave shape that cannot show its triangles. Undone on destruction.
 class Registration {
  public:
   Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);

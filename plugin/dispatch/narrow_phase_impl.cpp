@@ -25,7 +25,6 @@ bool isOwnedBy(const btCollisionObject& object, btOverlappingPairCache& pairs) {
 // A ghost object keeps its own pairs and has them dispatched whenever a character looks around; every one of them
 // contains the ghost, so the first tells.
 bool isGhostCache(btOverlappingPairCache& pairs) {
-  if (pairs.getNumOverlappingPairs() == 0) return false;
   const btBroadphasePair& first = *pairs.getOverlappingPairArrayPtr();
   return isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy0->m_clientObject), pairs) ||
          isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy1->m_clientObject), pairs);
@@ -58,22 +57,30 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
   if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
   TreePair* const pair = idle.back();
   idle.pop_back();
-  pair->reset();
   return pair;
 }
 
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
   if (pair->collectedAt() != TreePair::kNotCollected) collected_[pair->collectedAt()] = nullptr;
+  pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
 
 void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
-  isCollecting_ = !isGhostCache(pairs);
+  isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   stepBegan_ = ThreadCpuClock::now();
   timeStep_ = info.m_timeStep;
   collected_.clear();
+}
+
+// A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
+bool NarrowPhase::Impl::isWorlds(btOverlappingPairCache& pairs) {
+  if (pairs.getNumOverlappingPairs() == 0) return !worldPairs_ || worldPairs_ == &pairs;
+  if (isGhostCache(pairs)) return false;
+  worldPairs_ = &pairs;
+  return true;
 }
 
 void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& body0,
@@ -122,25 +129,33 @@ void NarrowPhase::Impl::endStep() {
   scheduler_.run(scheduled_, *priority_, budget);
   finishPairs(budget);
 
-  statistics_.pairs = static_cast<std::uint32_t>(collected_.size());
   statistics_.operations = budget.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
 
-// Drops what was destroyed meanwhile, names what is new and orders everything by name.
+// Drops what was destroyed meanwhile, names what is new and orders everything by name. Until a pair is finished, a
+// user's callback may still destroy it.
 void NarrowPhase::Impl::beginPairs(Budget& budget) {
-  for (TreePair* pair : collected_)
-    if (pair) pair->setCollectedAt(TreePair::kNotCollected);
   std::erase(collected_, nullptr);
   nameNewPairs();
   std::sort(collected_.begin(), collected_.end(),
             [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
-  std::erase_if(collected_,
-                [&](TreePair* pair) { return !pair->begin(pair->body0(), pair->body1(), timeStep_, 0, budget); });
+  for (std::size_t i = 0; i < collected_.size(); ++i) collected_[i]->setCollectedAt(i);
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (TreePair* pair = collected_[i]; pair && !pair->begin(pair->body0(), pair->body1(), timeStep_, 0, budget))
+      dismiss(i);
   scheduled_.clear();
-  for (TreePair* pair : collected_) scheduled_.push_back(pair->scheduled());
+  for (TreePair* pair : collected_)
+    if (pair) scheduled_.push_back(pair->scheduled());
+  statistics_.pairs = static_cast<std::uint32_t>(scheduled_.size());
+}
+
+// Unless its own callbacks have destroyed it.
+void NarrowPhase::Impl::dismiss(std::size_t index) {
+  if (collected_[index]) collected_[index]->setCollectedAt(TreePair::kNotCollected);
+  collected_[index] = nullptr;
 }
 
 void NarrowPhase::Impl::nameNewPairs() {
@@ -153,9 +168,12 @@ void NarrowPhase::Impl::nameNewPairs() {
 
 void NarrowPhase::Impl::finishPairs(Budget& budget) {
   const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
-  for (TreePair* pair : collected_) {
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    TreePair* const pair = collected_[i];
+    if (!pair) continue;
     btManifoldResult result(&pair->body0(), &pair->body1());
     count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_));
+    dismiss(i);
   }
 }
 

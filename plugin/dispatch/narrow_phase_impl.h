@@ -40,9 +40,11 @@ class NarrowPhase::Impl {
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
   Budget stepBudget() const;
+  bool isWorlds(btOverlappingPairCache& pairs);
   void beginPairs(Budget& budget);
   void nameNewPairs();
   void finishPairs(Budget& budget);
+  void dismiss(std::size_t index);
   void count(const PairReport& report);
 
   btCollisionDispatcher& dispatcher_;
@@ -55,6 +57,7 @@ class NarrowPhase::Impl {
   std::uint32_t reportingPairs_ = 0;
 
   bool isCollecting_ = false;
+  const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   btScalar timeStep_ = 0;
   ThreadCpuClock::time_point stepBegan_;
   std::mutex mutex_;                  // guards what follows while algorithms run

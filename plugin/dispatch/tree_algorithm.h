@@ -23,7 +23,8 @@ class TreeAlgorithm final : public btCollisionAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
-  /// 1: motion is handled by speculative contacts, not by times of impact.
+  /// 1: no time of impact is computed. There is no continuous collision detection for moving trees yet: a body that
+  /// crosses another within one step is missed.
   btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& info,
                                  btManifoldResult* result) override;
   void getAllContactManifolds(btManifoldArray& manifolds) override;

@@ -6,6 +6,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/manifold_writer.h"
@@ -47,6 +49,7 @@ Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
 
 void TreePair::reset() {
   contacts_.reset();
+  subject_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
 }
@@ -63,15 +66,49 @@ PairKey TreePair::key(std::size_t arrival) const {
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
                      btScalar threshold, Budget& budget) {
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
-  const SphereTreeShape* shape = first ? first : asSphereTree(body1.getCollisionShape());
-  if (!shape) return false;
   treeIsBody0_ = first != nullptr;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
-  if (kindOf(*otherBody.getCollisionShape()) != kind_) return false;
+  if (!adopt(first ? first : asSphereTree(body1.getCollisionShape()), *otherBody.getCollisionShape())) return false;
   objects_[0] = body0.getCollisionObject();
   objects_[1] = body1.getCollisionObject();
+  place(treeBody, otherBody, threshold);
+  setMotion(treeBody, otherBody, timeStep);
+  counterpart_->place(placement_);
+  contacts_.begin(*counterpart_, budget);
+  return true;
+}
 
+bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other) {
+  const std::optional<CounterpartKind> kind = tree ? kindOf(other) : std::nullopt;
+  if (!kind) {
+    forget();
+    return false;
+  }
+  const SphereTreeShape* const otherTree = asSphereTree(&other);
+  Subject now{tree->sharedTree(), otherTree ? otherTree->sharedTree() : nullptr, tree->scale(),
+              otherTree ? otherTree->scale() : 0, &other};
+  if (now == subject_) return true;
+  forget();
+  if (*kind != kind_) {
+    kind_ = *kind;
+    counterpart_ = makeCounterpart(kind_);
+  }
+  subject_ = std::move(now);
+  return true;
+}
+
+// The manifolds stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
+void TreePair::forget() {
+  contacts_.reset();
+  subject_ = {};
+  for (btPersistentManifold* m : manifolds_)
+    if (m) m->clearManifold();
+}
+
+void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                     btScalar threshold) {
+  const SphereTreeShape* const shape = asSphereTree(treeBody.getCollisionShape());
   origin_ = treeBody.getWorldTransform().getOrigin();
   placement_.treeShape = shape;
   placement_.treeBody = btTransform(treeBody.getWorldTransform().getBasis());
@@ -80,13 +117,11 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   placement_.otherShape = otherBody.getCollisionShape();
   placement_.other = otherBody.getWorldTransform();
   placement_.other.getOrigin() -= origin_;
-  smallerSize_ = std::min(static_cast<float>(shape->size()), counterpart_->size(*placement_.otherShape));
+  const float treeSize = static_cast<float>(shape->size());
+  const float otherSize = counterpart_->size(*placement_.otherShape);
+  smallerSize_ = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;  // a point has no size to speak of
   speculative_ = static_cast<float>(kSpeculativeFraction) * smallerSize_;
   placement_.reach = speculative_ + static_cast<float>(threshold);
-  setMotion(treeBody, otherBody, timeStep);
-  counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, budget);
-  return true;
 }
 
 void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
@@ -141,6 +176,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
                             bool mayBeInterrupted, Budget& budget, ContactScratch& scratch) {
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
+  report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
   contacts_.finish(*counterpart_, policy, motion_, placement_.reach, budget, scratch);
   for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, scratch, report);
   if (mayBeInterrupted) contacts_.rememberDeepest(scratch);

@@ -22,7 +22,7 @@ struct PairReport {
   std::uint32_t contacts = 0;
   std::uint32_t manifolds = 0;
   bool isUnresolved = false;
-  double errorFraction = 0;  ///< worst certified error of its contacts, of the smaller body's size
+  double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
 };
 
 /// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
@@ -42,7 +42,7 @@ class TreePair {
   explicit TreePair(CounterpartKind kind) : kind_(kind), counterpart_(makeCounterpart(kind)) {}
 
   CounterpartKind kind() const { return kind_; }
-  /// For use by a new pair of bodies. Precondition: no manifolds.
+  /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
@@ -52,7 +52,8 @@ class TreePair {
   const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
-  /// are wanted, beyond the speculative distance. False when neither shape is a sphere-tree any more.
+  /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
+  /// first. False, and no contacts, when the shapes are no longer a sphere-tree and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
              btScalar threshold, Budget& budget);
   ScheduledPair scheduled() { return {id_, &counterpart_->traversal(), closingSpeed_}; }
@@ -75,6 +76,19 @@ class TreePair {
   static constexpr std::size_t kNotCollected = ~std::size_t{0};
 
  private:
+  // What the state is about. A body's shape may be replaced between steps, and the old one destroyed; the traversal
+  // refers to its tree.
+  struct Subject {
+    std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
+    btScalar treeScale = 0, otherScale = 0;
+    const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
+
+    friend bool operator==(const Subject&, const Subject&) = default;
+  };
+
+  bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
+  void forget();
+  void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
@@ -84,6 +98,7 @@ class TreePair {
   CounterpartKind kind_;
   std::unique_ptr<Counterpart> counterpart_;
   PairContacts contacts_;
+  Subject subject_;
   std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
   std::array<BodySnapshot, 2> bodies_;
   const btCollisionObject* objects_[2] = {};  // in the manifolds' order

@@ -25,6 +25,8 @@ std::vector<std::uint32_t> hullVertices(std::span<const Vec3> points) {
   return indices;
 }
 
+}  // namespace
+
 float boxDiagonal(std::span<const Vec3> points) {
   Vec3 lower = points[0], upper = points[0];
   for (const Vec3& p : points)
@@ -34,8 +36,6 @@ float boxDiagonal(std::span<const Vec3> points) {
     }
   return length(upper - lower);
 }
-
-}  // namespace
 
 ExtremePoints::ExtremePoints(std::span<const Vec3> points)
     : diagonal_(boxDiagonal(points)), slack_(diagonal_ * kHullGridCell) {

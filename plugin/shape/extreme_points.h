@@ -10,6 +10,9 @@
 
 namespace cairn::bullet {
 
+/// Diagonal of the points' axis-aligned box. Precondition: `points` not empty.
+float boxDiagonal(std::span<const Vec3> points);
+
 /// The points of a mesh that can be extreme in some direction, packed for tight boxes at any rotation.
 ///
 /// They are the vertices of a convex hull that Bullet computes on a grid of about 10,000 cells along each axis of the

@@ -51,10 +51,18 @@ std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const Box& box)
   return found;
 }
 
-// The box of the body's frame, seen from the tree's frame and in its unit; infinite boxes (debug drawing) stay so.
+// The box of the body's frame, seen from the tree's frame and in its unit. It is cut to more than the body can fill
+// first, because turning an infinite box (debug drawing) makes NaN of it.
 Box toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
-  btVector3 lower, upper;
-  btTransformAabb(aabbMin, aabbMax, 0, shape.bodyFromTree().inverse(), lower, upper);
+  const btScalar limit =
+      2 * (btScalar(shape.tree().reach()) * shape.scale() + shape.bodyFromTree().getOrigin().length());
+  const btVector3 most(limit, limit, limit);
+  btVector3 cutMin = aabbMin, cutMax = aabbMax, lower, upper;
+  cutMin.setMax(-most);
+  cutMin.setMin(most);
+  cutMax.setMin(most);
+  cutMax.setMax(-most);
+  btTransformAabb(cutMin, cutMax, 0, shape.bodyFromTree().inverse(), lower, upper);
   return {toVec3(lower / shape.scale()), toVec3(upper / shape.scale())};
 }
 

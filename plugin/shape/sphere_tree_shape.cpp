@@ -26,12 +26,22 @@ Status checkScale(const btVector3& scaling) {
   return {};
 }
 
+// Everything the narrow phase tolerates is a fraction of this.
+Status checkSize(float diagonal, btScalar scale) {
+  const btScalar size = btScalar(diagonal) * scale;
+  if (!(size > 0) || !std::isfinite(size))
+    return Error{"a sphere-tree shape's mesh has a box with a diagonal of " + std::to_string(size) +
+                 ": give a mesh and a scale that make it positive and finite"};
+  return {};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr<const SphereTree> tree,
                                                                  BodyFrame frame, btScalar scale) {
   if (!tree) return Error{"a sphere-tree shape was asked for without a tree: load one with cairn::loadTree first"};
   if (Status status = checkScale(btVector3(scale, scale, scale)); !status) return status.error();
+  if (Status status = checkSize(boxDiagonal(tree->vertices()), scale); !status) return status.error();
   return std::unique_ptr<SphereTreeShape>(new SphereTreeShape(std::move(tree), frame, scale));
 }
 
@@ -60,6 +70,7 @@ void SphereTreeShape::applyScale(btScalar scale) {
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {
   if (Status status = checkScale(scaling); !status) return status;
+  if (Status status = checkSize(extremes_->diagonal(), scaling.x()); !status) return status;
   applyScale(scaling.x());
   return {};
 }

@@ -229,6 +229,53 @@ TEST(Certify, RefutesAnInnerRadiusThatIsTooLarge) {
   EXPECT_EQ(failures[0].find("node 0: its inner radius is"), 0U) << failures[0];
 }
 
+/// The one failure of a tree that is right but for `change`.
+template <class Change>
+std::string failureAfter(const TriangleMesh& mesh, const Change& change) {
+  const SphereTree broken = tampered(test::quickTree(mesh), change);
+  const auto failures = certify(broken, mesh).value().failures(broken);
+  EXPECT_EQ(failures.size(), 1U);
+  return failures.empty() ? std::string() : failures.front();
+}
+
+TEST(Certify, RefutesAStoredMeshThatDiffers) {
+  const TriangleMesh mesh = test::lumpyBall(5, 8);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { d.vertices[7].x *= 1.00001F; }).find("vertex 7 of the tree"),
+            0U);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { std::swap(d.triangles[5][0], d.triangles[5][1]); })
+                .find("triangle 5 of the tree"),
+            0U);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { d.vertices.emplace_back(); }).find("the tree stores"), 0U);
+}
+
+TEST(Certify, RefutesMassPropertiesThatDiffer) {
+  const TriangleMesh mesh = test::lumpyBall(5, 8);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { d.mass.volume *= 1 + 1e-8; }).find("the volume is"), 0U);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { d.mass.centerOfMass.y += 1e-6; }).find("the centre of mass"),
+            0U);
+  EXPECT_EQ(failureAfter(mesh, [](SphereTreeData& d) { d.mass.inertia(0, 1) += 1e-6; }).find("the inertia"), 0U);
+  EXPECT_EQ(
+      failureAfter(mesh, [](SphereTreeData& d) { d.mass.principalMoments.z *= 1.00001; }).find("the principal moments"),
+      0U);
+}
+
+TEST(Certify, RefutesANormalConeThatIsTooNarrow) {
+  const TriangleMesh mesh = test::lumpyBall(5, 8);
+  const SphereTree tree = test::quickTree(mesh);
+  std::uint32_t narrow = 0;
+  while (tree.data().nodes[narrow].normalCone.cosine < 0) ++narrow;
+  const std::string failure = failureAfter(mesh, [&](SphereTreeData& d) { d.nodes[narrow].normalCone.cosine = 1; });
+  EXPECT_EQ(failure.find("node " + std::to_string(narrow) + ": its normal cone"), 0U) << failure;
+}
+
+TEST(Certify, RefutesASupportPointOutsideItsBall) {
+  const TriangleMesh mesh = test::lumpyBall(5, 8);
+  const std::string failure = failureAfter(mesh, [](SphereTreeData& d) {
+    d.supportPoints[d.nodes[3].firstSupport] = {9, 9, 9};
+  });
+  EXPECT_EQ(failure.find("node 3: its support point 0"), 0U) << failure;
+}
+
 TEST(Certify, RefutesATreeOfAnotherMesh) {
   const TriangleMesh small = meshOf(cuboid({1, 1, 1}, 1)), large = meshOf(cuboid({1.2, 1, 1}, 1));
   const SphereTree tree = test::quickTree(small);

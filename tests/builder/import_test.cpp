@@ -142,6 +142,32 @@ TEST(Import, TriangulatesPolygonsAndResolvesNegativeIndices) {
   EXPECT_NEAR(signedVolume(read.value()), 1, 1e-12);
 }
 
+TEST(Import, PassesOverAByteOrderMark) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 1, 1}, 1));
+  for (const Format& format :
+       {Format{"a.obj", test::objText}, Format{"a.off", offText}, Format{"A.OBJ", test::objText}}) {
+    const Result<TriangleMesh> read =
+        importMesh(test::writeText(folder.path() / format.name, "\xEF\xBB\xBF" + format.text(cube)));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    expectSameSurface(read.value(), cube);
+  }
+}
+
+TEST(Import, NamesTheOmissionThatOpensATJunction) {
+  // The side of a cube has a vertex in the middle of an edge; a triangle without area joins it to the edge's ends.
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 1 1 1\nv 0 0 0.5\n"
+      "f 1 4 3\nf 5 7 8\nf 5 8 6\nf 1 5 6\nf 1 6 2\nf 3 4 8\nf 3 8 7\nf 1 3 7\nf 1 7 5\nf 2 6 8\nf 2 8 4\n"
+      "f 1 9 4\nf 9 2 4\nf 1 2 9\n";
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "tj.obj", text));
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("the mesh is open"), std::string::npos) << read.error().message;
+  EXPECT_NE(read.error().message.find("after 1 triangle without area was left out"), std::string::npos)
+      << read.error().message;
+}
+
 TEST(Import, CountsTrianglesWithoutArea) {
   const test::TemporaryFolder folder;
   const std::string text = test::objText(meshOf(cuboid({1, 1, 1}, 1))) + "f 1 1 2\nf 3 3 3\n";
@@ -162,6 +188,27 @@ TEST(Import, LeavesOutVerticesNobodyUses) {
 }
 
 // ---------------------------------------------------------------------------------------------- refused files
+
+/// The header of a PLY of four vertices and two faces.
+std::string plyHeader(const std::string& format) {
+  return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
+         "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+std::string plyTextWithFace(const std::string& second) {
+  return plyHeader("ascii") + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n" + second + "\n";
+}
+
+/// Binary, little-endian; the second face has `corners` corners.
+std::string plyBinaryWithFace(std::uint8_t corners) {
+  std::string bytes = plyHeader("binary_little_endian");
+  for (const Vec3& v : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) appendBytes(bytes, v);
+  for (const std::uint8_t count : {std::uint8_t{3}, corners}) {
+    appendBytes(bytes, count);
+    for (std::int32_t i = 0; i < count; ++i) appendBytes(bytes, i);
+  }
+  return bytes;
+}
 
 struct BadFile {
   const char* test;
@@ -208,6 +255,10 @@ INSTANTIATE_TEST_SUITE_P(
                 std::string(80, ' ') + std::string("\x0c\0\0\0", 4) + std::string(99, 'a'),
                 "183 bytes are too few for a binary STL of 12 triangles"},
         BadFile{"PlyTruncated", "a.ply", plyText(meshOf(cuboid({1, 1, 1}, 1))).substr(0, 300), "a.ply"},
+        BadFile{"PlyFaceOfNone", "a.ply", plyTextWithFace("0"), "line 15: face 1 has 0 vertices"},
+        BadFile{"PlyFaceOfTwo", "a.ply", plyTextWithFace("2 0 1"), "line 15: face 1 has 2 vertices"},
+        BadFile{"PlyBinaryFaceOfNone", "a.ply", plyBinaryWithFace(0), "a.ply: face 1 has 0 vertices"},
+        BadFile{"PlyBinaryFaceOfOne", "a.ply", plyBinaryWithFace(1), "a.ply: face 1 has 1 vertices"},
         BadFile{"GltfGarbage", "a.gltf", "{]", "a.gltf: assimp cannot read it"},
         BadFile{"GlbGarbage", "a.glb", "glTF garbage that is long enough to hold a header",
                 "a.glb: assimp cannot read it"},
@@ -321,6 +372,26 @@ TEST(CheckMesh, RefusesAFlatMesh) {
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
   expectRefused(mesh, "flat");
+}
+
+TEST(CheckMesh, AcceptsANeedle) {
+  const TriangleMesh needle = meshOf(cuboid({1e4, 1e-3, 1e-3}, 1));
+  EXPECT_TRUE(checkMesh(needle).ok()) << checkMesh(needle).error().message;
+}
+
+TEST(CheckMesh, RefusesAFlatMeshAtAnAngle) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0.1, 0.2, 0.3}, {1.7, 0.1, 0.9}, {0.3, 1.1, 2.3}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+  expectRefused(mesh, "flat");
+}
+
+TEST(CheckMesh, AdvisesOnlyWhatExists) {
+  const TriangleMesh cube = meshOf(cuboid({1, 1, 1}, 1));
+  const auto aside = [](const Vec3d& v) { return v + Vec3d{0.5, 0.5, 0.5}; };
+  const Status status = checkMesh(test::joined(cube, test::moved(cube, aside)));
+  ASSERT_FALSE(status.ok());
+  EXPECT_TRUE(status.error().message.ends_with("intersect; repair the mesh")) << status.error().message;
 }
 
 TEST(CheckMesh, RefusesSelfIntersection) {

@@ -148,7 +148,10 @@ TEST_F(Tool, WrongUsageEndsWithTwo) {
   expectOneSentence(run("build " + in + out + " --depth 0"), 2, "--depth");
   expectOneSentence(run("build " + in + out + " --samples 5"), 2, "--samples");
   expectOneSentence(run("build " + in + out + " --method magic"), 2, "--method");
-  expectOneSentence(run("build " + in + out + " --seed minus"), 2, "--seed");
+  for (const char* seed : {"minus", "-1", "99999999999999999999", "1.5", "''"})
+    expectOneSentence(run("build " + in + out + " --seed " + seed), 2, "--seed");
+  expectOneSentence(run("evaluate " + in + " rock.cairn --seed=-1"), 2, "--seed");
+  expectOneSentence(run("build " + in + out + " --method octree --branching 4"), 2, "--branching");
   expectOneSentence(run("export a.cairn --to sph --level 1 -o b"), 2, "--level");
   EXPECT_EQ(fileCount(), 1U);
 }
@@ -157,7 +160,7 @@ TEST_F(Tool, HelpTeachesWithExamples) {
   const ProgramResult help = run("--help");
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_NE(help.output.find("cairn build rock.obj -o rock.cairn"), std::string::npos);
-  for (const char* command : {"build", "evaluate", "certify", "inspect", "export"}) {
+  for (const char* command : {"build", "evaluate", "certify", "inspect", "export", "simplify"}) {
     const ProgramResult one = run(std::string(command) + " --help");
     EXPECT_EQ(one.exitCode, 0);
     EXPECT_NE(one.output.find(std::string("  cairn ") + command), std::string::npos) << command;
@@ -169,6 +172,77 @@ TEST_F(Tool, BuildChecksTheOutputBeforeItWorks) {
   expectOneSentence(run("build " + quoted("rock.obj") + " -o '" + folder_.path().string() + "'"), 1, "it is a folder");
   expectOneSentence(build("--json " + quoted("no/report.json")), 1, "does not exist");
   EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(Tool, OutputsNeverReplaceInputsOrEachOther) {
+  ASSERT_EQ(build("--no-evaluate").exitCode, 0);
+  const std::string mesh = quoted("rock.obj"), tree = quoted("rock.cairn");
+  const std::string meshBytes = test::contentOf(path("rock.obj")), treeBytes = test::contentOf(path("rock.cairn"));
+  std::filesystem::create_hard_link(path("rock.obj"), path("link.obj"));
+  const std::string indirect = "'" + path("") + "./rock.obj'";
+  for (const std::string& arguments : {
+           "build " + mesh + " -o " + mesh,
+           "build " + mesh + " -o " + indirect,
+           "build " + mesh + " -o " + quoted("link.obj"),
+           "build " + mesh + " -o " + quoted("new.cairn") + " --json " + mesh,
+           "build " + mesh + " -o " + quoted("new.cairn") + " --json " + quoted("./new.cairn"),
+           "evaluate " + mesh + " " + tree + " --json " + tree,
+           "certify " + mesh + " " + tree + " --json " + mesh,
+           "inspect " + tree + " --json " + tree,
+           "export " + tree + " --to sph -o " + tree,
+           "simplify " + mesh + " -o " + mesh,
+       }) {
+    expectOneSentence(run(arguments), 1, "is the same file as");
+    EXPECT_EQ(test::contentOf(path("rock.obj")), meshBytes) << arguments;
+    EXPECT_EQ(test::contentOf(path("rock.cairn")), treeBytes) << arguments;
+  }
+  EXPECT_EQ(fileCount(), 3U);
+}
+
+TEST_F(Tool, AnOutputNeedsAName) {
+  expectOneSentence(run("build " + quoted("rock.obj") + " -o ''"), 1, "name");
+  EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(Tool, EvaluateRefusesATreeThatFailsItsCertificate) {
+  ASSERT_EQ(build("--no-evaluate").exitCode, 0);
+  test::writeText(path("other.obj"),
+                  test::objText(test::moved(test::lumpyBall(5, 3), [](const Vec3d& v) { return v * 1.2; })));
+  const ProgramResult result = run("evaluate " + quoted("other.obj") + " " + quoted("rock.cairn"));
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.output.find("NOT proven"), std::string::npos) << result.output;
+  EXPECT_NE(result.errors.find("is not covered"), std::string::npos) << result.errors;
+}
+
+TEST_F(Tool, AReportThatCannotBeWrittenIsNoSuccess) {
+  ASSERT_EQ(build("--no-evaluate").exitCode, 0);
+  for (const std::string& arguments :
+       {"inspect " + quoted("rock.cairn"), "certify " + quoted("rock.obj") + " " + quoted("rock.cairn"),
+        std::string("--help")}) {
+    const std::string closed = "'" CAIRN_TOOL "' " + arguments + " >&- 2>" + quoted("errors");
+    const int status = std::system(closed.c_str());
+    expectOneSentence({WEXITSTATUS(status), "", test::contentOf(path("errors"))}, 1, "standard output cannot be");
+  }
+}
+
+TEST_F(Tool, ReportsOfAFinishedTreeHaveTheKeysScriptsRelyOn) {
+  ASSERT_EQ(build("--no-evaluate").exitCode, 0);
+  for (const char* command : {"evaluate ", "certify "}) {
+    const ProgramResult result = run(command + quoted("rock.obj") + " " + quoted("rock.cairn") + " --json -");
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const Json report = Json::parse(result.output);
+    EXPECT_TRUE(report.at("build_cpu_s").is_null());
+    EXPECT_TRUE(report.at("build_wall_s").is_null());
+    EXPECT_GT(report.at("peak_rss_mb"), 1);
+    EXPECT_GT(report.at("threads"), 0);
+  }
+}
+
+TEST_F(Tool, SimplifyNamesTheFileInOneSentence) {
+  test::writeText(path("torus.obj"), test::objText(test::torus(1, 0.3, 24, 12)));
+  expectOneSentence(run("simplify " + quoted("torus.obj") + " --triangles 4 -o " + quoted("out.obj")), 1,
+                    "torus.obj: ");
+  EXPECT_FALSE(exists("out.obj"));
 }
 
 TEST_F(Tool, BadMeshesAreRefusedAndLeaveNothing) {
@@ -246,6 +320,26 @@ TEST_F(Tool, AnInterruptedBuildLeavesNothingAndEndsWith130) {
   for (const int signal : {SIGINT, SIGTERM}) {
     EXPECT_EQ(exitCodeAfterSignal(arguments, signal, std::chrono::milliseconds(700)), 130);
     EXPECT_EQ(fileCount(), 2U);  // the two meshes
+  }
+}
+
+TEST_F(Tool, ABuildInterruptedDuringItsEvaluationLeavesNothing) {
+  // The octree of a small mesh takes a moment; its evaluation, with every sphere's samples, many times that.
+  const std::vector<std::string> arguments = {
+      "build", path("rock.obj"), "-o",     path("late.cairn"), "--method", "octree", "--depth",
+      "6",     "--samples",      "100000", "--threads",        "1",        "--json", path("late.json")};
+  for (const int delay : {400, 1000, 2000}) {
+    EXPECT_EQ(exitCodeAfterSignal(arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
+    EXPECT_EQ(fileCount(), 1U);
+  }
+}
+
+TEST_F(Tool, AnInterruptedSimplifyLeavesNothingAndEndsWith130) {
+  test::writeText(path("large.obj"), test::objText(test::lumpyBall(150, 3)));
+  const std::vector<std::string> arguments = {"simplify", path("large.obj"), "-o", path("small.obj")};
+  for (const int delay : {300, 1000}) {
+    EXPECT_EQ(exitCodeAfterSignal(arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
+    EXPECT_EQ(fileCount(), 2U);
   }
 }
 

@@ -100,7 +100,7 @@ TEST(RoundRobin, NoPairStarves_WhenABudgetServesOnlyOneTurn) {
   RoundRobin priority;
   std::vector<std::size_t> before(crowd.traversals.size());
   for (std::size_t k = 0; k < before.size(); ++k) before[k] = crowd.traversals[k].front().size();
-  for (std::size_t step = 0; step < crowd.traversals.size(); ++step) {
+  for (std::size_t step = 0; step < 2 * crowd.traversals.size(); ++step) {  // newcomers have every other turn
     Budget budget = Budget::operations(Scheduler::kTurnOperations);
     (void)Scheduler().run(crowd.pairs, priority, budget);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bullet_world.h"
+#include "cairn/core/tree_pair_traversal.h"
 
 namespace cairn::test {
 namespace {
@@ -99,8 +100,8 @@ TEST(Budget_Operations, AreNotExceededByRefinement) {
     limited.w.step();
     unlimited.w.step();
     peak = std::max(peak, unlimited.w.dispatcher.lastStep().operations);
-    // Known contacts are re-tested on top: at most 32 pairs for each pair of bodies, as many of its front, and
-    // the leaf pairs it has just found; five operations each.
+    // On top come re-tests, at most 32 for each unfinished pair, the head of its front, and every leaf pair measured;
+    // five operations each cover them.
     const auto& s = limited.w.dispatcher.lastStep();
     EXPECT_LE(s.operations, 5000U + s.unresolvedPairs * 5U * (32U + 32U) + 5U * 5000U) << "step " << i;
   }
@@ -140,6 +141,75 @@ TEST(Budget_Statistics, SayWhatHappened) {
   EXPECT_GT(s.microseconds, 0);
   EXPECT_GT(s.worstErrorFraction, 0);
   EXPECT_LE(s.meanErrorFraction, s.worstErrorFraction);
+}
+
+// A pair that stays silent is the worst answer of all, not the best.
+TEST(Budget_Statistics, CountTheErrorOfPairsThatSayNothing) {
+  for (const Unresolved policy : {Unresolved::ignore, Unresolved::guard}) {
+    BulletWorld<> w;
+    w.addGround();
+    w.add(treeShape(plainTree(ball(0.3, 6))), 1, btVector3(0, 0, btScalar(0.295)));
+    w.dispatcher.setUnresolved(policy);
+    ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+    w.world.performDiscreteCollisionDetection();
+    const double unrefined = w.dispatcher.lastStep().worstErrorFraction;
+    EXPECT_GT(unrefined, 0) << static_cast<int>(policy);
+    EXPECT_EQ(w.dispatcher.lastStep().unresolvedPairs, 1U);
+    ASSERT_TRUE(w.dispatcher.setBudget({}).ok());
+    w.world.performDiscreteCollisionDetection();
+    EXPECT_LT(w.dispatcher.lastStep().worstErrorFraction, unrefined);
+  }
+}
+
+TEST(Budget_Statistics, AreFiniteAgainstAPoint) {
+  BulletWorld<> w;
+  w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, 0));
+  w.add(std::make_shared<btSphereShape>(btScalar(0)), 1, btVector3(0, 0, btScalar(0.501)));
+  w.world.performDiscreteCollisionDetection();
+  const auto& s = w.dispatcher.lastStep();
+  EXPECT_GE(s.contacts, 1U) << "1 mm away, within the speculative distance of the tree's size";
+  EXPECT_TRUE(std::isfinite(s.worstErrorFraction));
+  EXPECT_TRUE(std::isfinite(s.meanErrorFraction));
+}
+
+// Two balls deep in each other: many leaf pairs, and a long front while unfinished.
+struct DeepPair {
+  BulletWorld<> w;
+  std::shared_ptr<const SphereTree> tree = plainTree(ball(0.5, 20));
+
+  DeepPair() {
+    w.world.setGravity(btVector3(0, 0, 0));
+    w.add(treeShape(tree), 1, btVector3(0, 0, 0));
+    w.add(treeShape(tree), 1, btVector3(btScalar(0.05), 0, 0));
+  }
+  std::uint64_t detect(std::optional<std::int64_t> operations) {
+    EXPECT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    w.world.performDiscreteCollisionDetection();
+    return w.dispatcher.lastStep().operations;
+  }
+};
+
+TEST(Budget_Statistics, CountTheContactsOfFinishedTraversals) {
+  DeepPair pair;
+  const std::uint64_t charged = pair.detect({});
+  TreePairTraversal traversal;
+  Pose moved;
+  moved.translation = Vec3d(0.05, 0, 0);
+  traversal.start(*pair.tree, *pair.tree, Pose{}, moved, 0);
+  Budget budget = Budget::unlimited();
+  traversal.refine(budget);
+  ASSERT_GT(traversal.leafPairs().size(), 1000U);
+  EXPECT_GE(charged, budget.used() + 5 * traversal.leafPairs().size());
+}
+
+TEST(Budget_Policies, LookAtNoMoreThanTheHeadOfALongFront) {
+  for (const Unresolved policy : {Unresolved::guard, Unresolved::repel, Unresolved::ignore, Unresolved::compensate}) {
+    DeepPair pair;
+    pair.w.dispatcher.setUnresolved(policy);
+    pair.detect(20000);
+    EXPECT_EQ(pair.w.dispatcher.lastStep().unresolvedPairs, 1U) << "finished: the test shows nothing";
+    EXPECT_LE(pair.detect(0), 32U * 5U + 128U * 3U) << "policy " << static_cast<int>(policy);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 // go.
 #include <gtest/gtest.h>
 
+#include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <limits>
 #include <random>
@@ -221,6 +224,86 @@ TEST(Dispatch_Ghost, CharacterLooksAroundWithoutSpendingTheStep) {
   EXPECT_GE(contacts, 1) << "answered in full although the step's budget is 0";
   EXPECT_EQ(w.dispatcher.lastStep().operations, before.operations) << "the step's statistics are not the ghost's";
   w.world.removeCollisionObject(&ghost);
+}
+
+TEST(Dispatch_Ghost, CharacterWithNothingAroundLeavesTheStatistics) {
+  btGhostPairCallback pairs;
+  BulletWorld<> w;
+  w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
+  w.add(std::make_shared<btBoxShape>(btVector3(5, 5, 1)), 0, btVector3(0, 0, -1));
+  w.world.getBroadphase()->getOverlappingPairCache()->setInternalGhostPairCallback(&pairs);
+  btPairCachingGhostObject ghost;
+  btSphereShape sphere(btScalar(0.5));
+  ghost.setCollisionShape(&sphere);
+  ghost.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(50, 0, 50)));
+  w.world.addCollisionObject(&ghost, btBroadphaseProxy::SensorTrigger, btBroadphaseProxy::AllFilter);
+  w.step(2);
+  ASSERT_EQ(ghost.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
+  const auto before = w.dispatcher.lastStep();
+  w.dispatcher.dispatchAllCollisionPairs(ghost.getOverlappingPairCache(), w.world.getDispatchInfo(), &w.dispatcher);
+  EXPECT_EQ(w.dispatcher.lastStep().pairs, 1U);
+  EXPECT_EQ(w.dispatcher.lastStep().operations, before.operations);
+  EXPECT_EQ(w.dispatcher.lastStep().contacts, before.contacts);
+  w.world.removeCollisionObject(&ghost);
+}
+
+TEST(Dispatch_Statistics, AreThoseOfAWorldThatBecameEmpty) {
+  BulletWorld<> w;
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
+  w.addGround();
+  w.step(2);
+  ASSERT_EQ(w.dispatcher.lastStep().pairs, 1U);
+  w.remove(body);
+  w.step();
+  EXPECT_EQ(w.dispatcher.lastStep().pairs, 0U);
+}
+
+// What has no triangles to show is left to whoever knows it.
+struct CountingCreate final : btCollisionAlgorithmCreateFunc {
+  int calls = 0;
+  btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                 const btCollisionObjectWrapper*,
+                                                 const btCollisionObjectWrapper*) override {
+    ++calls;
+    return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btEmptyAlgorithm))) btEmptyAlgorithm(info);
+  }
+};
+
+struct ConfigurationWithSdf final : btDefaultCollisionConfiguration {
+  CountingCreate create;
+  btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override {
+    const auto isTheirs = [](int type) { return type == GIMPACT_SHAPE_PROXYTYPE || type == SDF_SHAPE_PROXYTYPE; };
+    if (isTheirs(type0) || isTheirs(type1)) return &create;
+    return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type0, type1);
+  }
+};
+
+TEST(Dispatch_WithoutTriangles, IsLeftToTheConfiguration) {
+  ConfigurationWithSdf configuration;
+  bullet::Dispatcher<> dispatcher(&configuration);
+  const auto tree = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
+  btSdfCollisionShape sdf;
+  btGImpactCompoundShape compound;
+  btTriangleMesh mesh;
+  mesh.addTriangle(btVector3(0, 0, 0), btVector3(1, 0, 0), btVector3(0, 1, 0));
+  btGImpactMeshShape gimpactMesh(&mesh);
+  const auto callsFor = [&](const btCollisionShape& shape) {
+    configuration.create.calls = 0;
+    const btTransform identity = btTransform::getIdentity();
+    btCollisionObject body0, body1;
+    const btCollisionObjectWrapper wrapper0(nullptr, tree.get(), &body0, identity, -1, -1);
+    const btCollisionObjectWrapper wrapper1(nullptr, &shape, &body1, identity, -1, -1);
+    for (const bool treeFirst : {true, false}) {
+      btCollisionAlgorithm* algorithm = dispatcher.findAlgorithm(
+          treeFirst ? &wrapper0 : &wrapper1, treeFirst ? &wrapper1 : &wrapper0, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+      algorithm->~btCollisionAlgorithm();
+      dispatcher.freeCollisionAlgorithm(algorithm);
+    }
+    return configuration.create.calls;
+  };
+  EXPECT_EQ(callsFor(sdf), 2);
+  EXPECT_EQ(callsFor(compound), 2);
+  EXPECT_EQ(callsFor(gimpactMesh), 0) << "has triangles";
 }
 
 TEST(Dispatch_Pairs, ComeAndGoAtRandom) {

@@ -129,5 +129,56 @@ INSTANTIATE_TEST_SUITE_P(AllGrounds, Resting,
                                                           Ground::scaledMesh, Ground::terrain, Ground::tree),
                                           testing::Bool()));
 
+// A round ground under flat leaves far larger than the speculative distance: the plane that touches it below a leaf's
+// centre rises above it everywhere else.
+enum class Round { sphere, cylinder, gjkSphere };
+
+std::shared_ptr<btCollisionShape> roundShape(Round ground) {
+  if (ground == Round::sphere) return std::make_shared<btSphereShape>(btScalar(1));
+  if (ground == Round::cylinder) return std::make_shared<btCylinderShapeX>(btVector3(1, 1, 1));
+  const btVector3 center(0, 0, 0);
+  const btScalar radius = 1;
+  return std::make_shared<btMultiSphereShape>(&center, &radius, 1);
+}
+
+class RestingOnRound : public testing::TestWithParam<std::tuple<Round, int>> {
+ protected:
+  // A cube of one metre over a round ground of radius one, whose top is at height 0.
+  static btRigidBody& addCube(BulletWorld<>& w, const btVector3& at) {
+    const auto [ground, quads] = GetParam();
+    w.add(roundShape(ground), 0, btVector3(0, 0, -1));
+    return w.add(treeShape(plainTree(cuboid({1, 1, 1}, quads))), 1, at);
+  }
+
+  static constexpr btScalar kTolerance = kRestTolerance * btScalar(1.7320508);
+};
+
+TEST_P(RestingOnRound, CoarseLeavesDoNotFloat) {
+  for (const btScalar aside : {btScalar(0), btScalar(0.1), btScalar(0.3)}) {
+    BulletWorld<> w;
+    btRigidBody& body = addCube(w, btVector3(0, aside, btScalar(0.56)));
+    body.setLinearFactor(btVector3(0, 0, 1));
+    body.setAngularFactor(btVector3(0, 0, 0));
+    w.step(200);
+    ASSERT_TRUE(isSane(body));
+    EXPECT_NEAR(body.getWorldTransform().getOrigin().z() - btScalar(0.5), 0, kTolerance) << aside << " m aside";
+  }
+}
+
+// On the top of a ball a cube may rock and roll a little before it rests: its height is judged where it ends up.
+TEST_P(RestingOnRound, CubeStaysOnTop) {
+  BulletWorld<> w;
+  btRigidBody& body = addCube(w, btVector3(0, 0, btScalar(0.52)));
+  w.step(300);
+  ASSERT_TRUE(isSane(body));
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().z() - btScalar(0.5), 0, kTolerance);
+  EXPECT_GT(body.getWorldTransform().getBasis()[2][2], 0.95) << "tipped";
+  EXPECT_LT(body.getLinearVelocity().length(), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rounds, RestingOnRound,
+                         testing::Combine(testing::Values(Round::sphere, Round::cylinder, Round::gjkSphere),
+                                          testing::Values(1, 2, 3, 6)));
+
 }  // namespace
 }  // namespace cairn::test

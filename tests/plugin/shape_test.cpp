@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 #include "bullet_world.h"
@@ -126,6 +127,22 @@ TEST(SphereTreeShape_Triangles, AreAllThatReachIntoTheBoxAndNoneFarAway) {
   }
 }
 
+TEST(SphereTreeShape_Triangles, AreAllInABoxWithoutEnd) {
+  struct Count final : btTriangleCallback {
+    std::size_t count = 0;
+    void processTriangle(btVector3*, int, int) override { ++count; }
+  };
+  const auto shape = treeShape(plainTree(cuboid({1, 2, 3}, 2)), btScalar(0.5));
+  for (const btScalar half : {btScalar(BT_LARGE_FLOAT), btScalar(1e30), std::numeric_limits<btScalar>::max(),
+                              std::numeric_limits<btScalar>::infinity()}) {
+    Count all, beyond;
+    shape->processAllTriangles(&all, btVector3(-half, -half, -half), btVector3(half, half, half));
+    EXPECT_EQ(all.count, shape->tree().triangles().size()) << "half extent " << half;
+    shape->processAllTriangles(&beyond, btVector3(9, -half, -half), btVector3(half, half, half));
+    EXPECT_EQ(beyond.count, 0U) << "half extent " << half;
+  }
+}
+
 TEST(SphereTreeShape_Errors, NameWhatIsWrong) {
   const auto tree = plainTree(cuboid({1, 1, 1}, 1));
   const auto none = SphereTreeShape::create(nullptr);
@@ -156,6 +173,23 @@ TEST(SphereTreeShape_Tag, ForeignShapeOfTheSameTypeIsNotOurs) {
   EXPECT_EQ(bullet::asSphereTree(&foreign), nullptr);
   const auto ours = treeShape(plainTree(cuboid({1, 1, 1}, 1)));
   EXPECT_EQ(bullet::asSphereTree(ours.get()), ours.get());
+}
+
+TEST(SphereTreeShape_Create, RefusesAMeshWithoutSize) {
+  const auto scaledBy = [](float factor) {
+    SphereTreeData data = plainTree(cuboid({1, 1, 1}, 2))->data();
+    for (Vec3& v : data.vertices) v = v * factor;
+    return std::make_shared<const SphereTree>(SphereTree::create(data).value());
+  };
+  for (const float factor : {0.0F, 1e30F}) {
+    const auto shape = SphereTreeShape::create(scaledBy(factor));
+    ASSERT_FALSE(shape.ok()) << factor;
+    EXPECT_NE(shape.error().message.find("diagonal"), std::string::npos);
+  }
+  EXPECT_FALSE(SphereTreeShape::create(plainTree(cuboid({1, 1, 1}, 2)), BodyFrame::mesh, btScalar(3e38)).ok());
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
+  EXPECT_FALSE(shape->setScale(btVector3(btScalar(3e38), btScalar(3e38), btScalar(3e38))).ok());
+  EXPECT_EQ(shape->scale(), 1);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct NodeCertificate {
 struct Certificate {
   std::vector<LevelCertificate> levels;
   std::vector<NodeCertificate> nodes;
+  std::vector<std::string> records;  ///< what else the tree keeps and the mesh contradicts, one sentence each
 
   /// Empty when all is proved: cover and reachability of every level, and no stored number contradicted. Otherwise one
   /// sentence per failure: what, where and by how much.
@@ -60,6 +61,11 @@ struct Certificate {
 /// pieces do, down to `kSmallestPiece` of the bounding box's diagonal. Protrusions are enclosed by branch and bound to
 /// 1 % or 1e-4 of the diagonal (certify/protrusion.h). All comparisons carry a guard for the rounding of double
 /// arithmetic.
+///
+/// Also compared with the mesh: the stored mesh (equal, rounded to float), mass properties (to 1e-9), normal cones
+/// (hold the normals of the node's region triangles), support points (in their node's ball). Not proved, because only
+/// contacts rest on them and no bound does: that support points and face normals stand well for their region, and that
+/// a node names every triangle of its region.
 ///
 /// Precondition: `checkMesh(mesh)`. Fails only with `kCancelled`. Parallel; the result does not depend on the number of
 /// threads. About 0.1 s for 585 nodes on 1500 triangles.

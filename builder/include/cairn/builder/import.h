@@ -19,15 +19,16 @@ struct ImportCounts {
 /// float, as assimp keeps them.
 ///
 /// The result has passed `checkMesh`. Text-level facts assimp does not report (an OBJ face that names a vertex the file
-/// does not have, a truncated OFF or STL) are checked first. Fails with one sentence that names the file and the place.
-/// `counts` may be null. O(n log n).
+/// does not have, a truncated OFF or STL) are checked first. A UTF-8 byte order mark before an OBJ or OFF is passed
+/// over. Fails with one sentence that names the file and the place. `counts` may be null. O(n log n).
 Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts = nullptr);
 
 /// Whether a mesh bounds a solid, which everything else relies on: finite, indices in range, no triangle without area,
 /// every edge between exactly two triangles that agree on its direction, no two triangles that intersect, every shell
 /// facing away from the solid (cavities inward), a volume that is not zero. Several shells are fine, and so are
 /// vertices where two cones of surface touch in one point: distance, sign and integrals are well defined there. The
-/// error names the first offending element (triangles count from 0) and what to do. O(n log n), exact predicates.
-Status checkMesh(const TriangleMesh& mesh);
+/// error names the first offending element (triangles count from 0) and what to do; `leftOut` is how many triangles
+/// without area an import dropped, which may be why a mesh is open. O(n log n), exact predicates.
+Status checkMesh(const TriangleMesh& mesh, std::size_t leftOut = 0);
 
 }  // namespace cairn::builder

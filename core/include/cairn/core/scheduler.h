@@ -30,9 +30,10 @@ class Priority {
   virtual void turnEnded(std::size_t pair, Progress progress) = 0;
 };
 
-/// Round-robin over all unfinished pairs (Hubbard 1996): every pair advances breadth-first at the same pace. A step
-/// goes on where the last one stopped, and pairs that are new wait until the round under way is over, so no pair
-/// starves under any budget that lets one turn through.
+/// Round-robin over all unfinished pairs (Hubbard 1996): every pair advances breadth-first at the same pace. The pairs
+/// stand in line over all steps: one that has had its turn goes back to the end. Pairs that have never been served, of
+/// which nothing is known yet, have a line of their own and every other turn; so no pair starves under any budget that
+/// lets one turn through.
 class RoundRobin final : public Priority {
  public:
   void begin(std::span<const ScheduledPair> pairs) override;
@@ -40,11 +41,18 @@ class RoundRobin final : public Priority {
   void turnEnded(std::size_t pair, Progress progress) override;
 
  private:
-  std::span<const ScheduledPair> pairs_;
-  std::vector<std::size_t> ring_;  // unfinished pairs in serving order
+  struct Ticket {
+    std::uint64_t id, number;
+    bool wasServed;
+  };
+  void handOutTickets(std::span<const ScheduledPair> pairs);
+  void interleaveNewcomers();
+
+  std::vector<Ticket> tickets_, lastStep_;  // by id
+  std::uint64_t nextTicket_ = 0;
+  std::vector<std::size_t> ring_, line_;  // unfinished pairs in serving order, and room to sort them
+  bool newcomersTurn_ = true;
   std::size_t cursor_ = 0;
-  std::uint64_t lastServed_ = 0;
-  std::uint64_t roundEnd_ = 0;  // the largest id when the round under way began; never below lastServed_
 };
 
 /// Shares one budget over all pairs of a step.

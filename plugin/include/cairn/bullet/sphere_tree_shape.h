@@ -34,7 +34,8 @@ inline constexpr btScalar kSpeculativeFraction = btScalar(0.004);
 /// handled by `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
 class SphereTreeShape final : public btConcaveShape {
  public:
-  /// Fails for a null tree and for a scale that is not positive and finite. Cost: a convex hull of the mesh.
+  /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
+  /// is not. Cost: a convex hull of the mesh.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
                                                          BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1);
@@ -48,6 +49,7 @@ class SphereTreeShape final : public btConcaveShape {
   }
 
   const SphereTree& tree() const { return *tree_; }
+  const std::shared_ptr<const SphereTree>& sharedTree() const { return tree_; }
   BodyFrame bodyFrame() const { return frame_; }
   btScalar scale() const { return scale_; }
 
@@ -58,8 +60,8 @@ class SphereTreeShape final : public btConcaveShape {
   /// Diagonal of the source mesh's bounding box, scaled: what fractions of "body size" refer to.
   btScalar size() const { return size_; }
 
-  /// Spheres stay spheres only under uniform scale. Anything else, or a scale that is not positive, is refused and
-  /// leaves the shape as it was.
+  /// Spheres stay spheres only under uniform scale. Anything else, or a scale `create` would refuse, is refused
+  /// and leaves the shape as it was.
   Status setScale(const btVector3& scaling);
   /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it.
   void setLocalScaling(const btVector3& scaling) override;

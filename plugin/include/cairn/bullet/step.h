@@ -24,16 +24,19 @@ enum class Unresolved : std::uint8_t {
 
 /// What the narrow phase did in the last step.
 struct StepStatistics {
-  std::uint64_t operations = 0;       ///< all work charged, re-testing included
-  double microseconds = 0;            ///< CPU time of the whole dispatch, pairs without a sphere-tree included
-  std::uint32_t pairs = 0;            ///< pairs with a sphere-tree that the broad phase reported
+  std::uint64_t operations = 0;  ///< all work charged, re-testing included
+  double microseconds = 0;       ///< CPU time of the whole dispatch, pairs without a sphere-tree included
+  /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
+  /// once, in full, and not counted.
+  std::uint32_t pairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< of these, traversals the budget stopped
   std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
   std::uint32_t manifolds = 0;        ///< non-empty manifolds of these pairs
   /// Worst certified error among the pairs' answers, as a fraction of the smaller body's size (bounding-box diagonal of
-  /// its mesh): no reported pair of surfaces is farther apart than this.
+  /// its mesh): surfaces reported or still to be resolved are at most this and the speculative distance
+  /// (`kSpeculativeFraction`) apart. What is unresolved counts even when the pair reports nothing.
   double worstErrorFraction = 0;
-  double meanErrorFraction = 0;  ///< mean over pairs that report anything
+  double meanErrorFraction = 0;  ///< mean of the same over pairs that report anything
 };
 
 }  // namespace cairn::bullet
