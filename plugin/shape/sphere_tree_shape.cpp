@@ -26,9 +26,9 @@ Status checkScale(const btVector3& scaling) {
   return {};
 }
 
-// Everything the narrow phase tolerates is a fraction of this.
+// Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is.
 Status checkSize(float diagonal, btScalar scale) {
-  const btScalar size = btScalar(diagonal) * scale;
+  const float size = diagonal * static_cast<float>(scale);
   if (!(size > 0) || !std::isfinite(size))
     return Error{"a sphere-tree shape's mesh has a box with a diagonal of " + std::to_string(size) +
                  ": give a mesh and a scale that make it positive and finite"};
