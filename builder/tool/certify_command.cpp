@@ -5,11 +5,8 @@
 
 #include <memory>
 
-#include "cairn/builder/evaluate.h"
 #include "tool/command.h"
-#include "tool/mesh_and_tree.h"
-#include "tool/progress_bar.h"
-#include "tool/report.h"
+#include "tool/examination.h"
 #include "tool/stopwatch.h"
 
 namespace cairn::tool {
@@ -34,47 +31,31 @@ struct CertifyCommand {
   unsigned threads = 0;
 };
 
-Json certificateJson(const MeshAndTree& input, unsigned threads, const builder::Certificate& certificate,
-                     const std::vector<builder::LevelFit>& fits, const std::vector<std::string>& failures) {
-  Json json = buildInfoJson(input.tree);
-  json["mesh"] = input.mesh.name;
-  json["threads"] = threadsUsed(threads);
-  json["build_cpu_s"] = nullptr;  // a tree file does not tell
-  json["build_wall_s"] = nullptr;
-  json["peak_rss_mb"] = peakMemoryMb();
-  json["tree_sha256"] = treeSha256(input.tree);
-  json["proven"] = failures.empty();
-  json["levels"] = levelsJson(fits, builder::Sampling::none);
+Json certificateJson(const Examination& examination, unsigned threads) {
+  Json json = examinationJson(examination, builder::Sampling::none, threads);
   Json& nodes = json["node_certificates"] = Json::array();
-  for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
-    const builder::NodeCertificate& c = certificate.nodes[i];
-    nodes.push_back({{"error", input.tree.data().nodes[i].error},
+  for (std::size_t i = 0; i < examination.certificate.nodes.size(); ++i) {
+    const builder::NodeCertificate& c = examination.certificate.nodes[i];
+    nodes.push_back({{"error", examination.tree.data().nodes[i].error},
                      {"protrusion_upper", c.protrusionUpper},
                      {"protrusion_lower", c.protrusionLower},
                      {"depth", c.depth}});
   }
-  json["failures"] = failures;
+  json["failures"] = examination.failures;
   return json;
 }
 
 int run(const CertifyCommand& command) {
   if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
-  const Result<MeshAndTree> input = readMeshAndTree(command.mesh, command.tree);
-  if (!input) return refuse(input.error());
-  const auto& [mesh, tree] = input.value();
-  ProgressBar bar;
-  const auto certificate = builder::certify(tree, mesh, bar.callback());
-  if (!certificate) return refuse(certificate.error());
-  const auto fits = builder::evaluate(tree, mesh, certificate.value(), builder::Sampling::none, 0);
-  if (!fits) return refuse(fits.error());
-  const std::vector<std::string> failures = certificate.value().failures(tree);
-  const Json json = certificateJson(input.value(), command.threads, certificate.value(), fits.value(), failures);
+  const auto examination = examine(command.mesh, command.tree, builder::Sampling::none, 0);
+  if (!examination) return refuse(examination.error());
+  const Json json = certificateJson(examination.value(), command.threads);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
   if (command.json != "-") {
-    printLevels(fits.value(), builder::Sampling::none);
-    for (const std::string& failure : failures) fmt::print("{}\n", failure);
+    printLevels(examination.value().fits, builder::Sampling::none);
+    for (const std::string& failure : examination.value().failures) fmt::print("{}\n", failure);
   }
-  return refuseUnproved(input.value(), command.tree, failures);
+  return refuseUnproved(examination.value(), command.tree);
 }
 
 }  // namespace

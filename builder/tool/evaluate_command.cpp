@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cairn/builder/evaluate.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "tool/command.h"
-#include "tool/mesh_and_tree.h"
-#include "tool/progress_bar.h"
-#include "tool/report.h"
+#include "tool/examination.h"
 #include "tool/stopwatch.h"
 
 namespace cairn::tool {
@@ -28,26 +24,12 @@ struct EvaluateCommand {
 
 int run(const EvaluateCommand& command) {
   if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
-  const Result<MeshAndTree> input = readMeshAndTree(command.mesh, command.tree);
-  if (!input) return refuse(input.error());
-  const auto& [mesh, tree] = input.value();
-  ProgressBar bar;
-  const auto certificate = builder::certify(tree, mesh, bar.callback());
-  if (!certificate) return refuse(certificate.error());
-  const auto fits =
-      builder::evaluate(tree, mesh, certificate.value(), builder::Sampling::full, command.seed, bar.callback());
-  if (!fits) return refuse(fits.error());
-  Json json = buildInfoJson(tree);
-  json["mesh"] = mesh.name;
-  json["threads"] = threadsUsed(command.threads);
-  json["build_cpu_s"] = nullptr;  // a tree file does not tell
-  json["build_wall_s"] = nullptr;
-  json["peak_rss_mb"] = peakMemoryMb();
-  json["tree_sha256"] = treeSha256(tree);
-  json["levels"] = levelsJson(fits.value(), builder::Sampling::full);
+  const auto examination = examine(command.mesh, command.tree, builder::Sampling::full, command.seed);
+  if (!examination) return refuse(examination.error());
+  const Json json = examinationJson(examination.value(), builder::Sampling::full, command.threads);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
-  if (command.json != "-") printLevels(fits.value(), builder::Sampling::full);
-  return refuseUnproved(input.value(), command.tree, certificate.value().failures(tree));
+  if (command.json != "-") printLevels(examination.value().fits, builder::Sampling::full);
+  return refuseUnproved(examination.value(), command.tree);
 }
 
 }  // namespace

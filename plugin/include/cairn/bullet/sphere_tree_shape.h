@@ -25,7 +25,7 @@ class ExtremePoints;
 
 /// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
-inline constexpr btScalar kSpeculativeFraction = btScalar(0.004);
+inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 
 /// A certified sphere-tree as a Bullet collision shape for moving (and static) concave bodies.
 ///
