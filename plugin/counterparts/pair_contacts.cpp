@@ -14,6 +14,9 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
+constexpr NodePair kWholeBodies{kRootNode, kRootNode};
+// Guards within 45 degrees hold against the same motion.
+constexpr float kSameWayCosine = 0.707106781F;
 
 }  // namespace
 
@@ -26,13 +29,13 @@ void PairContacts::reset() {
   seenLeafPairs_ = 0;
   isAnswered_ = false;
   answerHadContacts_ = false;
-  approach_ = 0;
-  centers_ = {};
+  answer_ = {};
+  traversal_ = {};
   started_ = false;
   isRetested_ = false;
 }
 
-void PairContacts::begin(Counterpart& counterpart, Budget& budget) {
+void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget) {
   isRetested_ = false;
   const bool resumed = started_ && !counterpart.traversal().done() && counterpart.resume();
   started_ = true;
@@ -41,6 +44,7 @@ void PairContacts::begin(Counterpart& counterpart, Budget& budget) {
     return;
   }
   counterpart.start(known_);
+  traversal_ = {0, motion.treeCenter - motion.otherCenter};
   seenLeafPairs_ = 0;
 }
 
@@ -87,43 +91,62 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   std::vector<Contact>& guards = scratch.guards;
   guards.clear();
   float closingSpeed = 0;
-  for (const NodePair& pair : front) {
+  const auto add = [&](const NodePair& pair) {
     guards.push_back(counterpart.boundingContact(pair));
     closingSpeed = std::max(closingSpeed, motion.closingSpeed(guards.back()));
-  }
-  approach_ += closingSpeed * motion.timeStep;
+  };
+  for (const NodePair& pair : front) add(pair);
+  // What the traversal has ruled out was apart when it was tested: after some motion only the whole bodies' spheres are
+  // known to hold all of it.
+  const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
+  if (isStale || isGuarded(kWholeBodies)) add(kWholeBodies);
+  answer_.approach += closingSpeed * motion.timeStep;
+  traversal_.approach += closingSpeed * motion.timeStep;
   std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
   const std::size_t count = std::min(kMaxGuards, guards.size());
   std::partial_sort(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count), guards.end(), deeper);
   std::array<Guard, kMaxGuards> now;
   for (std::size_t i = 0; i < count; ++i) {
-    now[i] = {guards[i].pair, allowedGap(guards[i])};
-    guards[i].gap -= now[i].allowedGap;
+    const float allowed = allowedGap(guards[i]);
+    guards[i].gap -= allowed;
+    now[i] = {guards[i].pair, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
     scratch.contacts.list().push_back(guards[i]);
   }
   guards_.assign(now.begin(), now.begin() + count);
 }
 
+bool PairContacts::isGuarded(const NodePair& pair) const {
+  return std::ranges::any_of(guards_, [&](const Guard& g) { return g.pair == pair; });
+}
+
 // Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
-// it was and reports what its spheres have sunk since; when they part, it follows.
+// it was and reports what its spheres have sunk since; when they part, it follows. Where refinement has replaced the
+// spheres by finer ones, those inherit what the guards that faced the same way had sunk: else every step of a slow
+// traversal would start anew from zero, and bodies creep through each other.
 float PairContacts::allowedGap(const Contact& guard) const {
   const float now = std::min(guard.gap, 0.0F);
-  for (const Guard& g : guards_)
+  float sunk = 0;
+  for (const Guard& g : guards_) {
     if (g.pair == guard.pair) return std::max(g.allowedGap, now);
-  return now;
+    if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
+  }
+  return now + sunk;
 }
 
 // Velocities do not tell everything: the solver also shifts bodies to part others.
 bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const {
   if (guard.gap >= reach) return false;
-  const Vec3 moved = motion.treeCenter - motion.otherCenter - centers_;
+  const Vec3 moved = motion.treeCenter - motion.otherCenter - answer_.centers;
   return !hasAnswer(motion) || -dot(guard.normal, moved) > kApproachFraction * motion.smallerSize;
 }
 
 // An answer that said "in contact" holds while some of its contacts still is one.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
-  return isAnswered_ && approach_ <= kApproachFraction * motion.smallerSize &&
-         (!answerHadContacts_ || !retested_.empty());
+  return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !retested_.empty());
+}
+
+bool PairContacts::isRecent(const RelativeMotion& motion) const {
+  return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
 void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
@@ -136,10 +159,9 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
     budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(leafPairs.size()));
     counterpart.appendContacts(leafPairs, contacts);
     isAnswered_ = true;
-    approach_ = 0;
-    centers_ = motion.treeCenter - motion.otherCenter;
+    answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
     answerHadContacts_ = !contacts.empty();
-    guards_.clear();
+    if (isRecent(motion)) guards_.clear();
   } else {
     retest(counterpart, budget);
     contacts = retested_;

@@ -34,7 +34,7 @@ class PairContacts {
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget.
-  void begin(Counterpart& counterpart, Budget& budget);
+  void begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget);
 
   /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
   /// the budget whatever is left of it.
@@ -53,17 +53,23 @@ class PairContacts {
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
   void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
+  // Whether the bodies have hardly approached since the traversal that gave the last answer began.
+  bool isRecent(const RelativeMotion& motion) const;
   // Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
+  bool isGuarded(const NodePair& pair) const;
   float allowedGap(const Contact& guard) const;
 
   static constexpr std::size_t kMaxGuards = 4;
 
-  // A pair of bounding spheres that may not approach further until it is resolved, and how far it already overlaps.
+  // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
+  // it was first seen, and what it has sunk since.
   struct Guard {
     NodePair pair;
+    Vec3 normal;
     float allowedGap;
+    float sunk;
   };
 
   std::vector<NodePair> known_;
@@ -72,10 +78,14 @@ class PairContacts {
   ClusterSeeds seeds_{};
   std::array<Vec3, kMaxClusters> commonNormals_{};
   std::size_t seenLeafPairs_ = 0;
+  // How the bodies stood when a traversal began, and how they have moved since.
+  struct Epoch {
+    float approach = 0;  // world length by which their velocities have closed
+    Vec3 centers;        // from the other body's centre to the tree's, then
+  };
   bool isAnswered_ = false;         // was the traversal ever done
   bool answerHadContacts_ = false;  // and did it find any
-  float approach_ = 0;              // world length by which their velocities have closed since
-  Vec3 centers_;                    // from the other body's centre to the tree's, then
+  Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
   bool started_ = false;
   bool isRetested_ = false;
 };

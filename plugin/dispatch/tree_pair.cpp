@@ -75,7 +75,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
   counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, budget);
+  contacts_.begin(*counterpart_, motion_, budget);
   return true;
 }
 
