@@ -8,6 +8,7 @@
 
 #include "cairn/builder/import.h"
 #include "hierarchy/build_options.h"
+#include "hierarchy/grow_levels.h"
 #include "hierarchy/region_tree.h"
 #include "hierarchy/tree_data.h"
 
@@ -36,11 +37,11 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
   const SignedDistance solid(mesh);
   const SplitSettings settings{options.method, options.branching, options.seed,
                                kNegligibleFraction * boundsOf(mesh).diagonal()};
-  const RegionTree regions =
-      growRegionTree(rootRegion(solid, options.samples), options.depth, solid, settings,
-                     [&](std::uint32_t level, std::size_t done, std::size_t count) {
-                       return report("fitting spheres", fractionDone(options.depth, level, done, count));
-                     });
+  const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
+  const RegionTree regions = grow(rootRegion(solid, options.samples), options.depth, solid, settings,
+                                  [&](std::uint32_t level, std::size_t done, std::size_t count) {
+                                    return report("fitting spheres", fractionDone(options.depth, level, done, count));
+                                  });
   if (regions.empty() || !report("certifying errors", 0.9)) return std::nullopt;
   SphereTreeData data = makeTreeData(regions, solid);
   data.info = infoOf(mesh, options);

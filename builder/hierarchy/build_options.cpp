@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "build_options.h"
 
+#include <cmath>
 #include <string>
 
 namespace cairn::builder {
 
 namespace {
+
+/// Beyond some 30,000 spheres a level's matrices of costs need gigabytes.
+constexpr double kMostAdaptiveLeaves = 32768;
 
 Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
   if (value >= least && value <= most) return {};
@@ -23,6 +27,11 @@ Status checkOptions(const BuildOptions& options) {
   if (options.method == Method::octree && options.branching != kFamilyWidth)
     return Error{"the method octree divides by eight, but the option branching is " +
                  std::to_string(options.branching) + "; choose 8 or another method"};
+  if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMostAdaptiveLeaves)
+    return Error{
+        "the method adaptive fits all spheres of a level at once, but the options branching and depth ask for " +
+        std::to_string(options.branching) + "^" + std::to_string(options.depth) +
+        " of them; choose a smaller depth or another method"};
   return {};
 }
 

@@ -8,8 +8,11 @@ namespace cairn::builder {
 
 namespace {
 
-constexpr std::array<std::pair<Method, const char*>, 4> kMethodNames{
-    {{Method::combined, "combined"}, {Method::merge, "merge"}, {Method::expand, "expand"}, {Method::octree, "octree"}}};
+constexpr std::array<std::pair<Method, const char*>, 5> kMethodNames{{{Method::combined, "combined"},
+                                                                      {Method::merge, "merge"},
+                                                                      {Method::expand, "expand"},
+                                                                      {Method::octree, "octree"},
+                                                                      {Method::adaptive, "adaptive"}}};
 
 }  // namespace
 

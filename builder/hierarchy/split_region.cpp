@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "certify/protrusion.h"
 #include "medial/medial_spheres.h"
 #include "spheres/ball_fit.h"
 #include "spheres/depth_field.h"
@@ -38,10 +37,6 @@ constexpr double kSeamAllowance = 1.01;
 constexpr double kNearlyWorst = 0.97;
 constexpr int kSeamRounds = 2;
 constexpr std::size_t kMaxSeamPoints = 400;
-/// Scale of the closing, least spacing of its samples and error they may cause, in parts of the stand-off it is to
-/// lower: the scale has to stay below the stand-off reached in the end, and above what narrow concavities need.
-constexpr double kClosingScale = 0.85, kClosingSpacing = 0.15, kClosingBlur = 0.01;
-
 PointSet pointsOf(const Pieces& pieces, std::uint64_t seed) {
   const std::vector<Vec3d> corners = cornersOf(pieces);
   return PointSet(farthestPointSample(corners, kMaxPoints, seed % corners.size()));
@@ -81,20 +76,6 @@ SphereSet reduce(const CoverProblem& problem, const MedialSpheres& medial, Metho
       swapRounds);
 }
 
-double errorOf(const Ball& ball, const SignedDistance& solid) {
-  return certifiedProtrusion(solid, ball.center, ball.radius, defaultProtrusionTolerance(solid)).upper;
-}
-
-/// The part with the better of two balls around it: the one it was given to, and one fitted to it (thesis Alg. 9).
-Region childRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid) {
-  const SolidDepth depth(solid);
-  const PointSet corners(cornersOf(pieces));
-  const Ball kept = ballAround(ball.center, corners, depth), fitted = fitBall(ball.center, corners, depth);
-  const double keptError = errorOf(kept, solid), fittedError = errorOf(fitted, solid);
-  if (fittedError < keptError) return {fitted, fittedError, std::move(pieces), {}};
-  return {kept, keptError, std::move(pieces), {}};
-}
-
 double finestSeam(const Split& split) {
   return std::max(kFinestSeam * spacingOf(split.pieces), kFinestSeamOfStandOff * split.standOff);
 }
@@ -112,7 +93,7 @@ void makeChildren(Split& split, const Split* previous, const SignedDistance& sol
     if (previous != nullptr && place < previous->children.size() && previous->children[place].pieces == parts[i]) {
       split.children.push_back(previous->children[place]);
     } else {
-      split.children.push_back(childRegion(split.balls[place], std::move(parts[i]), solid));
+      split.children.push_back(fittedRegion(split.balls[place], std::move(parts[i]), solid));
     }
     ++place;
   }
@@ -175,13 +156,6 @@ std::vector<Region> splitByCubes(const Region& region, const SignedDistance& sol
   return children;
 }
 
-/// A sample missed by half the spacing h makes a ball of radius R look about h^2 / (8 R) too small to reach it.
-double closingSpacing(const Split& split, double standOff) {
-  double radius = 0;
-  for (const Ball& ball : split.balls) radius += ball.radius / static_cast<double>(split.balls.size());
-  return std::max(kClosingSpacing * standOff, std::sqrt(8 * kClosingBlur * standOff * radius));
-}
-
 }  // namespace
 
 Region rootRegion(const SignedDistance& solid, std::size_t samples) {
@@ -216,7 +190,7 @@ Split refineSplit(const Split& split, const Region& region, const SignedDistance
                   int swapRounds) {
   const double standOff = coverStandOff(split.points, split.balls);
   if (split.children.empty() || standOff <= settings.negligible) return split;
-  const ClosedDepth depth(solid, kClosingScale * standOff, closingSpacing(split, standOff), region.ball.center,
+  const ClosedDepth depth(solid, kClosingScale * standOff, closingSpacing(split.balls, standOff), region.ball.center,
                           region.ball.radius + 2 * standOff);
   if (!depth.usable()) return split;
   Split refined;

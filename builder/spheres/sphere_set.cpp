@@ -2,6 +2,7 @@
 #include "sphere_set.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cairn::builder {
@@ -14,6 +15,13 @@ double coverStandOff(const PointSet& points, std::span<const Ball> balls) {
     for (std::size_t p = 0; p < costs.size(); ++p) least[p] = std::min(least[p], costs[p]);
   }
   return *std::max_element(least.begin(), least.end());
+}
+
+double closingSpacing(std::span<const Ball> balls, double standOff) {
+  constexpr double kLeast = 0.15, kBlur = 0.01;
+  double radius = 0;
+  for (const Ball& ball : balls) radius += ball.radius / static_cast<double>(balls.size());
+  return std::max(kLeast * standOff, std::sqrt(8 * kBlur * standOff * radius));
 }
 
 }  // namespace cairn::builder

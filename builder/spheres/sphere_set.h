@@ -29,4 +29,11 @@ inline double costOf(const Ball& ball, const Vec3d& point) {
 /// Worst over the points of the least cost over the balls: the stand-off at which the set covers everything.
 double coverStandOff(const PointSet& points, std::span<const Ball> balls);
 
+/// Scale of the closing a set is fitted in, in parts of the stand-off it is to lower: below the stand-off reached in
+/// the end, and above what narrow concavities need. See `ClosedDepth`.
+inline constexpr double kClosingScale = 0.85;
+/// Spacing of that closing's samples: a sample missed by half the spacing h makes a ball of radius R look about
+/// h^2 / (8 R) too small to reach it, which is kept to 1 % of the stand-off. Precondition: `balls` not empty.
+double closingSpacing(std::span<const Ball> balls, double standOff);
+
 }  // namespace cairn::builder

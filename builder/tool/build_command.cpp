@@ -110,7 +110,7 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
   sub->add_option("-o,--output", command->output, "Tree file to write (.cairn)")->required();
   sub->add_option("--method", command->method, "How regions are covered by spheres")
-      ->check(CLI::IsMember({"combined", "merge", "expand", "octree"}))
+      ->check(CLI::IsMember({"adaptive", "combined", "merge", "expand", "octree"}))
       ->capture_default_str();
   sub->add_option("--branching", command->options.branching, "Most children of a sphere")
       ->check(CLI::Range(2U, 8U))

@@ -39,7 +39,8 @@ std::string hashOf(const SphereTree& tree) {
 
 class EveryMethod : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Build, EveryMethod,
-                         testing::Values(Method::combined, Method::merge, Method::expand, Method::octree),
+                         testing::Values(Method::combined, Method::merge, Method::expand, Method::octree,
+                                         Method::adaptive),
                          [](const auto& name) { return std::string(methodName(name.param)); });
 
 TEST_P(EveryMethod, SymmetricAndRoundSolids_AreProvedToBeCovered) {
@@ -152,7 +153,7 @@ TEST(Build, CancelledAtAnyReport_SaysSo) {
 }
 
 TEST(Method, NamesRoundTrip) {
-  for (const Method method : {Method::combined, Method::merge, Method::expand, Method::octree}) {
+  for (const Method method : {Method::combined, Method::merge, Method::expand, Method::octree, Method::adaptive}) {
     const Result<Method> parsed = parseMethod(methodName(method));
     ASSERT_TRUE(parsed);
     EXPECT_EQ(parsed.value(), method);

@@ -17,6 +17,7 @@ enum class Method : std::uint8_t {
   merge,     ///< medial spheres merged pairwise (5.3.1)
   expand,    ///< medial spheres grown to one stand-off, fewest that cover (5.3.3, max-elim)
   octree,    ///< cubes of an octree (3.1)
+  adaptive,  ///< whole levels of equal error instead of regions one by one (ours)
 };
 
 struct BuildOptions {

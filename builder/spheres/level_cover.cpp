@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "level_cover.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "spheres/ball_fit.h"
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+
+constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
+constexpr double kSmallestRequest = 0.01;
+constexpr int kSweepsPerRound = 3;
+constexpr int kMaxRounds = 40;
+/// First and finest step of a centre, in parts of the requested stand-off.
+constexpr double kCoarsestStep = 0.3, kFinestStep = 0.01;
+/// A ball that needs no more than this part of the requested stand-off stays where it is.
+constexpr double kEase = 0.8;
+
+/// Where a point stands in a parent's reach.
+struct Place {
+  std::uint32_t parent = 0, slot = 0;
+};
+
+/// By point: its places, in order of the parents.
+class Places {
+ public:
+  Places(std::size_t points, std::span<const std::vector<std::uint32_t>> reach) : begin_(points + 1, 0) {
+    for (const auto& list : reach)
+      for (const std::uint32_t p : list) ++begin_[p + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    places_.resize(begin_.back());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t parent = 0; parent < reach.size(); ++parent)
+      for (std::uint32_t slot = 0; slot < reach[parent].size(); ++slot)
+        places_[next[reach[parent][slot]]++] = {parent, slot};
+  }
+  std::span<const Place> of(std::size_t point) const {
+    return std::span(places_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Place> places_;
+};
+
+/// The two cheapest balls for a point, of those that may hold it.
+struct Holder {
+  std::size_t ball = kNobody, second = kNobody;
+  double cost = kInfinity, secondCost = kInfinity;
+
+  void offer(std::size_t other, double otherCost) {
+    if (otherCost < cost) {
+      second = std::exchange(ball, other);
+      secondCost = std::exchange(cost, otherCost);
+    } else if (otherCost < secondCost) {
+      second = other;
+      secondCost = otherCost;
+    }
+  }
+  /// What the cheapest ball but `i` costs.
+  double without(std::size_t i) const { return ball == i ? secondCost : cost; }
+};
+
+class LevelOptimisation {
+ public:
+  LevelOptimisation(const LevelProblem& problem, std::vector<ChildBall> balls)
+      : problem_(problem),
+        balls_(std::move(balls)),
+        places_(problem.points.size(), problem.reach),
+        family_(problem.reach.size()),
+        holders_(problem.points.size()) {
+    for (const auto& list : problem.reach) {
+      reachPoints_.emplace_back();
+      for (const std::uint32_t p : list) reachPoints_.back().push(problem.points[p]);
+    }
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      enlist(i);
+      updateCosts(i);
+    }
+  }
+
+  void fillFamilies() {
+    for (std::size_t round = 1; round <= problem_.branching; ++round)
+      for (std::uint32_t parent = 0; parent < family_.size(); ++parent) {
+        if (family_[parent].size() >= round || problem_.reach[parent].empty()) continue;
+        balls_.push_back({{}, parent});
+        enlist(balls_.size() - 1);
+        joinWorst(balls_.size() - 1);
+      }
+  }
+
+  double worstCost() const {
+    double worst = -kInfinity;
+    for (const Holder& holder : holders_) worst = std::max(worst, holder.cost);
+    return worst;
+  }
+
+  void run() {
+    double worst = worstCost();
+    double request = kFirstRequest;
+    for (int round = 0; round < kMaxRounds && request >= kSmallestRequest && worst > problem_.enough; ++round) {
+      const auto saved = balls_;
+      const auto savedCosts = costs_;
+      const auto savedHolders = holders_;
+      const double goal = std::max(problem_.enough, worst * (1 - request));
+      double reached = worst;
+      for (int s = 0; s < kSweepsPerRound && reached > goal; ++s) {
+        sweep(goal);
+        reached = worstCost();
+      }
+      if (reached >= worst) {
+        balls_ = saved;
+        costs_ = savedCosts;
+        holders_ = savedHolders;
+      }
+      if (reached > goal) request *= 0.5;
+      worst = std::min(worst, reached);
+    }
+  }
+
+  std::vector<ChildBall> settled() const {
+    const std::vector<double> load = loads();
+    std::vector<ChildBall> level;
+    for (const auto& family : family_)
+      for (const std::size_t i : family)
+        if (load[i] > -kInfinity) {
+          const Ball& ball = balls_[i].ball;
+          level.push_back({{ball.center, load[i] + ball.depth, ball.depth}, balls_[i].parent});
+        }
+    return level;
+  }
+
+ private:
+  /// The ball joins its family, and holds nothing yet.
+  void enlist(std::size_t i) {
+    const std::uint32_t parent = balls_[i].parent;
+    family_[parent].push_back(i);
+    costs_.resize(balls_.size());
+    costs_[i].assign(problem_.reach[parent].size(), kInfinity);
+  }
+
+  void updateCosts(std::size_t i) {
+    const Ball& ball = balls_[i].ball;
+    const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
+    reachPoints_[balls_[i].parent].distances(ball.center, ball.depth, costs_[i]);
+    for (std::size_t slot = 0; slot < reach.size(); ++slot) {
+      Holder& holder = holders_[reach[slot]];
+      if (holder.ball == i || holder.second == i)
+        holder = holderOf(reach[slot]);
+      else
+        holder.offer(i, costs_[i][slot]);
+    }
+  }
+
+  Holder holderOf(std::size_t point) const {
+    Holder holder;
+    for (const Place& place : places_.of(point))
+      for (const std::size_t i : family_[place.parent]) holder.offer(i, costs_[i][place.slot]);
+    return holder;
+  }
+
+  /// Points of the ball's reach that no other ball holds at the stand-off `goal`, or more cheaply.
+  PointSet dutiesOf(std::size_t i, double goal) const {
+    const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
+    PointSet duties;
+    for (std::size_t slot = 0; slot < reach.size(); ++slot) {
+      const double others = holders_[reach[slot]].without(i);
+      if (others > goal && others >= costs_[i][slot]) duties.push(problem_.points[reach[slot]]);
+    }
+    return duties;
+  }
+
+  /// By ball: the most any point costs it that it holds most cheaply; minus infinity without any.
+  std::vector<double> loads() const {
+    std::vector<double> load(balls_.size(), -kInfinity);
+    for (const Holder& holder : holders_)
+      if (holder.ball != kNobody) load[holder.ball] = std::max(load[holder.ball], holder.cost);
+    return load;
+  }
+
+  void sweep(double goal) {
+    const std::vector<double> load = loads();
+    std::vector<std::size_t> order(balls_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return load[a] > load[b]; });
+    for (const std::size_t i : order) move(i, goal);
+  }
+
+  void move(std::size_t i, double goal) {
+    const PointSet duties = dutiesOf(i, goal);
+    if (duties.empty()) {
+      joinWorst(i);
+      return;
+    }
+    Ball& ball = balls_[i].ball;
+    const Ball needed{ball.center, duties.farthest(ball.center).distance, ball.depth};
+    if (needed.standOff() <= kEase * goal) return;
+    ball = descend(needed, duties, problem_.solid, kCoarsestStep * goal, kFinestStep * goal);
+    updateCosts(i);
+  }
+
+  /// An idle ball goes to the point of its parent's reach that is covered worst, where it will take over its share.
+  void joinWorst(std::size_t i) {
+    const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
+    std::uint32_t worst = reach.front();
+    for (const std::uint32_t p : reach)
+      if (holders_[p].cost > holders_[worst].cost) worst = p;
+    const std::size_t owner = holders_[worst].ball;
+    Vec3d center = problem_.points[worst];
+    if (owner != kNobody) center = (center + balls_[owner].ball.center) * 0.5;
+    balls_[i].ball = {center, 0, problem_.solid.depth(center)};
+    updateCosts(i);
+  }
+
+  const LevelProblem& problem_;
+  std::vector<ChildBall> balls_;
+  Places places_;
+  std::vector<PointSet> reachPoints_;             // by parent
+  std::vector<std::vector<std::size_t>> family_;  // by parent: its balls
+  std::vector<std::vector<double>> costs_;        // by ball, then by slot of its parent's reach
+  std::vector<Holder> holders_;                   // by point
+};
+
+}  // namespace
+
+double coverStandOff(const LevelProblem& problem, std::span<const ChildBall> balls) {
+  return LevelOptimisation(problem, {balls.begin(), balls.end()}).worstCost();
+}
+
+std::vector<ChildBall> optimiseLevel(const LevelProblem& problem, std::vector<ChildBall> start) {
+  LevelOptimisation optimisation(problem, std::move(start));
+  optimisation.fillFamilies();
+  optimisation.run();
+  return optimisation.settled();
+}
+
+}  // namespace cairn::builder
