@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "certify/protrusion.h"
-#include "medial/medial_spheres.h"
+#include "hierarchy/method_traits.h"
+#include "hierarchy/reduce.h"
 #include "spheres/ball_fit.h"
 #include "spheres/depth_field.h"
 #include "spheres/divide.h"
 #include "spheres/enclosing_ball.h"
-#include "spheres/expand.h"
-#include "spheres/merge.h"
 #include "spheres/optimise.h"
 
 namespace cairn::builder {
@@ -23,10 +22,6 @@ namespace {
 constexpr std::size_t kMinPieces = 400;
 /// Points the sphere sets are fitted to; more only cost time, since the division sees every piece anyway.
 constexpr std::size_t kMaxPoints = 1500;
-/// Initial sites of a region's Voronoi diagram.
-constexpr std::size_t kInitialSites = 60;
-/// Points added to it at most: the spheres it starts from are moved freely afterwards, a finer diagram gains nothing.
-constexpr std::size_t kMaxInsertions = 100;
 /// Seams are cut down to this part of the longest edge of the region's pieces.
 constexpr double kFinestSeam = 0.1;
 /// And not below this part of the stand-off: what is left of a seam costs its width times the sine of the angle at
@@ -53,46 +48,26 @@ double spacingOf(const Pieces& pieces) {
   return std::sqrt(longestSq);
 }
 
-MedialSpheres medialSpheresOf(const Region& region, const Split& split, const SignedDistance& solid,
-                              const SplitSettings& settings) {
-  std::vector<Vec3d> list(split.points.size());
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = split.points[i];
-  const std::vector<Vec3d> sites = farthestPointSample(list, kInitialSites, settings.seed % list.size());
-  MedialGoal goal;
-  goal.maxStandOff = 0.5 * region.ball.standOff();
-  goal.maxOutside = 0.5 * region.ball.standOff();
-  goal.maxInsertions = kMaxInsertions;
-  return approximateMedialAxis(solid, split.points, spacingOf(split.pieces), sites, goal);
-}
-
-SphereSet reduce(const CoverProblem& problem, const MedialSpheres& medial, Method method, int swapRounds) {
-  std::vector<Ball> covering = medial.inside;
-  covering.insert(covering.end(), medial.coverage.begin(), medial.coverage.end());
-  std::vector<Ball> all = medial.inside;
-  all.insert(all.end(), medial.outside.begin(), medial.outside.end());
-  if (covering.empty()) covering.push_back(fitBall(problem.points[0], problem.points, problem.solid));
-  if (all.empty()) all = covering;
-  if (method == Method::expand) return optimiseBySwaps(problem, expand(problem, all), swapRounds);
-  if (method == Method::merge) return optimiseBySwaps(problem, merge(problem, covering), swapRounds);
-  SphereSet expanded = optimise(problem, expand(problem, all));
-  SphereSet merged = optimise(problem, merge(problem, covering));
-  return optimiseBySwaps(
-      problem, coverStandOff(problem.points, merged) < coverStandOff(problem.points, expanded) ? merged : expanded,
-      swapRounds);
-}
-
 double errorOf(const Ball& ball, const SignedDistance& solid) {
   return certifiedProtrusion(solid, ball.center, ball.radius, defaultProtrusionTolerance(solid)).upper;
 }
 
-/// The part with the better of two balls around it: the one it was given to, and one fitted to it (thesis Alg. 9).
-Region childRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid) {
+/// The part with a ball around it: the centre it was given to, or one fitted to it (thesis Alg. 8), as `refit` says.
+Region childRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit) {
   const SolidDepth depth(solid);
-  const PointSet corners(cornersOf(pieces));
-  const Ball kept = ballAround(ball.center, corners, depth), fitted = fitBall(ball.center, corners, depth);
-  const double keptError = errorOf(kept, solid), fittedError = errorOf(fitted, solid);
-  if (fittedError < keptError) return {fitted, fittedError, std::move(pieces), {}};
-  return {kept, keptError, std::move(pieces), {}};
+  const std::vector<Vec3d> list = cornersOf(pieces);
+  const PointSet corners(list);
+  Ball kept = ballAround(refit == Refit::smallest ? smallestEnclosingBall(list).center : ball.center, corners, depth);
+  double error = errorOf(kept, solid);
+  if (refit == Refit::tightest) {
+    const Ball fitted = fitBall(ball.center, corners, depth);
+    const double fittedError = errorOf(fitted, solid);
+    if (fittedError < error) {
+      kept = fitted;
+      error = fittedError;
+    }
+  }
+  return {kept, error, std::move(pieces), {}};
 }
 
 double finestSeam(const Split& split) {
@@ -101,7 +76,7 @@ double finestSeam(const Split& split) {
 
 /// Fills in the children from the pieces, the balls and the bias; balls that get no piece are dropped. A part that
 /// `previous` has too, at the same place, keeps its child.
-void makeChildren(Split& split, const Split* previous, const SignedDistance& solid) {
+void makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit) {
   const double finest = finestSeam(split);
   std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finest);
   std::size_t place = 0;
@@ -112,7 +87,7 @@ void makeChildren(Split& split, const Split* previous, const SignedDistance& sol
     if (previous != nullptr && place < previous->children.size() && previous->children[place].pieces == parts[i]) {
       split.children.push_back(previous->children[place]);
     } else {
-      split.children.push_back(childRegion(split.balls[place], std::move(parts[i]), solid));
+      split.children.push_back(childRegion(split.balls[place], std::move(parts[i]), solid, refit));
     }
     ++place;
   }
@@ -134,23 +109,30 @@ std::vector<Vec3d> worstCovered(const Split& split, double finest) {
   return cornersOf(worst);
 }
 
+void take(Split& split, SphereSet balls, double negligible) {
+  split.balls = std::move(balls);
+  split.bias.assign(split.balls.size(), 0);
+  split.standOff = kSeamAllowance * std::max(coverStandOff(split.points, split.balls), negligible);
+}
+
+/// Divides the region among the balls as they are.
+void settle(Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings) {
+  take(split, std::move(balls), settings.negligible);
+  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
+}
+
 /// Divides the region among the balls. The seams show what the points between the pieces' corners cost; the balls are
 /// optimised for the worst of them as well, then the pieces are divided for good.
-void settle(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
-            double negligible) {
-  const auto take = [&](SphereSet set) {
-    split.balls = std::move(set);
-    split.bias.assign(split.balls.size(), 0);
-    split.standOff = kSeamAllowance * std::max(coverStandOff(split.points, split.balls), negligible);
-  };
-  take(std::move(balls));
+void settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
+                     const SplitSettings& settings) {
+  take(split, std::move(balls), settings.negligible);
   const double finest = finestSeam(split);
   for (int round = 0; round < kSeamRounds; ++round) {
     const std::vector<Vec3d> worst = worstCovered(split, finest);
     for (const Vec3d& corner : farthestPointSample(worst, kMaxSeamPoints, 0)) split.points.push(corner);
-    take(optimise(problem, split.balls));
+    take(split, optimise(problem, split.balls), settings.negligible);
   }
-  makeChildren(split, nullptr, solid);
+  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
 }
 
 Split splitByBalls(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
@@ -160,8 +142,15 @@ Split splitByBalls(const Region& region, const SignedDistance& solid, const Spli
   split.points = pointsOf(split.pieces, settings.seed);
   const SolidDepth depth(solid);
   const CoverProblem problem{split.points, depth, settings.branching};
-  const MedialSpheres medial = medialSpheresOf(region, split, solid, settings);
-  settle(split, reduce(problem, medial, settings.method, swapRounds), problem, solid, settings.negligible);
+  SphereSet balls = reduce(problem, region, spacingOf(split.pieces), solid, settings, swapRounds);
+  if (!traitsOf(settings.method).improved) {
+    settle(split, balls, solid, settings);
+    if (split.children.size() >= 2) return split;
+    // A set of which one ball takes everything does not divide; the optimisation completes it and spreads it out.
+    split.children.clear();
+    balls = optimise(problem, std::move(balls));
+  }
+  settleOptimised(split, std::move(balls), problem, solid, settings);
   return split;
 }
 
@@ -204,7 +193,7 @@ double Split::worst() const {
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
   if (region.ball.standOff() <= settings.negligible) return {};
   Split split;
-  if (settings.method == Method::octree)
+  if (traitsOf(settings.method).cubes)
     split.children = splitByCubes(region, solid, settings);
   else
     split = splitByBalls(region, solid, settings, swapRounds);
@@ -225,16 +214,17 @@ Split refineSplit(const Split& split, const Region& region, const SignedDistance
   const CoverProblem problem{refined.points, depth, settings.branching};
   SphereSet start = split.balls;
   for (Ball& ball : start) ball.depth = depth.depth(ball.center);
-  settle(refined, optimiseBySwaps(problem, std::move(start), swapRounds), problem, solid, settings.negligible);
+  settleOptimised(refined, optimiseBySwaps(problem, std::move(start), swapRounds), problem, solid, settings);
   return refined.worst() < split.worst() ? refined : split;
 }
 
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid) {
+Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
+               const SplitSettings& settings) {
   Split changed = split;
   changed.children.clear();
   changed.bias = std::move(bias);
   changed.standOff = standOff;
-  makeChildren(changed, &split, solid);
+  makeChildren(changed, &split, solid, traitsOf(settings.method).refit);
   return changed;
 }
 

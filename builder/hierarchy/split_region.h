@@ -41,12 +41,13 @@ struct Split {
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds);
 
 /// A better division of the same region, or the same one: fits the balls of `split` anew against the closing of the
-/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. Not for the octree. A pure
-/// function.
+/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. For methods whose
+/// traits say improved. A pure function.
 Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
                   int swapRounds);
 
 /// Divides the split's pieces anew among its balls, with other seams, and refits the balls of parts that changed.
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid);
+Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
+               const SplitSettings& settings);
 
 }  // namespace cairn::builder
