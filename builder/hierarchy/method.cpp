@@ -20,6 +20,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::expandCover, "expand-cover", kAsInTheThesis, Refit::tightest, kBalls},
     MethodTraits{Method::burst, "burst", kAsInTheThesis, Refit::tightest, kBalls},
     MethodTraits{Method::spawn, "spawn", kAsInTheThesis, Refit::tightest, kBalls},
+    MethodTraits{Method::hubbard, "hubbard", kAsInTheThesis, Refit::none, kBalls},
     MethodTraits{Method::octree, "octree", kAsInTheThesis, Refit::none, kCubes},
 };
 

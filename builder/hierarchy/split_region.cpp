@@ -12,6 +12,7 @@
 #include "spheres/depth_field.h"
 #include "spheres/divide.h"
 #include "spheres/enclosing_ball.h"
+#include "spheres/hubbard.h"
 #include "spheres/optimise.h"
 
 namespace cairn::builder {
@@ -67,7 +68,7 @@ Region childRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid,
       error = fittedError;
     }
   }
-  return {kept, error, std::move(pieces), {}};
+  return {kept, error, std::move(pieces)};
 }
 
 double finestSeam(const Split& split) {
@@ -154,6 +155,24 @@ Split splitByBalls(const Region& region, const SignedDistance& solid, const Spli
   return split;
 }
 
+/// Hubbard's groups of medial spheres, each with the surface its spheres are nearest to (4.3). None when the region has
+/// no two spheres: his trees end where the medial spheres do.
+std::vector<Region> splitByGroups(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
+  std::vector<Region> children;
+  if (region.medial.size() < 2) return children;
+  const SolidDepth depth(solid);
+  std::vector<HubbardGroup> groups = mergeHubbard(*settings.hubbard, region.medial, settings.branching, depth);
+  Pieces pieces = region.pieces;
+  refinePieces(pieces, kMinPieces);
+  std::vector<Pieces> parts = divideByOwners(*settings.hubbard, groups, pieces);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (parts[i].empty()) continue;
+    children.push_back(childRegion(groups[i].ball, std::move(parts[i]), solid, Refit::none));
+    children.back().medial = std::move(groups[i].members);
+  }
+  return children;
+}
+
 std::vector<Region> splitByCubes(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
   std::vector<Region> children;
   const double finest = std::max(settings.negligible, 0.05 * region.ball.radius);
@@ -195,6 +214,8 @@ Split splitRegion(const Region& region, const SignedDistance& solid, const Split
   Split split;
   if (traitsOf(settings.method).cubes)
     split.children = splitByCubes(region, solid, settings);
+  else if (settings.method == Method::hubbard)
+    split.children = splitByGroups(region, solid, settings);
   else
     split = splitByBalls(region, solid, settings, swapRounds);
   if (split.children.size() < 2) return {};

@@ -6,6 +6,7 @@
 
 #include "cairn/builder/build.h"
 #include "hierarchy/region.h"
+#include "medial/hubbard_medial.h"
 #include "spheres/sphere_set.h"
 #include "surface/signed_distance.h"
 
@@ -16,13 +17,15 @@ struct SplitSettings {
   Method method = Method::combined;
   std::size_t branching = 8;
   std::uint64_t seed = 1;
-  double negligible = 0;  ///< stand-off not worth splitting for, mesh unit, > 0
+  double negligible = 0;                   ///< stand-off not worth splitting for, mesh unit, > 0
+  const HubbardMedial* hubbard = nullptr;  ///< of the solid; for that method only
 };
 
 /// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.
 Region rootRegion(const SignedDistance& solid, std::size_t samples);
 
-/// How a region was divided, kept so that the division can be changed later. For the octree only `children` is filled.
+/// How a region was divided, kept so that the division can be changed later. For cubes and Hubbard's groups only
+/// `children` is filled.
 struct Split {
   Pieces pieces;             ///< of the region, cut finely enough to fit spheres to
   PointSet points;           ///< what the spheres were fitted to
