@@ -21,6 +21,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::burst, "burst", kAsInTheThesis, Refit::tightest, kBalls},
     MethodTraits{Method::spawn, "spawn", kAsInTheThesis, Refit::tightest, kBalls},
     MethodTraits{Method::hubbard, "hubbard", kAsInTheThesis, Refit::none, kBalls},
+    MethodTraits{Method::grid, "grid", kAsInTheThesis, Refit::smallest, kBalls},
     MethodTraits{Method::octree, "octree", kAsInTheThesis, Refit::none, kCubes},
 };
 

@@ -6,6 +6,7 @@
 #include "spheres/ball_fit.h"
 #include "spheres/burst.h"
 #include "spheres/expand.h"
+#include "spheres/grid.h"
 #include "spheres/merge.h"
 #include "spheres/optimise.h"
 #include "spheres/spawn.h"
@@ -64,6 +65,7 @@ SphereSet betterOfBoth(const CoverProblem& problem, const Candidates& candidates
 SphereSet reduce(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
                  const SplitSettings& settings, int swapRounds) {
   if (settings.method == Method::spawn) return spawn(problem);
+  if (settings.method == Method::grid) return gridSpheres(problem);
   const Candidates candidates = candidatesFrom(medialSpheresOf(problem, region, spacing, solid, settings), problem);
   switch (settings.method) {
     case Method::expand:
