@@ -23,6 +23,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::hubbard, "hubbard", kAsInTheThesis, Refit::none, kBalls},
     MethodTraits{Method::grid, "grid", kAsInTheThesis, Refit::smallest, kBalls},
     MethodTraits{Method::octree, "octree", kAsInTheThesis, Refit::none, kCubes},
+    MethodTraits{Method::solidOctree, "solid-octree", kAsInTheThesis, Refit::none, kCubes},
 };
 
 }  // namespace

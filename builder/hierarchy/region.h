@@ -14,8 +14,9 @@ namespace cairn::builder {
 struct Region {
   Ball ball;         ///< holds all pieces
   double error = 0;  ///< certified protrusion of the ball, see certify/protrusion.h
-  Pieces pieces;     ///< not empty; the regions of a node's children cover exactly what the node's region covers
-  Cube cube{};       ///< of the octree; unused by the other methods
+  Pieces pieces;  ///< the regions of a node's children cover exactly what its own covers; empty only inside the solid
+  Cube cube{};    ///< of the octrees; unused by the other methods
+  bool filled = false;                  ///< the ball holds the cube as well (solid octree)
   std::vector<std::uint32_t> medial{};  ///< Hubbard's medial spheres merged into the ball; unused by the other methods
 };
 

@@ -14,6 +14,7 @@
 #include "spheres/enclosing_ball.h"
 #include "spheres/hubbard.h"
 #include "spheres/optimise.h"
+#include "spheres/solid_octants.h"
 
 namespace cairn::builder {
 
@@ -173,13 +174,25 @@ std::vector<Region> splitByGroups(const Region& region, const SignedDistance& so
   return children;
 }
 
+Region cubeRegion(const Cube& cube, Pieces pieces, const SignedDistance& solid, bool filled) {
+  std::vector<Vec3d> held = cornersOf(pieces);
+  for (unsigned i = 0; filled && i < 8; ++i) held.push_back(cornerOf(cube, i));
+  const Ball ball = ballAround(cube.center, PointSet(held), SolidDepth(solid));
+  return {ball, errorOf(ball, solid), std::move(pieces), cube, filled};
+}
+
 std::vector<Region> splitByCubes(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
   std::vector<Region> children;
   const double finest = std::max(settings.negligible, 0.05 * region.ball.radius);
-  for (Octant& octant : divideByOctants(region.pieces, region.cube, finest)) {
-    const Ball ball = ballAround(octant.cube.center, PointSet(cornersOf(octant.pieces)), SolidDepth(solid));
-    children.push_back({ball, errorOf(ball, solid), std::move(octant.pieces), octant.cube});
-  }
+  const bool filled = settings.method == Method::solidOctree;
+  SolidOctants parts;
+  if (filled)
+    parts = divideSolid(region.pieces, region.cube, finest, solid);
+  else
+    parts.surface = divideByOctants(region.pieces, region.cube, finest);
+  for (Octant& octant : parts.surface)
+    children.push_back(cubeRegion(octant.cube, std::move(octant.pieces), solid, filled));
+  for (const Cube& cube : parts.inside) children.push_back(cubeRegion(cube, {}, solid, filled));
   return children;
 }
 
@@ -210,7 +223,7 @@ double Split::worst() const {
 }
 
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
-  if (region.ball.standOff() <= settings.negligible) return {};
+  if (region.pieces.empty() || region.ball.standOff() <= settings.negligible) return {};
   Split split;
   if (traitsOf(settings.method).cubes)
     split.children = splitByCubes(region, solid, settings);
@@ -218,7 +231,9 @@ Split splitRegion(const Region& region, const SignedDistance& solid, const Split
     split.children = splitByGroups(region, solid, settings);
   else
     split = splitByBalls(region, solid, settings, swapRounds);
-  if (split.children.size() < 2) return {};
+  // A solid octree's cube may be met by next to nothing in one corner: the small octant there replaces a large ball.
+  const std::size_t least = settings.method == Method::solidOctree ? 1 : 2;
+  if (split.children.size() < least) return {};
   return split;
 }
 

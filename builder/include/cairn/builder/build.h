@@ -22,6 +22,7 @@ enum class Method : std::uint8_t {
   expandCover,  ///< as expand, but the sphere that covers most goes first (5.3.3, max-cover)
   burst,        ///< medial spheres removed one by one, their neighbours growing (5.3.2)
   spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
+  solidOctree,  ///< with cubes inside the solid, which cover no surface but fill it (3.1.2)
   grid,         ///< cells of a cubic grid, freely turned and moved (3.3)
   hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
 };
