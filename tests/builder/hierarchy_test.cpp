@@ -60,8 +60,10 @@ TEST_P(EveryMethod, SymmetricAndRoundSolids_AreProvedToBeCovered) {
                                          test::cylinder(0.3, 2, 12)};
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     SCOPED_TRACE("mesh " + std::to_string(i));
-    const SphereTree tree = built(meshes[i], smallBuild(GetParam()));
-    EXPECT_GT(tree.leafCount(), 8U);
+    // The last two are there for sets that fail on long symmetric shapes; one level shows it.
+    const std::uint32_t depth = i < 5 ? 2 : 1;
+    const SphereTree tree = built(meshes[i], smallBuild(GetParam(), depth));
+    EXPECT_GT(tree.leafCount(), depth == 2 ? 8U : 2U);
     const Result<Certificate> certificate = certify(tree, meshes[i]);
     ASSERT_TRUE(certificate);
     EXPECT_EQ(certificate.value().failures(tree), std::vector<std::string>{});
