@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "evaluate/random_stream.h"
+#include "surface/random_stream.h"
 
 namespace cairn::builder {
 namespace {

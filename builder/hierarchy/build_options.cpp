@@ -24,9 +24,10 @@ Status checkOptions(const BuildOptions& options) {
   if (Status s = checkRange("depth", options.depth, 1, 8); !s) return s;
   if (Status s = checkRange("samples", options.samples, 100, 1'000'000); !s) return s;
   if (Status s = checkRange("threads", options.threads, 0, 1024); !s) return s;
-  if (options.method == Method::octree && options.branching != kFamilyWidth)
-    return Error{"the method octree divides by eight, but the option branching is " +
-                 std::to_string(options.branching) + "; choose 8 or another method"};
+  if (dividesByEight(options.method) && options.branching != kFamilyWidth)
+    return Error{"the method " + std::string(methodName(options.method)) +
+                 " divides by eight, but the option branching is " + std::to_string(options.branching) +
+                 "; choose 8 or another method"};
   if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMostAdaptiveLeaves)
     return Error{
         "the method adaptive fits all spheres of a level at once, but the options branching and depth ask for " +

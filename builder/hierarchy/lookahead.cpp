@@ -75,7 +75,7 @@ std::vector<double> Lookahead::strongerBias(std::size_t child) const {
 }
 
 void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings) {
-  Split moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff), solid);
+  Split moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff), solid, settings);
   step_ *= kStepAfterFailure;
   if (moved.children.size() != split_.children.size() || moved.worst() > std::max(limit, split_.worst())) return;
   if (moved.children[child].pieces == split_.children[child].pieces) return;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "hierarchy/method_traits.h"
 #include "spheres/ball.h"
 #include "spheres/octants.h"
 #include "spheres/piece.h"
@@ -12,15 +16,17 @@ namespace cairn::builder {
 struct Region {
   Ball ball;         ///< holds all pieces
   double error = 0;  ///< certified protrusion of the ball, see certify/protrusion.h
-  Pieces pieces;     ///< not empty; the regions of a node's children cover exactly what the node's region covers
-  Cube cube;         ///< of the octree; unused by the other methods
+  Pieces pieces;  ///< the regions of a node's children cover exactly what its own covers; empty only inside the solid
+  Cube cube{};    ///< of the octrees; unused by the other methods
+  bool filled = false;                  ///< the ball holds the cube as well (solid octree)
+  std::vector<std::uint32_t> medial{};  ///< Hubbard's medial spheres merged into the ball; unused by the other methods
 };
 
 /// Certified protrusion of a ball.
 double errorOf(const Ball& ball, const SignedDistance& solid);
 
-/// The region of these pieces with the better of two balls around it: the one it was given to, and one fitted to it
-/// (thesis Alg. 9). Precondition: `pieces` not empty.
-Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid);
+/// The region of these pieces with a ball around it: the centre it was given to, or one fitted to it, as `refit` says
+/// (thesis Alg. 8). Precondition: `pieces` not empty.
+Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit = Refit::tightest);
 
 }  // namespace cairn::builder

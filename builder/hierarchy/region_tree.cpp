@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hierarchy/lookahead.h"
+#include "hierarchy/method_traits.h"
 
 namespace cairn::builder {
 
@@ -54,7 +55,7 @@ class Growth {
     RegionTree tree;
     tree.push_back({std::move(root), 0, 0, 0});
     std::vector<Split> splits{splitRegion(tree[0].region, solid_, settings_, kRootSwapRounds)};
-    if (settings_.method != Method::octree)
+    if (traitsOf(settings_.method).improved)
       splits[0] = refineSplit(splits[0], tree[0].region, solid_, settings_, kRootSwapRounds);
     for (std::uint32_t level = 0; level < depth; ++level) {
       std::vector<Split> next;
@@ -77,7 +78,7 @@ class Growth {
       counter.finishOne();
     });
     if (counter.cancelled()) return false;
-    if (settings_.method != Method::octree && !relieveAll(nodes, level)) return false;
+    if (traitsOf(settings_.method).improved && !relieveAll(nodes, level)) return false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       splits[i] = nodes[i]->split();
       for (Split& split : nodes[i]->takeChildren()) next.push_back(std::move(split));

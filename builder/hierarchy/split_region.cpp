@@ -5,14 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "medial/medial_spheres.h"
+#include "hierarchy/method_traits.h"
+#include "hierarchy/reduce.h"
 #include "spheres/ball_fit.h"
 #include "spheres/depth_field.h"
 #include "spheres/divide.h"
 #include "spheres/enclosing_ball.h"
-#include "spheres/expand.h"
-#include "spheres/merge.h"
+#include "spheres/hubbard.h"
 #include "spheres/optimise.h"
+#include "spheres/solid_octants.h"
 
 namespace cairn::builder {
 
@@ -22,10 +23,6 @@ namespace {
 constexpr std::size_t kMinPieces = 400;
 /// Points the sphere sets are fitted to; more only cost time, since the division sees every piece anyway.
 constexpr std::size_t kMaxPoints = 1500;
-/// Initial sites of a region's Voronoi diagram.
-constexpr std::size_t kInitialSites = 60;
-/// Points added to it at most: the spheres it starts from are moved freely afterwards, a finer diagram gains nothing.
-constexpr std::size_t kMaxInsertions = 100;
 /// Seams are cut down to this part of the longest edge of the region's pieces.
 constexpr double kFinestSeam = 0.1;
 /// And not below this part of the stand-off: what is left of a seam costs its width times the sine of the angle at
@@ -37,6 +34,7 @@ constexpr double kSeamAllowance = 1.01;
 constexpr double kNearlyWorst = 0.97;
 constexpr int kSeamRounds = 2;
 constexpr std::size_t kMaxSeamPoints = 400;
+
 PointSet pointsOf(const Pieces& pieces, std::uint64_t seed) {
   const std::vector<Vec3d> corners = cornersOf(pieces);
   return PointSet(farthestPointSample(corners, kMaxPoints, seed % corners.size()));
@@ -48,41 +46,13 @@ double spacingOf(const Pieces& pieces) {
   return std::sqrt(longestSq);
 }
 
-MedialSpheres medialSpheresOf(const Region& region, const Split& split, const SignedDistance& solid,
-                              const SplitSettings& settings) {
-  std::vector<Vec3d> list(split.points.size());
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = split.points[i];
-  const std::vector<Vec3d> sites = farthestPointSample(list, kInitialSites, settings.seed % list.size());
-  MedialGoal goal;
-  goal.maxStandOff = 0.5 * region.ball.standOff();
-  goal.maxOutside = 0.5 * region.ball.standOff();
-  goal.maxInsertions = kMaxInsertions;
-  return approximateMedialAxis(solid, split.points, spacingOf(split.pieces), sites, goal);
-}
-
-SphereSet reduce(const CoverProblem& problem, const MedialSpheres& medial, Method method, int swapRounds) {
-  std::vector<Ball> covering = medial.inside;
-  covering.insert(covering.end(), medial.coverage.begin(), medial.coverage.end());
-  std::vector<Ball> all = medial.inside;
-  all.insert(all.end(), medial.outside.begin(), medial.outside.end());
-  if (covering.empty()) covering.push_back(fitBall(problem.points[0], problem.points, problem.solid));
-  if (all.empty()) all = covering;
-  if (method == Method::expand) return optimiseBySwaps(problem, expand(problem, all), swapRounds);
-  if (method == Method::merge) return optimiseBySwaps(problem, merge(problem, covering), swapRounds);
-  SphereSet expanded = optimise(problem, expand(problem, all));
-  SphereSet merged = optimise(problem, merge(problem, covering));
-  return optimiseBySwaps(
-      problem, coverStandOff(problem.points, merged) < coverStandOff(problem.points, expanded) ? merged : expanded,
-      swapRounds);
-}
-
 double finestSeam(const Split& split) {
   return std::max(kFinestSeam * spacingOf(split.pieces), kFinestSeamOfStandOff * split.standOff);
 }
 
 /// Fills in the children from the pieces, the balls and the bias; balls that get no piece are dropped. A part that
 /// `previous` has too, at the same place, keeps its child.
-void makeChildren(Split& split, const Split* previous, const SignedDistance& solid) {
+void makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit) {
   const double finest = finestSeam(split);
   std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finest);
   std::size_t place = 0;
@@ -93,7 +63,7 @@ void makeChildren(Split& split, const Split* previous, const SignedDistance& sol
     if (previous != nullptr && place < previous->children.size() && previous->children[place].pieces == parts[i]) {
       split.children.push_back(previous->children[place]);
     } else {
-      split.children.push_back(fittedRegion(split.balls[place], std::move(parts[i]), solid));
+      split.children.push_back(fittedRegion(split.balls[place], std::move(parts[i]), solid, refit));
     }
     ++place;
   }
@@ -115,23 +85,30 @@ std::vector<Vec3d> worstCovered(const Split& split, double finest) {
   return cornersOf(worst);
 }
 
+void take(Split& split, SphereSet balls, double negligible) {
+  split.balls = std::move(balls);
+  split.bias.assign(split.balls.size(), 0);
+  split.standOff = kSeamAllowance * std::max(coverStandOff(split.points, split.balls), negligible);
+}
+
+/// Divides the region among the balls as they are.
+void settle(Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings) {
+  take(split, std::move(balls), settings.negligible);
+  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
+}
+
 /// Divides the region among the balls. The seams show what the points between the pieces' corners cost; the balls are
 /// optimised for the worst of them as well, then the pieces are divided for good.
-void settle(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
-            double negligible) {
-  const auto take = [&](SphereSet set) {
-    split.balls = std::move(set);
-    split.bias.assign(split.balls.size(), 0);
-    split.standOff = kSeamAllowance * std::max(coverStandOff(split.points, split.balls), negligible);
-  };
-  take(std::move(balls));
+void settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
+                     const SplitSettings& settings) {
+  take(split, std::move(balls), settings.negligible);
   const double finest = finestSeam(split);
   for (int round = 0; round < kSeamRounds; ++round) {
     const std::vector<Vec3d> worst = worstCovered(split, finest);
     for (const Vec3d& corner : farthestPointSample(worst, kMaxSeamPoints, 0)) split.points.push(corner);
-    take(optimise(problem, split.balls));
+    take(split, optimise(problem, split.balls), settings.negligible);
   }
-  makeChildren(split, nullptr, solid);
+  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
 }
 
 Split splitByBalls(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
@@ -141,18 +118,55 @@ Split splitByBalls(const Region& region, const SignedDistance& solid, const Spli
   split.points = pointsOf(split.pieces, settings.seed);
   const SolidDepth depth(solid);
   const CoverProblem problem{split.points, depth, settings.branching};
-  const MedialSpheres medial = medialSpheresOf(region, split, solid, settings);
-  settle(split, reduce(problem, medial, settings.method, swapRounds), problem, solid, settings.negligible);
+  SphereSet balls = reduce(problem, region, spacingOf(split.pieces), solid, settings, swapRounds);
+  if (!traitsOf(settings.method).improved) {
+    settle(split, balls, solid, settings);
+    if (split.children.size() >= 2) return split;
+    // A set of which one ball takes everything does not divide; the optimisation completes it and spreads it out.
+    split.children.clear();
+    balls = optimise(problem, std::move(balls));
+  }
+  settleOptimised(split, std::move(balls), problem, solid, settings);
   return split;
+}
+
+/// Hubbard's groups of medial spheres, each with the surface its spheres are nearest to (4.3). None when the region has
+/// no two spheres: his trees end where the medial spheres do.
+std::vector<Region> splitByGroups(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
+  std::vector<Region> children;
+  if (region.medial.size() < 2) return children;
+  const SolidDepth depth(solid);
+  std::vector<HubbardGroup> groups = mergeHubbard(*settings.hubbard, region.medial, settings.branching, depth);
+  Pieces pieces = region.pieces;
+  refinePieces(pieces, kMinPieces);
+  std::vector<Pieces> parts = divideByOwners(*settings.hubbard, groups, pieces);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (parts[i].empty()) continue;
+    children.push_back(fittedRegion(groups[i].ball, std::move(parts[i]), solid, Refit::none));
+    children.back().medial = std::move(groups[i].members);
+  }
+  return children;
+}
+
+Region cubeRegion(const Cube& cube, Pieces pieces, const SignedDistance& solid, bool filled) {
+  std::vector<Vec3d> held = cornersOf(pieces);
+  for (unsigned i = 0; filled && i < 8; ++i) held.push_back(cornerOf(cube, i));
+  const Ball ball = ballAround(cube.center, PointSet(held), SolidDepth(solid));
+  return {ball, errorOf(ball, solid), std::move(pieces), cube, filled};
 }
 
 std::vector<Region> splitByCubes(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
   std::vector<Region> children;
   const double finest = std::max(settings.negligible, 0.05 * region.ball.radius);
-  for (Octant& octant : divideByOctants(region.pieces, region.cube, finest)) {
-    const Ball ball = ballAround(octant.cube.center, PointSet(cornersOf(octant.pieces)), SolidDepth(solid));
-    children.push_back({ball, errorOf(ball, solid), std::move(octant.pieces), octant.cube});
-  }
+  const bool filled = settings.method == Method::solidOctree;
+  SolidOctants parts;
+  if (filled)
+    parts = divideSolid(region.pieces, region.cube, finest, solid);
+  else
+    parts.surface = divideByOctants(region.pieces, region.cube, finest);
+  for (Octant& octant : parts.surface)
+    children.push_back(cubeRegion(octant.cube, std::move(octant.pieces), solid, filled));
+  for (const Cube& cube : parts.inside) children.push_back(cubeRegion(cube, {}, solid, filled));
   return children;
 }
 
@@ -176,13 +190,17 @@ double Split::worst() const {
 }
 
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
-  if (region.ball.standOff() <= settings.negligible) return {};
+  if (region.pieces.empty() || region.ball.standOff() <= settings.negligible) return {};
   Split split;
-  if (settings.method == Method::octree)
+  if (traitsOf(settings.method).cubes)
     split.children = splitByCubes(region, solid, settings);
+  else if (settings.method == Method::hubbard)
+    split.children = splitByGroups(region, solid, settings);
   else
     split = splitByBalls(region, solid, settings, swapRounds);
-  if (split.children.size() < 2) return {};
+  // A solid octree's cube may be met by next to nothing in one corner: the small octant there replaces a large ball.
+  const std::size_t least = settings.method == Method::solidOctree ? 1 : 2;
+  if (split.children.size() < least) return {};
   return split;
 }
 
@@ -199,16 +217,17 @@ Split refineSplit(const Split& split, const Region& region, const SignedDistance
   const CoverProblem problem{refined.points, depth, settings.branching};
   SphereSet start = split.balls;
   for (Ball& ball : start) ball.depth = depth.depth(ball.center);
-  settle(refined, optimiseBySwaps(problem, std::move(start), swapRounds), problem, solid, settings.negligible);
+  settleOptimised(refined, optimiseBySwaps(problem, std::move(start), swapRounds), problem, solid, settings);
   return refined.worst() < split.worst() ? refined : split;
 }
 
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid) {
+Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
+               const SplitSettings& settings) {
   Split changed = split;
   changed.children.clear();
   changed.bias = std::move(bias);
   changed.standOff = standOff;
-  makeChildren(changed, &split, solid);
+  makeChildren(changed, &split, solid, traitsOf(settings.method).refit);
   return changed;
 }
 

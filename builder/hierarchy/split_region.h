@@ -6,6 +6,7 @@
 
 #include "cairn/builder/build.h"
 #include "hierarchy/region.h"
+#include "medial/hubbard_medial.h"
 #include "spheres/sphere_set.h"
 #include "surface/signed_distance.h"
 
@@ -16,13 +17,15 @@ struct SplitSettings {
   Method method = Method::combined;
   std::size_t branching = 8;
   std::uint64_t seed = 1;
-  double negligible = 0;  ///< stand-off not worth splitting for, mesh unit, > 0
+  double negligible = 0;                   ///< stand-off not worth splitting for, mesh unit, > 0
+  const HubbardMedial* hubbard = nullptr;  ///< of the solid; for that method only
 };
 
 /// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.
 Region rootRegion(const SignedDistance& solid, std::size_t samples);
 
-/// How a region was divided, kept so that the division can be changed later. For the octree only `children` is filled.
+/// How a region was divided, kept so that the division can be changed later. For cubes and Hubbard's groups only
+/// `children` is filled.
 struct Split {
   Pieces pieces;             ///< of the region, cut finely enough to fit spheres to
   PointSet points;           ///< what the spheres were fitted to
@@ -41,12 +44,13 @@ struct Split {
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds);
 
 /// A better division of the same region, or the same one: fits the balls of `split` anew against the closing of the
-/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. Not for the octree. A pure
-/// function.
+/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. For methods whose
+/// traits say improved. A pure function.
 Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
                   int swapRounds);
 
 /// Divides the split's pieces anew among its balls, with other seams, and refits the balls of parts that changed.
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid);
+Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
+               const SplitSettings& settings);
 
 }  // namespace cairn::builder

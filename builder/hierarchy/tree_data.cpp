@@ -65,14 +65,51 @@ class Writer {
     const RegionNode& node = regions_[index];
     NodeParts parts;
     parts.record.parent = node.parent;
+    if (node.region.pieces.empty()) return insideParts(node);
     const std::vector<Vec3d> corners = cornersOf(node.region.pieces);
-    writeBall(node.region.ball, corners, parts.record);
+    std::vector<Vec3d> held = corners;
+    if (node.region.filled) {
+      const std::vector<Vec3d> cube = cubeCorners(node.region.cube);
+      held.insert(held.end(), cube.begin(), cube.end());
+    }
+    writeBall(node.region.ball, held, parts.record);
     const std::vector<FacingArea> areas = facingAreas(node.region.pieces, solid_.mesh());
     parts.faceNormals = dominantNormals(areas);
     parts.record.normalCone = normalConeOf(areas);
     for (const Vec3d& p : chooseSupportPoints(corners, areas, kMaxSupportPoints, guard_))
       parts.supportPoints.emplace_back(toTree(p));
     if (node.childCount == 0) parts.triangles = sourcesOf(node.region.pieces);
+    return parts;
+  }
+
+  std::uint32_t nearestOf(const Pieces& pieces, const Vec3d& point) const {
+    std::uint32_t nearest = 0;
+    double least = INFINITY;
+    for (const std::uint32_t source : sourcesOf(pieces)) {
+      const double d = solid_.distanceToTriangle(source, point);
+      if (d >= least) continue;
+      least = d;
+      nearest = source;
+    }
+    return nearest;
+  }
+
+  static std::vector<Vec3d> cubeCorners(const Cube& cube) {
+    std::vector<Vec3d> corners;
+    for (unsigned i = 0; i < 8; ++i) corners.push_back(cornerOf(cube, i));
+    return corners;
+  }
+
+  /// A leaf inside the solid holds no surface. Its cube's corners stand for it in contacts, and of its parent's
+  /// triangles the one nearest to its centre is named as the surface that is left first on the way out; it faces
+  /// everywhere.
+  NodeParts insideParts(const RegionNode& node) const {
+    NodeParts parts;
+    parts.record.parent = node.parent;
+    const std::vector<Vec3d> corners = cubeCorners(node.region.cube);
+    writeBall(node.region.ball, corners, parts.record);
+    for (const Vec3d& p : corners) parts.supportPoints.emplace_back(toTree(p));
+    parts.triangles = {nearestOf(regions_[node.parent].region.pieces, node.region.ball.center)};
     return parts;
   }
 

@@ -18,8 +18,12 @@ constexpr int kBisections = 10;
 /// Attempts with the leading candidate barred, for shapes where the largest ball is in the way of a better set (5.3.3).
 constexpr int kMaxBarred = 2;
 
-/// The selection is a starting point for `optimise`, which sees all points and moves centres freely: these many
-/// candidates and points are enough for that, and the cost is quadratic in the first.
+/// Growth of the stand-off while a set of more than one ball is looked for, and how often at most.
+constexpr double kNextStandOff = 1.05;
+constexpr int kMaxSteps = 20;
+
+/// By max-elim the selection is a starting point for `optimise`, which sees all points and moves centres freely: these
+/// many candidates and points are enough for that, and the cost is quadratic in the first.
 constexpr std::size_t kMaxCandidates = 150, kMaxPoints = 300;
 
 using Choice = std::vector<std::size_t>;
@@ -27,7 +31,16 @@ using Choice = std::vector<std::size_t>;
 /// What the candidates hold at one stand-off, and the greedy choice among them.
 class Selection {
  public:
-  Selection(std::vector<BitSet> held, std::size_t points) : held_(std::move(held)), points_(points) {}
+  Selection(std::vector<BitSet> held, std::size_t points, ExpandRank rank)
+      : held_(std::move(held)), points_(points), rank_(rank) {}
+
+  /// The candidates that alone hold everything.
+  Choice complete() const {
+    Choice list;
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      if (held_[i].count() == points_) list.push_back(i);
+    return list;
+  }
 
   /// The chosen candidates, or nothing when `count` do not suffice. Candidates in `barred` are left out.
   std::optional<Choice> choose(std::size_t count, const Choice& barred) const {
@@ -53,14 +66,15 @@ class Selection {
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  /// The candidate that makes most others redundant; nothing when the largest cannot reach the end in `left` more
-  /// steps.
-  static std::size_t leading(const std::vector<BitSet>& remaining, const std::vector<std::size_t>& alive,
-                             std::size_t left, std::size_t uncovered) {
+  /// The candidate of highest rank; nothing when the largest cannot reach the end in `left` more steps.
+  std::size_t leading(const std::vector<BitSet>& remaining, const std::vector<std::size_t>& alive, std::size_t left,
+                      std::size_t uncovered) const {
     std::vector<std::size_t> sizes(alive.size());
     std::size_t largest = 0;
     for (std::size_t k = 0; k < alive.size(); ++k) largest = std::max(largest, sizes[k] = remaining[alive[k]].count());
-    if (largest * left < uncovered) return kNone;
+    if (largest == 0 || largest * left < uncovered) return kNone;
+    if (rank_ == ExpandRank::maxCover)
+      return alive[static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), largest) - sizes.begin())];
     std::size_t best = kNone;
     std::pair<std::size_t, std::size_t> bestRank;
     for (std::size_t k = 0; k < alive.size(); ++k) {
@@ -77,13 +91,14 @@ class Selection {
 
   std::vector<BitSet> held_;
   std::size_t points_;
+  ExpandRank rank_;
 };
 
 /// Least stand-off each candidate needs for each point.
 class CostTable {
  public:
-  CostTable(const PointSet& points, std::span<const Ball> candidates)
-      : points_(points.size()), costs_(candidates.size() * points.size()) {
+  CostTable(const PointSet& points, std::span<const Ball> candidates, ExpandRank rank)
+      : points_(points.size()), rank_(rank), costs_(candidates.size() * points.size()) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
       points.distances(candidates[i].center, candidates[i].depth, std::span(costs_).subspan(i * points_, points_));
   }
@@ -93,7 +108,7 @@ class CostTable {
     for (std::size_t i = 0; i < held.size(); ++i)
       for (std::size_t p = 0; p < points_; ++p)
         if (costs_[i * points_ + p] <= standOff) held[i].insert(p);
-    return {std::move(held), points_};
+    return {std::move(held), points_, rank_};
   }
 
   /// Stand-off at which some candidate alone holds everything.
@@ -117,6 +132,7 @@ class CostTable {
 
  private:
   std::size_t points_;
+  ExpandRank rank_;
   std::vector<double> costs_;
 };
 
@@ -145,27 +161,51 @@ std::optional<Choice> chooseWithRetries(const Selection& selection, std::size_t 
   return chosen;
 }
 
-}  // namespace
+/// A choice and the stand-off it was made at.
+struct Expanded {
+  Choice chosen;
+  double standOff = 0;
+};
 
-SphereSet expand(const CoverProblem& problem, std::span<const Ball> candidates) {
-  assert(!candidates.empty() && !problem.points.empty());
-  const std::vector<Ball> kept = thinned(candidates);
-  const PointSet points = thinned(problem.points);
-  const CostTable costs(points, kept);
-  double enough = costs.enoughForOne();
+Expanded leastStandOff(const CostTable& costs, std::size_t count) {
+  Expanded best;
+  best.standOff = costs.enoughForOne();
   double tooLittle = costs.leastFeasible();
-  Choice best = *costs.at(enough).choose(~std::size_t{0}, {});
-  for (int i = 0; i < kBisections && tooLittle < enough; ++i) {
-    const double standOff = 0.5 * (tooLittle + enough);
-    if (auto chosen = chooseWithRetries(costs.at(standOff), problem.count)) {
-      best = *std::move(chosen);
-      enough = standOff;
+  best.chosen = *costs.at(best.standOff).choose(~std::size_t{0}, {});
+  for (int i = 0; i < kBisections && tooLittle < best.standOff; ++i) {
+    const double standOff = 0.5 * (tooLittle + best.standOff);
+    if (auto chosen = chooseWithRetries(costs.at(standOff), count)) {
+      best = {*std::move(chosen), standOff};
     } else {
       tooLittle = standOff;
     }
   }
+  return best;
+}
+
+/// Where one ball suffices earlier than the wanted number of smaller ones, as for the cube, the search above can only
+/// end with that one. Without balls that hold everything the smaller ones get their turn (5.3.3).
+Expanded divided(const CostTable& costs, std::size_t count, Expanded single) {
+  double standOff = single.standOff;
+  for (int step = 0; step < kMaxSteps; ++step, standOff *= kNextStandOff) {
+    const Selection selection = costs.at(standOff);
+    if (auto chosen = selection.choose(count, selection.complete())) return {*std::move(chosen), standOff};
+  }
+  return single;
+}
+
+}  // namespace
+
+SphereSet expand(const CoverProblem& problem, std::span<const Ball> candidates, ExpandRank rank) {
+  assert(!candidates.empty() && !problem.points.empty());
+  const bool all = rank == ExpandRank::maxCover;
+  const std::vector<Ball> kept = all ? std::vector<Ball>(candidates.begin(), candidates.end()) : thinned(candidates);
+  const PointSet points = all ? problem.points : thinned(problem.points);
+  const CostTable costs(points, kept, rank);
+  Expanded best = leastStandOff(costs, problem.count);
+  if (best.chosen.size() == 1 && problem.count > 1) best = divided(costs, problem.count, std::move(best));
   SphereSet set;
-  for (const std::size_t i : best) set.push_back({kept[i].center, enough + kept[i].depth, kept[i].depth});
+  for (const std::size_t i : best.chosen) set.push_back({kept[i].center, best.standOff + kept[i].depth, kept[i].depth});
   return set;
 }
 

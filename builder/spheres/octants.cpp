@@ -8,16 +8,18 @@
 
 namespace cairn::builder {
 
-namespace {
-
-constexpr double kRootThree = 1.7320508075688772;
+Vec3d cornerOf(const Cube& cube, unsigned which) {
+  const double half = cube.halfEdge;
+  return cube.center +
+         Vec3d((which & 1U) != 0 ? half : -half, (which & 2U) != 0 ? half : -half, (which & 4U) != 0 ? half : -half);
+}
 
 Cube octantOf(const Cube& cube, unsigned which) {
-  const double half = cube.halfEdge * 0.5;
-  return {cube.center + Vec3d((which & 1U) != 0 ? half : -half, (which & 2U) != 0 ? half : -half,
-                              (which & 4U) != 0 ? half : -half),
-          half};
+  const Cube middle{cube.center, cube.halfEdge * 0.5};
+  return {cornerOf(middle, which), middle.halfEdge};
 }
+
+namespace {
 
 unsigned octantAt(const Cube& cube, const Vec3d& point) {
   return (point.x >= cube.center.x ? 1U : 0U) | (point.y >= cube.center.y ? 2U : 0U) |
@@ -61,7 +63,7 @@ std::vector<Octant> divideByOctants(const Pieces& pieces, Cube cube, double fine
   assert(finest > 0);
   std::vector<Octant> octants = octantsOf(pieces, cube, finest);
   // Once the ball around a cube is smaller than the finest piece, no octant can part the surface any more.
-  while (octants.size() == 1 && kRootThree * cube.halfEdge > finest) {
+  while (octants.size() == 1 && cube.circumradius() > finest) {
     cube = octants.front().cube;
     octants = octantsOf(std::move(octants.front().pieces), cube, finest);
   }

@@ -12,7 +12,14 @@ namespace cairn::builder {
 struct Cube {
   Vec3d center;
   double halfEdge = 0;
+
+  double circumradius() const { return 1.7320508075688772 * halfEdge; }
 };
+
+/// One of eight: bit 0 of `which` is the side in x, bit 1 in y, bit 2 in z.
+Cube octantOf(const Cube& cube, unsigned which);
+/// Its corner `which`, numbered alike.
+Vec3d cornerOf(const Cube& cube, unsigned which);
 
 /// The smallest cube around the middle of the box that holds it.
 Cube cubeAround(const Bounds& bounds);

@@ -98,8 +98,10 @@ int run(BuildCommand& command) {
 
 /// What single options cannot tell; throws as the parser does.
 void checkUsage(const BuildCommand& command) {
-  if (command.method == "octree" && command.options.branching != 8)
-    throw CLI::ValidationError("--branching", "the method octree divides by eight; choose 8 or another method");
+  const Result<builder::Method> method = builder::parseMethod(command.method);
+  if (method && builder::dividesByEight(method.value()) && command.options.branching != 8)
+    throw CLI::ValidationError("--branching",
+                               "the method " + command.method + " divides by eight; choose 8 or another method");
 }
 
 }  // namespace
@@ -110,7 +112,7 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
   sub->add_option("-o,--output", command->output, "Tree file to write (.cairn)")->required();
   sub->add_option("--method", command->method, "How regions are covered by spheres")
-      ->check(CLI::IsMember({"adaptive", "combined", "merge", "expand", "octree"}))
+      ->check(CLI::IsMember(builder::methodNames()))
       ->capture_default_str();
   sub->add_option("--branching", command->options.branching, "Most children of a sphere")
       ->check(CLI::Range(2U, 8U))

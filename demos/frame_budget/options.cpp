@@ -46,8 +46,7 @@ void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
 void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
   auto* mesh = app.add_option("--mesh", options.source.mesh, "mesh to build the tree from (default: a generated rock)");
   app.add_option("--tree", options.source.tree, "a .cairn file instead of --mesh")->excludes(mesh);
-  app.add_option("--method", raw.method, "how the tree is built: combined, merge, expand, octree")
-      ->capture_default_str();
+  app.add_option("--method", raw.method, "how the tree is built: see cairn build --help")->capture_default_str();
   app.add_option("--depth", options.source.build.depth, "levels of the tree below its root")
       ->check(CLI::Range(1U, 8U))
       ->capture_default_str();

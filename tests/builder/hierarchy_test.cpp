@@ -37,20 +37,33 @@ std::string hashOf(const SphereTree& tree) {
   return hash.hex();
 }
 
+std::vector<Method> everyMethod() {
+  std::vector<Method> methods;
+  for (const std::string& name : methodNames()) methods.push_back(parseMethod(name).value());
+  return methods;
+}
+
 class EveryMethod : public testing::TestWithParam<Method> {};
-INSTANTIATE_TEST_SUITE_P(Build, EveryMethod,
-                         testing::Values(Method::combined, Method::merge, Method::expand, Method::octree,
-                                         Method::adaptive),
-                         [](const auto& name) { return std::string(methodName(name.param)); });
+INSTANTIATE_TEST_SUITE_P(Build, EveryMethod, testing::ValuesIn(everyMethod()), [](const auto& name) {
+  std::string text = methodName(name.param);
+  std::erase(text, '-');
+  return text;
+});
 
 TEST_P(EveryMethod, SymmetricAndRoundSolids_AreProvedToBeCovered) {
-  const std::vector<TriangleMesh> meshes{test::meshOf(test::cuboid({1, 1, 1}, 1)), test::meshOf(test::ball(1, 1)),
-                                         test::meshOf(test::ball(1, 2)), test::torus(1, 0.35, 16, 8),
-                                         test::lumpyBall(2, 1)};
+  const std::vector<TriangleMesh> meshes{test::meshOf(test::cuboid({1, 1, 1}, 1)),
+                                         test::meshOf(test::ball(1, 1)),
+                                         test::meshOf(test::ball(1, 2)),
+                                         test::torus(1, 0.35, 16, 8),
+                                         test::lumpyBall(2, 1),
+                                         test::meshOf(test::cuboid({2, 0.5, 0.5}, 1)),
+                                         test::cylinder(0.3, 2, 12)};
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     SCOPED_TRACE("mesh " + std::to_string(i));
-    const SphereTree tree = built(meshes[i], smallBuild(GetParam()));
-    EXPECT_GT(tree.leafCount(), 8U);
+    // The last two are there for sets that fail on long symmetric shapes; one level shows it.
+    const std::uint32_t depth = i < 5 ? 2 : 1;
+    const SphereTree tree = built(meshes[i], smallBuild(GetParam(), depth));
+    EXPECT_GT(tree.leafCount(), depth == 2 ? 8U : 2U);
     const Result<Certificate> certificate = certify(tree, meshes[i]);
     ASSERT_TRUE(certificate);
     EXPECT_EQ(certificate.value().failures(tree), std::vector<std::string>{});
@@ -62,7 +75,6 @@ TEST_P(EveryMethod, AnyNumberOfThreads_GivesTheSameBits) {
   BuildOptions options = smallBuild(GetParam());
   options.threads = 1;
   const std::string first = hashOf(built(mesh, options));
-  EXPECT_EQ(hashOf(built(mesh, options)), first);
   options.threads = 2;
   EXPECT_EQ(hashOf(built(mesh, options)), first);
 }
@@ -70,7 +82,7 @@ TEST_P(EveryMethod, AnyNumberOfThreads_GivesTheSameBits) {
 TEST_P(EveryMethod, DeeperLevels_HaveSmallerErrors) {
   const SphereTree tree = built(test::torus(1, 0.35, 16, 8), smallBuild(GetParam()));
   // The root is a smallest ball whatever the method; the balls around an octree's first cubes may stand off more.
-  if (GetParam() != Method::octree) EXPECT_LT(tree.levelError(1), tree.levelError(0));
+  if (!dividesByEight(GetParam())) EXPECT_LT(tree.levelError(1), tree.levelError(0));
   EXPECT_LT(tree.levelError(2), tree.levelError(1));
 }
 
@@ -153,7 +165,7 @@ TEST(Build, CancelledAtAnyReport_SaysSo) {
 }
 
 TEST(Method, NamesRoundTrip) {
-  for (const Method method : {Method::combined, Method::merge, Method::expand, Method::octree, Method::adaptive}) {
+  for (const Method method : everyMethod()) {
     const Result<Method> parsed = parseMethod(methodName(method));
     ASSERT_TRUE(parsed);
     EXPECT_EQ(parsed.value(), method);

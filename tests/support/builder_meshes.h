@@ -71,6 +71,26 @@ inline builder::TriangleMesh torus(double major, double minor, std::uint32_t aro
   return mesh;
 }
 
+/// A cylinder of `sides` flat sides around the origin; axis z.
+inline builder::TriangleMesh cylinder(double radius, double height, std::uint32_t sides) {
+  builder::TriangleMesh mesh;
+  for (const double z : {-0.5 * height, 0.5 * height})
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double u = 2 * std::numbers::pi * i / sides;
+      mesh.vertices.push_back({radius * std::cos(u), radius * std::sin(u), z});
+    }
+  mesh.vertices.push_back({0, 0, -0.5 * height});
+  mesh.vertices.push_back({0, 0, 0.5 * height});
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t j = (i + 1) % sides;
+    mesh.triangles.push_back({i, j, j + sides});
+    mesh.triangles.push_back({i, j + sides, i + sides});
+    mesh.triangles.push_back({j, i, 2 * sides});
+    mesh.triangles.push_back({i + sides, j + sides, 2 * sides + 1});
+  }
+  return mesh;
+}
+
 using builder::objText;
 
 inline std::filesystem::path writeText(const std::filesystem::path& path, const std::string& text) {

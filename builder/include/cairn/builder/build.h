@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cairn/builder/progress.h"
 #include "cairn/builder/triangle_mesh.h"
@@ -11,13 +12,21 @@
 
 namespace cairn::builder {
 
-/// How a region of the surface is covered by a given number of spheres.
+/// How a region of the surface is covered by a given number of spheres. `combined`, `merge` and `expand` are improved
+/// further (centres moved, divisions chosen with their children in view), `adaptive` is ours; the others are the
+/// thesis's constructions as they are.
 enum class Method : std::uint8_t {
-  combined,  ///< per node the better of merge and expand (thesis 7.1.5)
-  merge,     ///< medial spheres merged pairwise (5.3.1)
-  expand,    ///< medial spheres grown to one stand-off, fewest that cover (5.3.3, max-elim)
-  octree,    ///< cubes of an octree (3.1)
-  adaptive,  ///< whole levels of equal error instead of regions one by one (ours)
+  combined,     ///< per node the better of merge and expand (thesis 7.1.5)
+  merge,        ///< medial spheres merged pairwise (5.3.1)
+  expand,       ///< medial spheres grown to one stand-off, fewest that cover (5.3.3, max-elim)
+  octree,       ///< cubes of an octree (3.1)
+  expandCover,  ///< as expand, but the sphere that covers most goes first (5.3.3, max-cover)
+  burst,        ///< medial spheres removed one by one, their neighbours growing (5.3.2)
+  spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
+  solidOctree,  ///< with cubes inside the solid, which cover no surface but fill it (3.1.2)
+  grid,         ///< cells of a cubic grid, freely turned and moved (3.3)
+  hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
+  adaptive,     ///< whole levels of equal error instead of regions one by one (ours)
 };
 
 struct BuildOptions {
@@ -37,5 +46,9 @@ Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& optio
 
 Result<Method> parseMethod(const std::string& name);
 const char* methodName(Method method);
+/// Of all methods, those for general use first.
+std::vector<std::string> methodNames();
+/// True for methods that cut cubes in eight: they take no other branching.
+bool dividesByEight(Method method);
 
 }  // namespace cairn::builder

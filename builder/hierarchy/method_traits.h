@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "cairn/builder/build.h"
+
+namespace cairn::builder {
+
+/// The ball of a part of the surface, once the division has said which part that is.
+enum class Refit : std::uint8_t {
+  none,      ///< the centre the method chose, with the radius needed
+  smallest,  ///< the smallest ball around the part
+  tightest,  ///< the better of the chosen centre and one moved downhill on the stand-off (thesis 6.1, Alg. 9)
+};
+
+/// What is done to the sphere sets of a method beside making them. The one place that says so: a construction that is
+/// here to be compared with gets what the thesis gives it and no more.
+struct MethodTraits {
+  Method method;
+  const char* name;
+  /// Sets are optimised (spheres/optimise.h), again for the seams, and fitted against the closing; divisions are chosen
+  /// with lookahead.
+  bool improved;
+  Refit refit;
+  /// Divides cubes of an octree: always by eight, no sphere set and no division of it.
+  bool cubes;
+};
+
+/// All methods, in the order they are listed to users.
+std::span<const MethodTraits> allMethods();
+/// Precondition: `method` is one of the enumeration's.
+const MethodTraits& traitsOf(Method method);
+
+}  // namespace cairn::builder

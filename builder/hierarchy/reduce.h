@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "hierarchy/region.h"
+#include "hierarchy/split_region.h"
+#include "spheres/sphere_set.h"
+#include "surface/signed_distance.h"
+
+namespace cairn::builder {
+
+/// The balls the settings' method fits to a region: at most `problem.count`, optimised where the method's traits say so
+/// (`swapRounds`: see `optimiseBySwaps`). `problem.points` are the corners of the region's pieces, or a spread choice
+/// of them, whose neighbours are at most `spacing` apart. For methods that divide balls, not cubes. A pure function.
+SphereSet reduce(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
+                 const SplitSettings& settings, int swapRounds);
+
+}  // namespace cairn::builder

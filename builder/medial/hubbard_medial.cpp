@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medial/hubbard_medial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "medial/gap_crossing.h"
+#include "medial/voronoi_diagram.h"
+#include "surface/edges.h"
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr int kRepairs = 3;
+/// Edge of the cells that gap-crossing repair puts at most one point in, in spacings of an even distribution.
+constexpr double kFinestRepair = 0.5;
+
+/// Samples that are sites of the diagram: coincident ones are left out of both.
+void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::vector<ClusterSample>& samples) {
+  for (ClusterSample& s : list)
+    if (diagram.insert(s.point)) samples.push_back(std::move(s));
+}
+
+double spacingOf(const TriangleMesh& mesh, std::size_t samples) {
+  double area = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.corners(t);
+    area += 0.5 * length(cross(b - a, c - a));
+  }
+  return std::sqrt(area / static_cast<double>(samples));
+}
+
+void collectSpheres(const VoronoiDiagram& diagram, const SignedDistance& solid, HubbardMedial& medial) {
+  constexpr std::uint32_t kFirst = VoronoiDiagram::kEnclosingSites;
+  for (const VoronoiVertex& vertex : diagram.vertices()) {
+    if (!vertex.alive || !isFinite(vertex.position)) continue;
+    if (std::any_of(vertex.sites.begin(), vertex.sites.end(), [](std::uint32_t s) { return s < kFirst; })) continue;
+    const double depth = solid.depth(vertex.position);
+    if (!(depth > 0)) continue;
+    HubbardMedial::Sphere sphere;
+    sphere.ball = {vertex.position, distance(vertex.position, diagram.site(vertex.sites[0])), depth};
+    for (int i = 0; i < 4; ++i) sphere.samples[i] = vertex.sites[i] - kFirst;
+    std::sort(sphere.samples.begin(), sphere.samples.end());
+    medial.spheres.push_back(std::move(sphere));
+  }
+}
+
+/// Vertices of a Voronoi diagram are neighbours when they share three sites.
+void findNeighbours(HubbardMedial& medial) {
+  using Corner = std::pair<std::array<std::uint32_t, 3>, std::uint32_t>;
+  std::vector<Corner> triples;
+  for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) {
+    const auto& s = medial.spheres[i].samples;
+    triples.push_back({{s[0], s[1], s[2]}, i});
+    triples.push_back({{s[0], s[1], s[3]}, i});
+    triples.push_back({{s[0], s[2], s[3]}, i});
+    triples.push_back({{s[1], s[2], s[3]}, i});
+  }
+  std::sort(triples.begin(), triples.end());
+  for (std::size_t i = 1; i < triples.size(); ++i) {
+    if (triples[i].first != triples[i - 1].first) continue;
+    medial.spheres[triples[i].second].neighbours.push_back(triples[i - 1].second);
+    medial.spheres[triples[i - 1].second].neighbours.push_back(triples[i].second);
+  }
+  for (HubbardMedial::Sphere& sphere : medial.spheres) std::sort(sphere.neighbours.begin(), sphere.neighbours.end());
+}
+
+}  // namespace
+
+HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, std::uint64_t seed) {
+  const TriangleMesh& mesh = solid.mesh();
+  const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
+  const PlanarClusters clusters = planarClustersOf(mesh, halfEdges);
+  const TriangleHierarchy hierarchy(mesh);
+  const double finest = kFinestRepair * spacingOf(mesh, samples);
+  HubbardMedial medial;
+  medial.clusterNormals = clusters.normals;
+  VoronoiDiagram diagram(boundsOf(mesh));
+  insertAll(relaxedSamples(mesh, halfEdges, clusters, samples, seed), diagram, medial.samples);
+  for (int repair = 0; repair < kRepairs; ++repair) {
+    auto added = gapCrossingSamples(diagram, medial.samples, mesh, hierarchy, clusters, finest);
+    if (added.empty()) break;
+    insertAll(std::move(added), diagram, medial.samples);
+  }
+  collectSpheres(diagram, solid, medial);
+  findNeighbours(medial);
+  return medial;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "medial/relaxed_samples.h"
+#include "spheres/ball.h"
+#include "surface/signed_distance.h"
+
+namespace cairn::builder {
+
+/// Hubbard's approximation of the medial axis of a whole solid (thesis 4.1 to 4.3): what all regions of a tree by his
+/// method are made from. Mesh frame.
+struct HubbardMedial {
+  struct Sphere {
+    Ball ball;  ///< around an inner Voronoi vertex, through its forming points
+    std::array<std::uint32_t, 4> samples{};
+    std::vector<std::uint32_t> neighbours;  ///< spheres that share three forming points with it, ascending
+  };
+  std::vector<ClusterSample> samples;
+  std::vector<Vec3d> clusterNormals;
+  std::vector<Sphere> spheres;
+};
+
+/// Samples the surface (`relaxedSamples`, about `samples` points and those on edges), repairs gap-crossing cells three
+/// times over, and keeps the spheres around inner vertices. A pure function; expected O(n log n) in samples.
+HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, std::uint64_t seed);
+
+}  // namespace cairn::builder
