@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "import/one_line.h"
+
 namespace cairn::builder {
 namespace {
 
@@ -76,7 +78,7 @@ Result<TriangleMesh> alphaWrap(const TriangleMesh& surface, double alpha, double
   return Error{
       fmt::format("the wrap would have more than {} vertices; choose a larger alpha or offset", kMostVertices)};
 } catch (const std::exception& e) {
-  return Error{fmt::format("it could not be wrapped ({}); choose another alpha or offset", e.what())};
+  return Error{fmt::format("it could not be wrapped ({}); choose another alpha or offset", oneLine(e.what()))};
 }
 
 }  // namespace cairn::builder

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "import/border.h"
+#include "import/one_line.h"
 #include "import/self_intersection.h"
 #include "import/settle.h"
 
@@ -149,7 +150,7 @@ Result<TriangleMesh> closed(const TriangleMesh& source, RepairCounts& counts) {
 Result<TriangleMesh> closeSurface(const TriangleMesh& mesh, RepairCounts& counts) try {
   return closed(mesh, counts);
 } catch (const std::exception& e) {
-  return Error{fmt::format("it could not be closed ({}); repair it in a modelling program", e.what())};
+  return Error{fmt::format("it could not be closed ({}); repair it in a modelling program", oneLine(e.what()))};
 }
 
 }  // namespace cairn::builder

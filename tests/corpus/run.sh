@@ -3,8 +3,8 @@
 #
 # Builds a tree from every file below the given folders and archives, and lists how each one ended. A file is tried as it
 # is, then with --repair, then with --wrap, until one gives a certified tree. Every file should end as a tree or as a
-# named error within the time; what does not is listed as TIMEOUT or CRASH. Ends with 1 after a crash, and with --strict
-# after a timeout too.
+# named error within the time; what does not is listed as TIMEOUT or CRASH. Ends with 1 after a crash, with --strict after
+# a timeout too, and with 77 when a folder is missing.
 set -euo pipefail
 
 usage() {
@@ -84,7 +84,7 @@ for source in "${sources[@]}"; do
     mkdir "$folder"
     tar -xzf "$source" -C "$folder"
   fi
-  [[ -d $folder ]] || { echo "run.sh: $source does not exist; name a folder or an archive" >&2; exit 2; }
+  [[ -d $folder ]] || { echo "run.sh: $source does not exist; install it or name another folder or archive" >&2; exit 77; }
   # Smallest first, so that a run cut short has seen the most files.
   while IFS=$'\t' read -r -d '' size file; do
     if [[ -n $largest ]] && ((size > largest)); then count 'passed over as too large'; continue; fi
