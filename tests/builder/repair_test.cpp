@@ -82,6 +82,26 @@ TEST(Repair, ClosesAnOpenBox) {
   EXPECT_NEAR(signedVolume(closed), 8, 8 * kFloatVolume);
 }
 
+TEST(Repair, FillsHolesThatMeetInAVertexOneByOne) {
+  const TriangleMesh whole = test::lumpyBall(4, 3);
+  TriangleMesh holed = whole;
+  const Triangle first = whole.triangles[0];
+  const auto touches = [&](const Triangle& t) {
+    return std::count_if(t.begin(), t.end(),
+                         [&](std::uint32_t v) { return std::find(first.begin(), first.end(), v) != first.end(); });
+  };
+  const auto second =
+      std::find_if(whole.triangles.begin(), whole.triangles.end(), [&](const Triangle& t) { return touches(t) == 1; });
+  ASSERT_NE(second, whole.triangles.end());
+  holed.triangles.erase(holed.triangles.begin() + (second - whole.triangles.begin()));
+  holed.triangles.erase(holed.triangles.begin());
+  RepairCounts counts;
+  const TriangleMesh filled = repaired(holed, counts);
+  EXPECT_EQ(counts.filledHoles, 2U);
+  EXPECT_EQ(counts.addedTriangles, 2U);
+  EXPECT_NEAR(signedVolume(filled), signedVolume(whole), signedVolume(whole) * kFloatVolume);
+}
+
 TEST(Repair, TurnsWhatFacesTheWrongWay) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     std::mt19937_64 engine(seed);
