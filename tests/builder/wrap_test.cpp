@@ -144,6 +144,18 @@ TEST(Wrap, GivesTheSameBitsTwiceAndTheMeshItsFileHolds) {
   EXPECT_EQ(read.value().sha256, mesh.sha256);
 }
 
+TEST(Wrap, HoldsTrianglesThatLieInOnePlane) {
+  // With this offset CGAL 5.5.1 loses the second one; the proof notices, and another offset is taken.
+  TriangleMesh flat;
+  flat.name = "flat";
+  flat.vertices = {{1, 1, 0}, {-1, 1, 0}, {0, -1, 0}, {3, 3, 0}, {2, 3, 0}, {0, 2, 0}};
+  flat.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const Result<Wrap> result = wrap(flat, {.alpha = 0.05, .offset = 0.002});
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  const test::DistanceOracle skin{result.value().mesh};
+  for (const Vec3d& v : flat.vertices) EXPECT_NEAR(skin.windingNumber(v), 1, 1e-6);
+}
+
 TEST(Wrap, RefusesOptionsOutOfRange) {
   for (const WrapOptions& options : {WrapOptions{0, 0.01}, WrapOptions{2, 0.01}, WrapOptions{std::nan(""), 0.01},
                                      WrapOptions{0.1, 0}, WrapOptions{0.1, -1}, WrapOptions{0.1, 1}}) {
@@ -154,9 +166,9 @@ TEST(Wrap, RefusesOptionsOutOfRange) {
 }
 
 TEST(Wrap, FarFromTheOriginItSaysThatFloatsAreTooCoarse) {
-  // The offset is 1.7e-4; floats at a million are 0.06 apart.
+  // The offset is 1.7e-3; floats at a million are 0.06 apart.
   const TriangleMesh far = test::moved(openBox(), [](const Vec3d& v) { return v + Vec3d{1e6, 1e6, 1e6}; });
-  const Result<Wrap> result = wrap(far, {.alpha = 0.1, .offset = 1e-4});
+  const Result<Wrap> result = wrap(far, {.alpha = 0.1, .offset = 1e-3});
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("floats are finer"), std::string::npos) << result.error().message;
 }
@@ -164,7 +176,7 @@ TEST(Wrap, FarFromTheOriginItSaysThatFloatsAreTooCoarse) {
 TEST(Wrap, StopsWhenToldTo) {
   int calls = 0;
   ASSERT_TRUE(wrap(openBox(), kCoarse, [&](std::string_view, double) { return ++calls > 0; }).ok());
-  ASSERT_GE(calls, 4);
+  ASSERT_GE(calls, 3);
   for (const int allowed : {0, 1, calls - 1}) {
     int asked = 0;
     const Result<Wrap> result = wrap(openBox(), kCoarse, [&](std::string_view, double) { return asked++ < allowed; });
