@@ -13,6 +13,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh test fast       the release tests alone
   ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
+  ./cairn.sh corpus [OPTIONS] try to build a tree of every mesh of Debian's test collections, list how each one ended
+                             (tests/corpus/run.sh --help lists the options)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting and include arrows
@@ -148,6 +150,12 @@ bench() {
     --json out/bench/heap.json
 }
 
+corpus() {
+  need "${everything[@]}" corpus
+  configure_and_build release --target cairn
+  tests/corpus/run.sh /usr/share/doc/libcgal-dev/data.tar.gz /usr/share/assimp/models "$@"
+}
+
 fuzz() {
   build fuzz
   mkdir -p out/fuzz/tree_file
@@ -175,6 +183,7 @@ case $command in
   test) test_all "$@" ;;
   build) build "$@" ;;
   bench) bench "$@" ;;
+  corpus) corpus "$@" ;;
   fuzz) fuzz "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;

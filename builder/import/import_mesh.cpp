@@ -36,7 +36,7 @@ std::span<const std::byte> withoutMark(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts) {
+Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCounts* counts) {
   const std::string file = path.filename().string();
   Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
@@ -54,7 +54,15 @@ Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts*
   if (counts != nullptr) *counts = found;
   mesh.name = file;
   mesh.sha256 = sha256Hex(bytes.value());
-  if (Status s = checkMesh(mesh, found.degenerateTriangles); !s) return s.error();
+  return mesh;
+}
+
+Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts) {
+  ImportCounts found;
+  Result<TriangleMesh> mesh = importSurface(path, &found);
+  if (counts != nullptr) *counts = found;
+  if (!mesh) return mesh;
+  if (Status s = checkMesh(mesh.value(), found.degenerateTriangles); !s) return s.error();
   return mesh;
 }
 

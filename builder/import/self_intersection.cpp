@@ -64,9 +64,7 @@ bool intersects(const AlignedPair& pair) {
   }
 }
 
-}  // namespace
-
-std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(const TriangleMesh& mesh) {
+std::vector<Box> boxesOf(const TriangleMesh& mesh) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -75,11 +73,34 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(cons
     for (const Vec3d& c : corners) box += pointOf(c).bbox();
     boxes.emplace_back(box, t);
   }
+  return boxes;
+}
+
+}  // namespace
+
+std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(const TriangleMesh& mesh) {
+  std::vector<Box> boxes = boxesOf(mesh);
   std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax(a.info(), b.info());
     if (found && *found <= pair) return;
     if (intersects(align(mesh, pair.first, pair.second))) found = pair;
+  });
+  return found;
+}
+
+std::optional<std::pair<std::uint32_t, std::uint32_t>> findCrossing(const TriangleMesh& first,
+                                                                    const TriangleMesh& second) {
+  const auto triangleOf = [](const TriangleMesh& mesh, std::uint32_t t) {
+    const auto c = mesh.corners(t);
+    return Kernel::Triangle_3(pointOf(c[0]), pointOf(c[1]), pointOf(c[2]));
+  };
+  std::vector<Box> boxesA = boxesOf(first), boxesB = boxesOf(second);
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
+  CGAL::box_intersection_d(boxesA.begin(), boxesA.end(), boxesB.begin(), boxesB.end(), [&](const Box& a, const Box& b) {
+    const std::pair pair(a.info(), b.info());
+    if (found && *found <= pair) return;
+    if (CGAL::do_intersect(triangleOf(first, pair.first), triangleOf(second, pair.second))) found = pair;
   });
   return found;
 }

@@ -14,4 +14,9 @@ namespace cairn::builder {
 /// O(n log^2 n) for meshes whose triangles are of similar size.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(const TriangleMesh& mesh);
 
+/// The first pair of triangles, one of each mesh, that meet, touching included; vertices are never shared.
+/// Preconditions and cost as above.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> findCrossing(const TriangleMesh& first,
+                                                                    const TriangleMesh& second);
+
 }  // namespace cairn::builder

@@ -4,12 +4,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "surface/nearest_triangle.h"
 #include "surface/pseudonormals.h"
+#include "surface/surface_distance.h"
 #include "surface/triangle_hierarchy.h"
 
 namespace cairn::builder {
@@ -54,16 +53,7 @@ double SignedDistance::distanceToTriangle(std::uint32_t triangle, const Vec3d& p
 }
 
 double SignedDistance::roundingBound(const Vec3d& query) const {
-  // With q the query, m the largest coordinate vector of the mesh and u = 2^-53, to first order: the frame of a
-  // triangle is orthonormal within 8 u, its corners are reproduced within 12 u |edge|, the offset from the corner
-  // within 4 u |q - a|, and projecting it and taking the in-plane part off again adds 24 u |q - a|; squaring, the
-  // comparison of boxes (4 u of the distance) and the root add 8 u. With |edge| <= 2 |m| and |q - a| <= |q| + |m| that
-  // is below 128 u (|q| + |m|); twice that covers what is not first order.
-  constexpr double kUnits = 256 * 0x1p-53;
-  const auto largest = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  const double mesh = std::max(largest(bounds().lower), largest(bounds().upper));
-  constexpr double kRootThree = 1.7320508075688773;  // length of a vector against its largest coordinate
-  return kUnits * kRootThree * (largest(query) + mesh);
+  return distanceRoundingBound(bounds(), query);
 }
 
 SurfacePoint SignedDistance::closest(const Vec3d& query) const {

@@ -47,8 +47,8 @@ class SignedDistance {
   /// triangle is convex, a convex function of `point`. Constant time.
   double distanceToTriangle(std::uint32_t triangle, const Vec3d& point) const;
 
-  /// No distance or depth returned for `query` is farther than this from the exact one. See the derivation at its
-  /// definition.
+  /// No distance or depth returned for `query` is farther than this from the exact one. See the derivation in
+  /// `distanceRoundingBound`.
   double roundingBound(const Vec3d& query) const;
 
   const TriangleMesh& mesh() const;

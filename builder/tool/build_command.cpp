@@ -7,10 +7,10 @@
 
 #include "cairn/builder/certify.h"
 #include "cairn/builder/evaluate.h"
-#include "cairn/builder/import.h"
 #include "cairn/core/tree_file.h"
 #include "tool/command.h"
 #include "tool/interrupt.h"
+#include "tool/mesh_source.h"
 #include "tool/progress_bar.h"
 #include "tool/report.h"
 #include "tool/stopwatch.h"
@@ -19,42 +19,47 @@ namespace cairn::tool {
 namespace {
 
 constexpr const char* kAbout =
-    "Build a certified sphere-tree of a closed mesh.\n\n"
+    "Build a certified sphere-tree of a closed mesh. An open or faulty one can be repaired, any one wrapped in a "
+    "closed\n"
+    "skin; the tree is then certified against the repaired mesh or the skin, and --mesh-output keeps that for `cairn\n"
+    "certify`. With --wrap the report also bounds the error against the original: how far a point of a sphere outside "
+    "the\n"
+    "skin can be from the original surface, open or not.\n\n"
     "  cairn build rock.obj -o rock.cairn\n"
     "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
-    "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate";
+    "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate\n"
+    "  cairn build scan.ply -o scan.cairn --repair\n"
+    "  cairn build ship.dae -o ship.cairn --wrap --wrap-alpha 0.05 --mesh-output skin.ply";
 
 struct BuildCommand {
-  std::string mesh, output, json;
+  MeshSourceOptions source;
+  std::string output, json;
   std::string method = builder::methodName(builder::BuildOptions{}.method);
   builder::BuildOptions options;
   bool noEvaluate = false;
 };
 
 struct Built {
-  builder::TriangleMesh mesh;
+  MeshSource source;
   SphereTree tree;
   builder::Certificate certificate;
 };
 
 Result<Built> build(const BuildCommand& command, const builder::ProgressCallback& progress) {
-  builder::ImportCounts counts;
-  Result<builder::TriangleMesh> mesh = builder::importMesh(command.mesh, &counts);
-  if (!mesh) return mesh.error();
-  if (counts.degenerateTriangles > 0)
-    fmt::print(stderr, "cairn: {}: left out {} triangles without area\n", mesh.value().name,
-               counts.degenerateTriangles);
+  Result<MeshSource> source = readMeshSource(command.source, progress);
+  if (!source) return source.error();
+  const builder::TriangleMesh& mesh = source.value().mesh;
   if (interrupted()) return Error{std::string(builder::kCancelled)};
-  Result<SphereTree> tree = builder::buildTree(mesh.value(), command.options, progress);
+  Result<SphereTree> tree = builder::buildTree(mesh, command.options, progress);
   if (!tree) return tree.error();
-  Result<builder::Certificate> certificate = builder::certify(tree.value(), mesh.value(), progress);
+  Result<builder::Certificate> certificate = builder::certify(tree.value(), mesh, progress);
   if (!certificate) return certificate.error();
   if (const auto failures = certificate.value().failures(tree.value()); !failures.empty())
     return Error{
         fmt::format("{}: the tree could not be certified and was not written ({}); try other options and report "
                     "this mesh",
-                    mesh.value().name, failures.front())};
-  return Built{std::move(mesh).value(), std::move(tree).value(), std::move(certificate).value()};
+                    mesh.name, failures.front())};
+  return Built{std::move(source).value(), std::move(tree).value(), std::move(certificate).value()};
 }
 
 /// Evaluates, and only then writes: a cancelled run leaves nothing.
@@ -63,9 +68,10 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   const double peakMb = peakMemoryMb();  // of the build: before the evaluation
   const auto sampling = command.noEvaluate ? builder::Sampling::none : builder::Sampling::full;
   const auto fits =
-      builder::evaluate(built.tree, built.mesh, built.certificate, sampling, command.options.seed, progress);
+      builder::evaluate(built.tree, built.source.mesh, built.certificate, sampling, command.options.seed, progress);
   if (!fits) return refuse(fits.error());
   if (interrupted()) return refuse({std::string(builder::kCancelled)});
+  if (Status s = writeMeshOutput(built.source, command.source); !s) return refuse(s.error());
   if (Status s = saveTree(built.tree, command.output); !s) return refuse(s.error());
   Json json = buildInfoJson(built.tree);
   json["threads"] = threadsUsed(command.options.threads);
@@ -74,11 +80,13 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   json["peak_rss_mb"] = peakMb;
   json["tree_sha256"] = treeSha256(built.tree);
   json["levels"] = levelsJson(fits.value(), sampling);
+  reportMeshSource(built.source, fits.value(), json);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
   if (command.json == "-") return kDone;
   fmt::print("{}: {} nodes from {} triangles in {:.2f} s ({:.2f} s of CPU, {:.0f} MB)\n", command.output,
-             built.tree.nodeCount(), built.mesh.triangles.size(), wallSeconds, cpuSeconds, peakMb);
+             built.tree.nodeCount(), built.source.mesh.triangles.size(), wallSeconds, cpuSeconds, peakMb);
   printLevels(fits.value(), sampling);
+  printMeshSource(built.source, fits.value());
   return kDone;
 }
 
@@ -87,7 +95,8 @@ int run(BuildCommand& command) {
   if (!method) return refuse(method.error());
   command.options.method = method.value();
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
-  if (Status s = checkOutputs({command.mesh}, {command.output, command.json}); !s) return refuse(s.error());
+  if (Status s = checkOutputs({command.source.path}, {command.output, command.json, command.source.output}); !s)
+    return refuse(s.error());
   const Stopwatch stopwatch;
   ProgressBar bar;
   Result<Built> built = build(command, bar.callback());
@@ -98,6 +107,7 @@ int run(BuildCommand& command) {
 
 /// What single options cannot tell; throws as the parser does.
 void checkUsage(const BuildCommand& command) {
+  checkMeshSource(command.source);
   const Result<builder::Method> method = builder::parseMethod(command.method);
   if (method && builder::dividesByEight(method.value()) && command.options.branching != 8)
     throw CLI::ValidationError("--branching",
@@ -109,7 +119,7 @@ void checkUsage(const BuildCommand& command) {
 void addBuildCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<BuildCommand>();
   CLI::App* sub = app.add_subcommand("build", kAbout);
-  sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
+  addMeshSource(*sub, command->source);
   sub->add_option("-o,--output", command->output, "Tree file to write (.cairn)")->required();
   sub->add_option("--method", command->method, "How regions are covered by spheres")
       ->check(CLI::IsMember(builder::methodNames()))

@@ -22,7 +22,8 @@ constexpr const char* kAbout =
     "support points lie in their spheres. Not proved: that support points, face normals and region triangles, from "
     "which\n"
     "contacts are made, are well chosen.\n"
-    "Ends with 1 and the first gap found when that is not so.\n\n"
+    "Ends with 1 and the first gap found when that is not so. For a tree built with --repair or --wrap, MESH is what "
+    "--mesh-output wrote.\n\n"
     "  cairn certify rock.obj rock.cairn\n"
     "  cairn certify rock.obj rock.cairn --json proof.json";
 

@@ -23,6 +23,10 @@ struct ImportCounts {
 /// over. Fails with one sentence that names the file and the place. `counts` may be null. O(n log n).
 Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts = nullptr);
 
+/// The same without `checkMesh`: welded and free of triangles without area, but maybe open, turned in places or
+/// crossing itself. What `repair` and `wrap` start from. Fails for what cannot be read at all.
+Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCounts* counts = nullptr);
+
 /// Whether a mesh bounds a solid, which everything else relies on: finite, indices in range, no triangle without area,
 /// every edge between exactly two triangles that agree on its direction, no two triangles that intersect, every shell
 /// facing away from the solid (cavities inward), a volume that is not zero. Several shells are fine, and so are

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One of the few files that see CGAL.
+#include "import/close_surface.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "import/border.h"
+#include "import/one_line.h"
+#include "import/self_intersection.h"
+#include "import/settle.h"
+
+namespace cairn::builder {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+using Corners = std::array<Vec3d, 3>;
+
+Point pointOf(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Corners in CGAL's form with sides made consistent. Vertices where sheets of different sides, more than two triangles
+/// or two cones of surface meet are doubled, so that each sheet has its own.
+struct OrientedSoup {
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> faces;
+
+  explicit OrientedSoup(const TriangleMesh& mesh) {
+    for (const Vec3d& v : mesh.vertices) points.push_back(pointOf(v));
+    for (const Triangle& t : mesh.triangles) faces.emplace_back(t.begin(), t.end());
+    pmp::orient_polygon_soup(points, faces);
+  }
+};
+
+/// The same triangles with sides made consistent where that is possible, doubled vertices made one again.
+TriangleMesh oriented(const TriangleMesh& mesh) {
+  const OrientedSoup soup(mesh);
+  TriangleMesh result;
+  for (const Point& p : soup.points) result.vertices.push_back({p.x(), p.y(), p.z()});
+  for (const auto& f : soup.faces)
+    result.triangles.push_back(
+        {static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]), static_cast<std::uint32_t>(f[2])});
+  return settled(result);
+}
+
+/// Triangles over a rim, as places along it, facing either way. Long rims get no search of all triangulations, whose
+/// cost is the cube of their edges.
+std::vector<CGAL::Triple<int, int, int>> patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
+  if (rim.size() == 3) return {{0, 1, 2}};
+  constexpr std::size_t kMostCubicEdges = 300;
+  std::vector<Point> points, beside;  // of the triangles along the rim, which the patch should continue
+  for (const HalfEdge& e : rim) {
+    points.push_back(pointOf(mesh.vertices[e.from]));
+    beside.push_back(pointOf(mesh.vertices[mesh.triangles[e.triangle][(e.side + 2) % 3]]));
+  }
+  std::vector<CGAL::Triple<int, int, int>> patch;
+  pmp::triangulate_hole_polyline(points, beside, std::back_inserter(patch),
+                                 CGAL::parameters::do_not_use_cubic_algorithm(rim.size() > kMostCubicEdges)
+                                     .threshold_distance(kStitchTolerance * boundsOf(mesh).diagonal()));
+  return patch;
+}
+
+Status fillHoles(TriangleMesh& mesh, RepairCounts& counts) {
+  for (const std::vector<HalfEdge>& rim : borderLoops(mesh)) {
+    const Vec3d where = mesh.vertices[rim.front().from];
+    const auto refused = [&](const char* why) {
+      return Error{fmt::format("the hole of {} edges at ({:.6g}, {:.6g}, {:.6g}) {}", rim.size(), where.x, where.y,
+                               where.z, why)};
+    };
+    if (rim.size() > kMostHoleEdges) return refused("looks like the rim of an open sheet; close or thicken it");
+    const auto patch = patchOf(mesh, rim);
+    if (patch.empty()) return refused("cannot be filled with triangles between its edges; close it");
+    for (const auto& t : patch) mesh.triangles.push_back({rim[t.first].from, rim[t.second].from, rim[t.third].from});
+    ++counts.filledHoles;
+    counts.addedTriangles += patch.size();
+  }
+  return {};
+}
+
+Vec3d positionOf(const Surface& surface, Surface::Vertex_index v) {
+  const Point& p = surface.point(v);
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Faces in the order they were made, so those of the source keep their numbers. Vertices are those of the surface.
+TriangleMesh meshOf(const Surface& surface) {
+  TriangleMesh mesh;
+  for (const Surface::Vertex_index v : surface.vertices()) mesh.vertices.push_back(positionOf(surface, v));
+  for (const Surface::Face_index f : surface.faces()) {
+    Triangle& t = mesh.triangles.emplace_back();
+    auto corner = t.begin();
+    for (const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface)) *corner++ = v;
+  }
+  return mesh;
+}
+
+bool sameSide(const Corners& a, const Corners& b) {
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    if (a[0] == b[turn] && a[1] == b[(turn + 1) % 3] && a[2] == b[(turn + 2) % 3]) return true;
+  }
+  return false;
+}
+
+/// Precondition: no triangles cross, for which shell lies in which is undefined then. Empty when the surface is not
+/// closed.
+Surface outwardSurface(const TriangleMesh& mesh) {
+  const OrientedSoup soup(mesh);
+  Surface surface;
+  if (!pmp::is_polygon_soup_a_polygon_mesh(soup.faces)) return {};
+  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.faces, surface);
+  if (!CGAL::is_closed(surface)) return {};
+  pmp::orient_to_bound_a_volume(surface);
+  return surface;
+}
+
+Result<TriangleMesh> closed(const TriangleMesh& source, RepairCounts& counts) {
+  TriangleMesh filled = oriented(source);
+  if (Status s = fillHoles(filled, counts); !s) return s.error();
+  if (const auto pair = findSelfIntersection(filled))
+    return Error{
+        fmt::format("triangles {} and {} of the closed surface intersect; separate them", pair->first, pair->second)};
+  const Surface surface = outwardSurface(filled);
+  if (surface.is_empty()) return filled;  // `checkMesh` will name the edge
+  TriangleMesh mesh = meshOf(surface);
+  for (std::uint32_t t = 0; t < source.triangles.size(); ++t)
+    counts.turnedTriangles += !sameSide(source.corners(t), mesh.corners(t));
+  return mesh;
+}
+
+}  // namespace
+
+Result<TriangleMesh> closeSurface(const TriangleMesh& mesh, RepairCounts& counts) try {
+  return closed(mesh, counts);
+} catch (const std::exception& e) {
+  return Error{fmt::format("it could not be closed ({}); repair it in a modelling program", oneLine(e.what()))};
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairn/builder/wrap.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "cairn/builder/import.h"
+#include "import/alpha_wrap.h"
+#include "import/self_intersection.h"
+#include "import/settle.h"
+#include "surface/farthest_point.h"
+#include "surface/signed_distance.h"
+
+namespace cairn::builder {
+namespace {
+
+Status checkOption(const char* name, double value, double least, double most) {
+  if (value >= least && value <= most) return {};
+  return Error{fmt::format("the wrap's {} is {} of the diagonal; choose {} to {}", name, value, least, most)};
+}
+
+/// The first triangle of `surface` that is not proved to lie strictly inside the closed mesh `skin`: it meets none of
+/// the skin's triangles, so it lies on one side, and one corner tells which.
+std::optional<std::uint32_t> firstOutside(const TriangleMesh& surface, const TriangleMesh& skin) {
+  if (const auto pair = findCrossing(surface, skin)) return pair->first;
+  const SignedDistance solid(skin);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const Vec3d corner = surface.corners(t)[0];
+    if (!(solid.depth(corner) > solid.roundingBound(corner))) return t;
+  }
+  return std::nullopt;
+}
+
+Status prove(const TriangleMesh& surface, const TriangleMesh& skin) {
+  constexpr const char* kAdvice =
+      "choose a larger offset or another alpha, or move the mesh near its origin, where floats are finer";
+  if (Status s = checkMesh(skin); !s)
+    return Error{fmt::format("{}: its wrap is no solid ({}); {}", surface.name, s.error().message, kAdvice)};
+  if (const auto t = firstOutside(surface, skin))
+    return Error{fmt::format("{}: triangle {} is not inside the wrap; {}", surface.name, *t, kAdvice)};
+  return {};
+}
+
+/// A proved skin, without its distance. CGAL's wrap now and then loses a part of a surface that lies in the symmetries
+/// of its bounding box; a slightly smaller offset is out of that step, so a proof that fails is tried again twice.
+Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& options,
+                                const ProgressCallback& progress) {
+  constexpr int kAttempts = 3;
+  constexpr double kSmaller = 15.0 / 16;
+  const double diagonal = boundsOf(surface).diagonal();
+  double offset = options.offset * diagonal;
+  Status proof;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, offset *= kSmaller) {
+    Result<TriangleMesh> skin = alphaWrap(surface, options.alpha * diagonal, offset, progress);
+    if (!skin && skin.error().message == kCancelled) return skin;
+    if (!skin) return Error{surface.name + ": " + skin.error().message};
+    TriangleMesh mesh = settled(skin.value());
+    mesh.name = surface.name + ", wrapped";
+    proof = prove(surface, mesh);
+    if (proof) return mesh;
+  }
+  return proof.error();
+}
+
+}  // namespace
+
+Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
+  if (Status s = checkOption("alpha", options.alpha, kLeastAlpha, kMostAlpha); !s) return s.error();
+  if (Status s = checkOption("offset", options.offset, kLeastOffset, kMostOffset); !s) return s.error();
+  const auto cancelled = [&](double fraction) { return progress && !progress("wrapping", fraction); };
+  Result<TriangleMesh> skin = provedSkin(surface, options, progress);
+  if (!skin) return skin.error();
+  if (cancelled(0.75)) return Error{std::string(kCancelled)};
+  const double diagonal = boundsOf(surface).diagonal();
+  const FarthestPoint farthest =
+      farthestPoint(skin.value(), SurfaceDistance(surface), {.relative = 0.01, .absolute = 1e-4 * diagonal});
+  if (cancelled(1)) return Error{std::string(kCancelled)};
+  return Wrap{std::move(skin).value(), farthest.upper, farthest.lower, farthest.witness};
+}
+
+}  // namespace cairn::builder
