@@ -17,6 +17,7 @@ constexpr const char* kAbout =
     "  cairn evaluate rock.obj rock.cairn          measure the fit again\n"
     "  cairn inspect rock.cairn                    what is in a tree file\n"
     "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n"
+    "  cairn bound rock.obj --tree rock.cairn      how near each level is to the best possible\n"
     "  cairn simplify scan.ply -o rock.obj         fewer triangles, if a mesh has too many\n\n"
     "Exit codes: 0 done, 1 input refused or check failed, 2 wrong usage, 130 cancelled.";
 
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   cairn::tool::addInspectCommand(app, action);
   cairn::tool::addExportCommand(app, action);
   cairn::tool::addSimplifyCommand(app, action);
+  cairn::tool::addBoundCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

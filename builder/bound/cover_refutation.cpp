@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bound/cover_refutation.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "bound/outside_points.h"
+#include "bound/packing_program.h"
+#include "certify/protrusion.h"
+
+namespace cairn::builder {
+namespace {
+
+using Points = std::vector<std::uint32_t>;
+using Weights = std::vector<std::uint64_t>;
+
+/// An attempt ends after this many solutions of the linear program.
+constexpr int kMostRounds = 30;
+/// Outside points the search starts with, at most; more are found where they matter.
+constexpr double kMostOutside = 8000;
+/// Weights are fractions of this: sums of 20000 of them, times any number of spheres that makes sense, fit 64 bits.
+constexpr double kUnitWeight = 0x1p32;
+/// Balls and cells a round learns from, and twice the number of spheres as many again.
+constexpr std::size_t kMostLessons = 100;
+
+std::uint64_t loadOf(const Points& points, const Weights& weights) {
+  std::uint64_t load = 0;
+  for (const std::uint32_t p : points) load += weights[p];
+  return load;
+}
+
+double surfaceArea(const TriangleMesh& mesh) {
+  double area = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = mesh.corners(t);
+    area += 0.5 * length(cross(c[1] - c[0], c[2] - c[0]));
+  }
+  return area;
+}
+
+double largestCoordinate(const Vec3d& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// How far apart the first outside points may be. Between two of them a ball of radius r can slip past the offset
+/// surface by about spacing^2 / (4 r), which should stay below a fortieth of the error.
+double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double error) {
+  const double area = surfaceArea(solid.mesh());
+  const double ball = std::sqrt(area / (4 * spheres));
+  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(area / kMostOutside));
+}
+
+CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points, std::vector<Vec3d> outside,
+                          double error) {
+  const Vec3d origin = solid.bounds().center();
+  // A ball's centre is one of its points, so it is no farther than `error` from the solid. As much again makes room for
+  // the outside points that are found later.
+  double half = largestCoordinate(solid.bounds().upper - origin) + 2 * error;
+  for (Vec3d& p : points) p -= origin;
+  for (Vec3d& q : outside) {
+    q -= origin;
+    half = std::max(half, largestCoordinate(q));
+  }
+  const double extent = std::max(largestCoordinate(solid.bounds().lower), largestCoordinate(solid.bounds().upper));
+  // Making a point of the surface, and moving it to the origin, rounds by less than this.
+  const double displacement = 128 * 0x1p-53 * (extent + 2 * half);
+  return {std::move(points), std::move(outside), half * (1 + 1e-9), displacement};
+}
+
+/// One error, one number of spheres. A ball that is in the way of a proof is looked at again: when it protrudes too far
+/// after all, because it slipped between the outside points, its farthest point becomes one of them.
+class Attempt {
+ public:
+  Attempt(const SignedDistance& solid, const std::vector<Vec3d>& points, std::uint32_t spheres, double error)
+      : solid_(solid),
+        origin_(solid.bounds().center()),
+        spheres_(spheres),
+        error_(error),
+        search_(searchAround(solid, points, outsidePoints(solid, error, outsideSpacing(solid, spheres, error)), error)),
+        program_(points.size()) {}
+
+  /// Takes account of balls that were in the way at another error.
+  void remember(const std::vector<Vec3d>& centers) {
+    std::vector<HeavyCell> balls;
+    for (const Vec3d& center : centers) balls.push_back({{center, 0}, 0});
+    std::vector<Vec3d> again;
+    learnFrom(balls, 0, Weights(search_.points().size(), 1), again);
+  }
+
+  enum class Outcome { proved, hopeless, open };
+  /// Solves for weights and looks for balls that hold too much of them; `centers` receives those it learns from.
+  Outcome round(Refutation& proof, std::vector<Vec3d>& centers) {
+    const std::vector<double> shares = program_.solve();
+    // The program knows only some balls; with all of them its value would be smaller still.
+    if (std::accumulate(shares.begin(), shares.end(), 0.0) <= spheres_) return Outcome::hopeless;
+    proof.weights.clear();
+    for (const double share : shares) proof.weights.push_back(static_cast<std::uint64_t>(share * kUnitWeight));
+    const std::uint64_t total = std::accumulate(proof.weights.begin(), proof.weights.end(), std::uint64_t{0});
+    proof.mostInOneBall = (total - 1) / spheres_;
+    const std::vector<HeavyCell> heavy = search_.heavierThan(proof.weights, proof.mostInOneBall, finestCell());
+    if (heavy.empty()) return Outcome::proved;
+    const bool learned = learnFrom(heaviest(heavy), proof.mostInOneBall, proof.weights, centers);
+    return learned ? Outcome::open : Outcome::hopeless;
+  }
+
+ private:
+  /// Against the error, because a cell's slack grows with its size; coarser where fractional covers are weak anyway.
+  double finestCell() const { return error_ / (spheres_ <= kFewSpheres ? 100 : 24); }
+
+  std::vector<HeavyCell> heaviest(std::vector<HeavyCell> heavy) const {
+    std::stable_sort(heavy.begin(), heavy.end(), [](const auto& a, const auto& b) { return a.load > b.load; });
+    heavy.resize(std::min<std::size_t>(heavy.size(), kMostLessons + 2 * spheres_));
+    return heavy;
+  }
+
+  /// A point of the ball around `center` that holds `held`, if that ball protrudes too far.
+  std::optional<Vec3d> beyond(const Vec3d& center, const Points& held) const {
+    double radius = 0;
+    for (const std::uint32_t p : held) radius = std::max(radius, distance(center, search_.points()[p]));
+    const ProtrusionTolerance coarse{0.02, 0.01 * error_, 300};
+    const CertifiedProtrusion protrusion = certifiedProtrusion(solid_, origin_ + center, radius, coarse);
+    if (protrusion.lower <= error_) return {};
+    return protrusion.witness - origin_;
+  }
+
+  /// Cells whose balls may hold too much are searched for outside points that were missed, in the ball around the
+  /// cell's centre and in the larger one that centre grows to. What still holds too much becomes a row.
+  bool learnFrom(const std::vector<HeavyCell>& heavy, std::uint64_t most, const Weights& weights,
+                 std::vector<Vec3d>& centers) {
+    std::vector<std::array<std::optional<Vec3d>, 2>> missed(heavy.size());
+    std::vector<Vec3d> grown(heavy.size());
+    tbb::parallel_for(std::size_t{0}, heavy.size(), [&](std::size_t i) {
+      const CenterCell& cell = heavy[i].cell;
+      missed[i][0] = beyond(cell.center, search_.pointsOf(cell));
+      grown[i] = cell.half > 0 ? cell.center : search_.grown(cell.center);
+      if (cell.half == 0) missed[i][1] = beyond(grown[i], search_.pointsOf({grown[i], 0}));
+    });
+    bool learned = false;
+    for (const auto& points : missed) {
+      for (const std::optional<Vec3d>& q : points) learned = (q && search_.addOutside(*q)) || learned;
+    }
+    std::vector<Points> rows(heavy.size());
+    tbb::parallel_for(std::size_t{0}, heavy.size(), [&](std::size_t i) {
+      const bool larger = heavy[i].cell.half == 0 && !missed[i][1];
+      Points row = search_.pointsOf(larger ? CenterCell{grown[i], 0} : heavy[i].cell);
+      if (loadOf(row, weights) > most) rows[i] = std::move(row);
+    });
+    for (std::size_t i = 0; i < heavy.size(); ++i) {
+      if (!addRow(rows[i])) continue;
+      if (heavy[i].cell.half == 0) centers.push_back(missed[i][1] ? heavy[i].cell.center : grown[i]);
+      learned = true;
+    }
+    return learned;
+  }
+
+  bool addRow(const Points& row) {
+    if (row.size() < 2 || !known_.insert(row).second) return false;
+    program_.addRow(row);
+    return true;
+  }
+
+  const SignedDistance& solid_;
+  Vec3d origin_;
+  std::uint32_t spheres_;
+  double error_;
+  CenterSearch search_;
+  PackingProgram program_;
+  std::set<Points> known_;
+};
+
+}  // namespace
+
+std::optional<Refutation> CoverRefuter::refute(std::uint32_t spheres, double error,
+                                               const std::function<bool()>& keepOn) {
+  Attempt attempt(solid_, points_, spheres, error);
+  attempt.remember(centers_);
+  Refutation proof;
+  for (int round = 0; round < kMostRounds && keepOn(); ++round) {
+    switch (attempt.round(proof, centers_)) {
+      case Attempt::Outcome::proved:
+        return proof;
+      case Attempt::Outcome::hopeless:
+        return {};
+      case Attempt::Outcome::open:
+        break;
+    }
+  }
+  return {};
+}
+
+}  // namespace cairn::builder

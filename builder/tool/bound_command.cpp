@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairn/builder/bound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cairn/builder/import.h"
+#include "tool/command.h"
+#include "tool/examination.h"
+#include "tool/progress_bar.h"
+#include "tool/stopwatch.h"
+
+namespace cairn::tool {
+namespace {
+
+constexpr const char* kAbout =
+    "Prove how well any cover of a mesh's surface by so many balls can fit at best: a lower bound on its worst\n"
+    "protrusion, whoever makes it. With --tree, beside what each level of a tree reaches.\n\n"
+    "  cairn bound rock.obj --spheres 8\n"
+    "  cairn bound rock.obj --tree rock.cairn --json -";
+
+struct BoundCommand {
+  std::string mesh, tree, json;
+  std::vector<std::uint32_t> spheres;
+  builder::BoundOptions options;
+  unsigned threads = 0;
+};
+
+/// A number of spheres, what is proved about it and, for a level of a tree, what that reaches. Errors are fractions of
+/// the mesh's diagonal.
+struct Row {
+  std::uint32_t spheres = 0;
+  std::optional<builder::LevelFit> level;
+  double lower = 0;
+  double cpuSeconds = 0;
+
+  /// How many times the bound the level's error is; none without a level, or with nothing proved.
+  std::optional<double> ratio() const {
+    if (!level || !(lower > 0)) return {};
+    return level->certifiedMaxFraction / lower;
+  }
+};
+
+void printRows(const std::vector<Row>& rows) {
+  fmt::print("level  spheres  lower bound %  certified max %  ratio\n");
+  for (const Row& row : rows) {
+    const std::string level = row.level ? fmt::format("{}", row.level->level) : "-";
+    const std::string upper = row.level ? fmt::format("{:.4f}", 100 * row.level->certifiedMaxFraction) : "-";
+    const std::string ratio = row.ratio() ? fmt::format("{:.3f}", *row.ratio()) : "-";
+    fmt::print("{:>5}  {:7}  {:13.4f}  {:>15}  {:>5}\n", level, row.spheres, 100 * row.lower, upper, ratio);
+  }
+}
+
+Json rowsJson(const std::vector<Row>& rows) {
+  Json json = Json::array();
+  for (const Row& row : rows) {
+    Json entry = {{"spheres", row.spheres}, {"lower_bound_fraction", row.lower}, {"cpu_s", row.cpuSeconds}};
+    if (row.level) {
+      entry["level"] = row.level->level;
+      entry["certified_max_fraction"] = row.level->certifiedMaxFraction;
+      entry["ratio"] = row.ratio() ? Json(*row.ratio()) : Json(nullptr);
+    }
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Status bound(const BoundCommand& command, const builder::TriangleMesh& mesh, std::vector<Row>& rows) {
+  const double diagonal = builder::boundsOf(mesh).diagonal();
+  // What is proved for more spheres holds for fewer, so the largest number comes first.
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.spheres > b.spheres; });
+  double lower = 0;
+  ProgressBar bar;
+  for (Row& row : rows) {
+    const Stopwatch stopwatch;
+    const auto result = builder::lowerErrorBound(mesh, row.spheres, command.options, bar.callback());
+    if (!result) return result.error();
+    lower = std::max(lower, result.value().error / diagonal);
+    row.lower = lower;
+    row.cpuSeconds = stopwatch.cpuSeconds();
+  }
+  std::reverse(rows.begin(), rows.end());
+  return {};
+}
+
+int report(const BoundCommand& command, const builder::TriangleMesh& mesh, std::vector<Row> rows) {
+  if (Status s = bound(command, mesh, rows); !s) return refuse(s.error());
+  const Json json = {{"mesh", mesh.name},
+                     {"threads", threadsUsed(command.threads)},
+                     {"peak_rss_mb", peakMemoryMb()},
+                     {"bounds", rowsJson(rows)}};
+  if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
+  if (command.json != "-") printRows(rows);
+  return kDone;
+}
+
+int run(const BoundCommand& command) {
+  if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
+  std::vector<Row> rows;
+  for (const std::uint32_t n : command.spheres) rows.push_back({n, {}, 0, 0});
+  if (command.tree.empty()) {
+    if (rows.empty()) return refuse({"no number of spheres to bound; give --spheres, or --tree for those of a tree"});
+    const auto mesh = builder::importMesh(command.mesh);
+    return mesh ? report(command, mesh.value(), std::move(rows)) : refuse(mesh.error());
+  }
+  const auto examination = examine(command.mesh, command.tree, builder::Sampling::none, 1);
+  if (!examination) return refuse(examination.error());
+  if (const int code = refuseUnproved(examination.value(), command.tree); code != kDone) return code;
+  for (const builder::LevelFit& fit : examination.value().fits) rows.push_back({fit.spheres, fit, 0, 0});
+  return report(command, examination.value().mesh, std::move(rows));
+}
+
+}  // namespace
+
+void addBoundCommand(CLI::App& app, Action& action) {
+  auto command = std::make_shared<BoundCommand>();
+  CLI::App* sub = app.add_subcommand("bound", kAbout);
+  sub->add_option("MESH", command->mesh, "The mesh to cover")->required();
+  sub->add_option("--spheres", command->spheres, "How many balls; several numbers by commas")
+      ->delimiter(',')
+      ->check(CLI::Range(1U, 100'000U));
+  sub->add_option("--tree", command->tree, "Bound the levels of this tree (.cairn) too and print how near they are");
+  sub->add_option("--points", command->options.points, "Surface points of the proof, 0: as many as usually pay")
+      ->capture_default_str();
+  addThreadsOption(*sub, command->threads);
+  sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
+  sub->callback([command, &action] {
+    action = [command] { return withThreads(command->threads, [command] { return run(*command); }); };
+  });
+}
+
+}  // namespace cairn::tool
