@@ -30,6 +30,9 @@ constexpr double kDisplacement = 0.1;
 /// The upper level's limit on its way down: this factor a step.
 constexpr double kTightening = 0.975;
 constexpr int kUpperSwapRounds = 6;
+/// Spacing of the samples of the closings the balls are fitted in, in parts of the stand-off, and how many there may
+/// be.
+constexpr double kClosingSpacing = 0.15, kMostClosingSamples = 60000;
 constexpr int kSeamRounds = 3;
 constexpr std::size_t kUpperPoints = 1500;
 
@@ -45,11 +48,15 @@ std::vector<ChildBall> childrenOf(const SphereSet& balls, std::uint32_t parent) 
   return level;
 }
 
-/// The signed distance, or the closing of the solid near a stand-off where there is any concavity to close.
-std::unique_ptr<DepthField> fieldAt(const SignedDistance& solid, double standOff, const SphereSet& balls) {
+/// The signed distance, or the closing of the solid near a stand-off where there is any concavity to close. Coarser
+/// samples than these let balls with centres outside protrude by twice what the field says.
+std::unique_ptr<DepthField> fieldAt(const SignedDistance& solid, double standOff) {
+  double area = 0;
+  for (const Piece& piece : piecesOf(solid.mesh())) area += areaOf(piece);
+  const double spacing = std::max(kClosingSpacing * standOff, std::sqrt(area / kMostClosingSamples));
   const EnclosingBall all = smallestEnclosingBall(solid.mesh().vertices);
-  auto closed = std::make_unique<ClosedDepth>(solid, kClosingScale * standOff, closingSpacing(balls, standOff),
-                                              all.center, all.radius + 2 * standOff);
+  auto closed =
+      std::make_unique<ClosedDepth>(solid, kClosingScale * standOff, spacing, all.center, all.radius + 2 * standOff);
   if (closed->usable()) return closed;
   return std::make_unique<SolidDepth>(solid);
 }
@@ -75,7 +82,7 @@ class Search {
   TwoLevels run() {
     std::vector<ChildBall> flat = fitFlat(plain_, problem_.branching * problem_.branching, {});
     const double standOff = std::max(standOffIn(all_, flat), problem_.negligible);
-    lowerField_ = fieldAt(problem_.solid, standOff, ballsOf(flat));
+    lowerField_ = fieldAt(problem_.solid, standOff);
     std::vector<TwoLevels> found(kFlatShares.size() + 1);
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
       found[i] = i == 0 ? lowerBelow(upper_, {}) : fromFlat(kFlatShares[i - 1]);
@@ -102,7 +109,7 @@ class Search {
     const CoverProblem rough{few, plain_, problem_.branching};
     SphereSet balls = optimiseBySwaps(rough, {fitBall(few[0], few, plain_)}, kUpperSwapRounds);
     const double standOff = std::max(coverStandOff(few, balls), problem_.negligible);
-    upperField_ = fieldAt(problem_.solid, standOff, balls);
+    upperField_ = fieldAt(problem_.solid, standOff);
     for (Ball& ball : balls) ball.depth = upperField_->depth(ball.center);
     const CoverProblem closed{few, *upperField_, problem_.branching};
     balls = optimiseBySwaps(closed, std::move(balls), kUpperSwapRounds);
