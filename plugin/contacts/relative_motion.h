@@ -12,6 +12,11 @@ struct RelativeMotion {
   float timeStep = 0;     ///< seconds
   float smallerSize = 0;  ///< of the smaller body, world length
 
+  /// No point within half the smaller body's size of a common centre moves faster against the other body.
+  float greatestSpeed() const {
+    return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
+  }
+
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
   float closingSpeed(const Contact& c) const {
     const Vec3 tree = treeLinear + cross(treeAngular, c.position - treeCenter);

@@ -99,9 +99,14 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   // What the traversal has ruled out was apart when it was tested: after some motion only the whole bodies' spheres are
   // known to hold all of it.
   const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
-  if (isStale || isGuarded(kWholeBodies)) add(kWholeBodies);
+  const bool inFront = std::ranges::find(front, kWholeBodies) != front.end();
+  if (!inFront && (isStale || isGuarded(kWholeBodies))) {
+    budget.chargeAnyway(kSphereCost);
+    add(kWholeBodies);
+  }
   answer_.approach += closingSpeed * motion.timeStep;
-  traversal_.approach += closingSpeed * motion.timeStep;
+  // What was ruled out may close in while the front stands still: a rod that turns about its end.
+  traversal_.approach += motion.greatestSpeed() * motion.timeStep;
   std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
   const std::size_t count = std::min(kMaxGuards, guards.size());
   std::partial_sort(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count), guards.end(), deeper);

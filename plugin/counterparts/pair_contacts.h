@@ -80,7 +80,7 @@ class PairContacts {
   std::size_t seenLeafPairs_ = 0;
   // How the bodies stood when a traversal began, and how they have moved since.
   struct Epoch {
-    float approach = 0;  // world length by which their velocities have closed
+    float approach = 0;  // world length by which they may have closed, at most
     Vec3 centers;        // from the other body's centre to the tree's, then
   };
   bool isAnswered_ = false;         // was the traversal ever done

@@ -96,6 +96,29 @@ TEST(Budget_None, HoldsABodyThatHadRestedBefore) {
   EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.15);
 }
 
+// The end it stands on does not close in while the other one falls: what a slow traversal had ruled out does.
+TEST(Budget_Starved, ARodThatTipsOverStaysAboveTheGround) {
+  for (const std::int64_t operations : {45, 60, 80}) {
+    SCOPED_TRACE(operations);
+    BulletWorld<> w;
+    w.addGround();
+    ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    btRigidBody& rod = w.add(treeShape(plainTree(cuboid({3, 0.3, 0.3}, 3))), 1, btVector3(0, 0, btScalar(1.38)));
+    rod.getWorldTransform().setRotation(btQuaternion(btVector3(0, 1, 0), SIMD_PI / 3));
+    btScalar lowest = 0;
+    for (int step = 0; step < 400; ++step) {
+      w.step();
+      for (int corner = 0; corner < 8; ++corner) {
+        const btVector3 p(corner & 1 ? btScalar(1.5) : btScalar(-1.5), corner & 2 ? btScalar(0.15) : btScalar(-0.15),
+                          corner & 4 ? btScalar(0.15) : btScalar(-0.15));
+        lowest = std::min(lowest, (rod.getWorldTransform() * p).z());
+      }
+    }
+    EXPECT_GT(lowest, -0.3) << "sank by more than its thickness";
+    EXPECT_LT(rod.getWorldTransform().getOrigin().z(), 1.3) << "did not tip over: the test shows nothing";
+  }
+}
+
 TEST(Budget_Operations, AreNotExceededByRefinement) {
   Heap limited(5000), unlimited({});
   std::uint64_t peak = 0;

@@ -16,9 +16,10 @@ struct StepBudget {
 
 /// What a pair answers while its traversal is unfinished (thesis 2.4; compared in docs/algorithms/contacts.md).
 enum class Unresolved : std::uint8_t {
-  guard,   ///< last finished contacts, re-tested; a zero-depth contact while the pair is new or closing fast (default)
-  repel,   ///< the unrefined spheres as they are: never missed, floats by the error
-  ignore,  ///< last finished contacts, re-tested, and nothing else: may sink in
+  guard,       ///< last finished contacts, re-tested; while they say nothing, spheres that may not approach further
+               ///< (default)
+  repel,       ///< the unrefined spheres as they are: never missed, floats by the error
+  ignore,      ///< last finished contacts, re-tested, and nothing else: may sink in
   compensate,  ///< the unrefined spheres, their certified error subtracted from the depth
 };
 
