@@ -41,10 +41,6 @@ class BallTree {
   std::vector<std::vector<std::vector<std::uint32_t>>> children_;  // by level, by ball of the level above
 };
 
-double costOf(const Ball& ball, const Piece& piece) {
-  return std::max({costOf(ball, piece.corners[0]), costOf(ball, piece.corners[1]), costOf(ball, piece.corners[2])});
-}
-
 /// The leaf a piece would go to.
 struct Home {
   std::uint32_t leaf = 0;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "import/from_surface_mesh.h"
 #include "import/one_line.h"
 
 namespace cairn::builder {
@@ -44,23 +45,6 @@ struct Watch : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
   std::size_t steps = 0;
 };
 
-TriangleMesh meshOf(const Surface& surface) {
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> numbers(surface.num_vertices() + surface.number_of_removed_vertices());
-  for (const Surface::Vertex_index v : surface.vertices()) {
-    numbers[v] = static_cast<std::uint32_t>(mesh.vertices.size());
-    const Kernel::Point_3& p = surface.point(v);
-    mesh.vertices.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const Surface::Face_index f : surface.faces()) {
-    Triangle& t = mesh.triangles.emplace_back();
-    auto corner = t.begin();
-    for (const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
-      *corner++ = numbers[v];
-  }
-  return mesh;
-}
-
 }  // namespace
 
 Result<TriangleMesh> alphaWrap(const TriangleMesh& surface, double alpha, double offset,
@@ -71,7 +55,7 @@ Result<TriangleMesh> alphaWrap(const TriangleMesh& surface, double alpha, double
   Watch watch(progress);
   CGAL::alpha_wrap_3(points, surface.triangles, alpha, offset, result, CGAL::parameters::default_values(),
                      CGAL::parameters::visitor(std::ref(watch)));
-  return meshOf(result);
+  return meshFrom(result);
 } catch (const Cancelled&) {
   return Error{std::string(kCancelled)};
 } catch (const TooFine&) {

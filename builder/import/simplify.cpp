@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "cairn/builder/import.h"
+#include "import/from_surface_mesh.h"
+#include "import/one_line.h"
 
 namespace cairn::builder {
 namespace {
@@ -32,24 +34,6 @@ Surface surfaceOf(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles)
     if (surface.add_face(names[t[0]], names[t[1]], names[t[2]]) == Surface::null_face()) return {};
   return surface;
-}
-
-TriangleMesh meshOf(const Surface& surface, const TriangleMesh& source) {
-  TriangleMesh mesh;
-  mesh.name = source.name;
-  std::vector<std::uint32_t> numbers(surface.num_vertices() + surface.number_of_removed_vertices());
-  for (const Surface::Vertex_index v : surface.vertices()) {
-    numbers[v] = static_cast<std::uint32_t>(mesh.vertices.size());
-    const Kernel::Point_3& p = surface.point(v);
-    mesh.vertices.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const Surface::Face_index f : surface.faces()) {
-    Triangle& t = mesh.triangles.emplace_back();
-    auto corner = t.begin();
-    for (const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
-      *corner++ = numbers[v];
-  }
-  return mesh;
 }
 
 /// Asked before every collapse: ends them at a number of edges, or when the user cancels.
@@ -94,7 +78,8 @@ Result<TriangleMesh> simplify(const TriangleMesh& mesh, std::uint32_t triangles,
   if (surface.is_empty())
     return Error{"the mesh has a vertex where two surfaces only touch, which cannot be simplified; separate it"};
   if (!collapse(surface, triangles, progress)) return Error{std::string(kCancelled)};
-  TriangleMesh simple = meshOf(surface, mesh);
+  TriangleMesh simple = meshFrom(surface);
+  simple.name = mesh.name;
   if (simple.triangles.size() > triangles)
     return Error{fmt::format("the mesh could only be simplified to {} triangles, not to {}; ask for more",
                              simple.triangles.size(), triangles)};
@@ -104,7 +89,7 @@ Result<TriangleMesh> simplify(const TriangleMesh& mesh, std::uint32_t triangles,
         fmt::format("with no more than {} triangles the surface would cut through itself; ask for more", triangles)};
   return simple;
 } catch (const std::exception& e) {
-  return Error{fmt::format("the mesh could not be simplified ({}); repair the mesh", e.what())};
+  return Error{fmt::format("the mesh could not be simplified ({}); repair the mesh", oneLine(e.what()))};
 }
 
 std::string objText(const TriangleMesh& mesh) {

@@ -9,10 +9,6 @@ namespace cairn::builder {
 
 namespace {
 
-double costOf(const Ball& ball, const Piece& piece) {
-  return std::max({costOf(ball, piece.corners[0]), costOf(ball, piece.corners[1]), costOf(ball, piece.corners[2])});
-}
-
 struct Owner {
   std::size_t ball = 0;
   double cost = std::numeric_limits<double>::infinity();

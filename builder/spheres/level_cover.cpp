@@ -17,7 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
-constexpr double kSmallestRequest = 0.01;
 constexpr int kSweepsPerRound = 3;
 constexpr int kMaxRounds = 40;
 /// First and finest step of a centre, in parts of the requested stand-off.
@@ -107,7 +106,7 @@ class LevelOptimisation {
   void run() {
     double worst = worstCost();
     double request = kFirstRequest;
-    for (int round = 0; round < kMaxRounds && request >= kSmallestRequest && worst > problem_.enough; ++round) {
+    for (int round = 0; round < kMaxRounds && request >= problem_.worthARound && worst > problem_.enough; ++round) {
       const auto saved = balls_;
       const auto savedCosts = costs_;
       const auto savedHolders = holders_;

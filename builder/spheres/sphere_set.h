@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,6 +25,11 @@ struct CoverProblem {
 /// What a point costs a ball: the stand-off the ball needs to hold it, |p - c| - s(c).
 inline double costOf(const Ball& ball, const Vec3d& point) {
   return distance(ball.center, point) - ball.depth;
+}
+
+/// What a piece costs a ball: what its costliest corner does, since a ball is convex.
+inline double costOf(const Ball& ball, const Piece& piece) {
+  return std::max({costOf(ball, piece.corners[0]), costOf(ball, piece.corners[1]), costOf(ball, piece.corners[2])});
 }
 
 /// Worst over the points of the least cost over the balls: the stand-off at which the set covers everything.

@@ -29,8 +29,8 @@ void SecondTable::endSecond(std::uint32_t second, const scenes::World& world, st
   }
   steps_.clear();
   const scenes::Quantiles time = scenes::quantilesOf(times), work = scenes::quantilesOf(operations);
-  const std::string used =
-      budget_ && *budget_ > 0 ? fmt::format("{:.0f} %", 100 * work.max / static_cast<double>(*budget_)) : "no limit";
+  std::string used = "no limit";
+  if (budget_) used = *budget_ > 0 ? fmt::format("{:.0f} %", 100 * work.max / static_cast<double>(*budget_)) : "none";
   const std::size_t awake = world.bodies().size() - scenes::countAsleep(world.bodies());
   fmt::print("{:4d} s  {:8.3f}  {:8.3f}  {:8.0f}  {:9.0f}  {:>9}  {:8.2f} %  {:7.2f} %  {:6d}  {:7.2f}  {:4d}\n",
              second, time.median, time.max, work.median, work.max, used,

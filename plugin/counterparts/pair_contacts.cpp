@@ -14,7 +14,6 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
-constexpr NodePair kWholeBodies{kRootNode, kRootNode};
 // Guards within 45 degrees hold against the same motion.
 constexpr float kSameWayCosine = 0.707106781F;
 
@@ -91,19 +90,16 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   std::vector<Contact>& guards = scratch.guards;
   guards.clear();
   float closingSpeed = 0;
-  const auto add = [&](const NodePair& pair) {
-    guards.push_back(counterpart.boundingContact(pair));
-    closingSpeed = std::max(closingSpeed, motion.closingSpeed(guards.back()));
-  };
-  for (const NodePair& pair : front) add(pair);
+  for (const NodePair& pair : front) guards.push_back(counterpart.boundingContact(pair));
   // What the traversal has ruled out was apart when it was tested: after some motion only the whole bodies' spheres are
   // known to hold all of it.
   const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
-  const bool inFront = std::ranges::find(front, kWholeBodies) != front.end();
-  if (!inFront && (isStale || isGuarded(kWholeBodies))) {
-    budget.chargeAnyway(kSphereCost);
-    add(kWholeBodies);
-  }
+  const bool isCut = front.size() < counterpart.traversal().front().size();
+  budget.chargeAnyway(kSphereCost);
+  const Contact whole = counterpart.wholeContact();
+  const auto isWhole = [&](const Contact& c) { return c.id == whole.id; };
+  if ((isStale || isCut || isGuarded(whole.id)) && std::ranges::none_of(guards, isWhole)) guards.push_back(whole);
+  for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
   answer_.approach += closingSpeed * motion.timeStep;
   // What was ruled out may close in while the front stands still: a rod that turns about its end.
   traversal_.approach += motion.greatestSpeed() * motion.timeStep;
@@ -114,14 +110,14 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   for (std::size_t i = 0; i < count; ++i) {
     const float allowed = allowedGap(guards[i]);
     guards[i].gap -= allowed;
-    now[i] = {guards[i].pair, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
+    now[i] = {guards[i].id, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
     scratch.contacts.list().push_back(guards[i]);
   }
   guards_.assign(now.begin(), now.begin() + count);
 }
 
-bool PairContacts::isGuarded(const NodePair& pair) const {
-  return std::ranges::any_of(guards_, [&](const Guard& g) { return g.pair == pair; });
+bool PairContacts::isGuarded(const ContactId& id) const {
+  return std::ranges::any_of(guards_, [&](const Guard& g) { return g.id == id; });
 }
 
 // Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
@@ -132,7 +128,7 @@ float PairContacts::allowedGap(const Contact& guard) const {
   const float now = std::min(guard.gap, 0.0F);
   float sunk = 0;
   for (const Guard& g : guards_) {
-    if (g.pair == guard.pair) return std::max(g.allowedGap, now);
+    if (g.id == guard.id) return std::max(g.allowedGap, now);
     if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
   }
   return now + sunk;
@@ -166,7 +162,11 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
     answerHadContacts_ = !contacts.empty();
-    if (isRecent(motion)) guards_.clear();
+    // What it ruled out long ago may have closed in since.
+    if (isRecent(motion))
+      guards_.clear();
+    else if (policy == Unresolved::guard)
+      appendGuards(counterpart, motion, reach, budget, scratch);
   } else {
     retest(counterpart, budget);
     contacts = retested_;

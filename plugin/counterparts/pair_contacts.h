@@ -58,7 +58,7 @@ class PairContacts {
   // Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
-  bool isGuarded(const NodePair& pair) const;
+  bool isGuarded(const ContactId& id) const;
   float allowedGap(const Contact& guard) const;
 
   static constexpr std::size_t kMaxGuards = 4;
@@ -66,7 +66,7 @@ class PairContacts {
   // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
   // it was first seen, and what it has sunk since.
   struct Guard {
-    NodePair pair;
+    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
     Vec3 normal;
     float allowedGap;
     float sunk;

@@ -100,4 +100,14 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
+Contact TriangleCounterpart::wholeContact() {
+  Contact nearest;
+  nearest.ofSpheres = true;
+  nearest.gap = std::numeric_limits<float>::infinity();
+  for (std::uint32_t i = 0; i < inPair_.size(); ++i)
+    if (const Contact contact = boundingContact({kRootNode, i}); contact.gap < nearest.gap) nearest = contact;
+  nearest.id = {0, static_cast<int>(kRootNode), -1, -1};
+  return nearest;
+}
+
 }  // namespace cairn::bullet

@@ -23,6 +23,8 @@ class TriangleCounterpart final : public Counterpart {
   Traversal& traversal() override { return traversal_; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
+  /// With the nearest triangle of all that were gathered; beyond any reach when there is none.
+  Contact wholeContact() override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:

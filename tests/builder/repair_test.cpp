@@ -10,7 +10,7 @@
 #include "builder_meshes.h"
 #include "cairn/builder/import.h"
 #include "cairn/builder/mesh_file.h"
-#include "run_program.h"
+#include "read_back.h"
 #include "surface/mass_properties.h"
 
 namespace cairn::builder {
@@ -185,12 +185,7 @@ TEST(Repair, GivesTheMeshItsFileHolds) {
   RepairCounts counts;
   const TriangleMesh mesh = repaired(open, counts);
   EXPECT_EQ(mesh.name, "test, repaired");
-  const test::TemporaryFolder folder;
-  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "mesh.ply", plyBytes(mesh)));
-  ASSERT_TRUE(read.ok()) << read.error().message;
-  EXPECT_EQ(read.value().vertices, mesh.vertices);
-  EXPECT_EQ(read.value().triangles, mesh.triangles);
-  EXPECT_EQ(read.value().sha256, mesh.sha256);
+  test::expectReadBack(mesh);
 }
 
 TEST(Repair, RandomDamageEndsAsASolidOrASentence) {

@@ -184,12 +184,6 @@ TEST(Optimise, EightBallsOnACube_ReachTheOctants) {
   EXPECT_LE(coverStandOff(f.points, set), 1.05 * octants);
 }
 
-double costOf(const Ball& ball, const Piece& piece) {
-  double cost = -std::numeric_limits<double>::infinity();
-  for (const Vec3d& corner : piece.corners) cost = std::max(cost, builder::costOf(ball, corner));
-  return cost;
-}
-
 TEST(Divide, Parts_AreHeldAndCoverEveryTriangle) {
   constexpr double kFinest = 0.01;
   for (const TriangleMesh& mesh : solids()) {
@@ -215,7 +209,7 @@ TEST(Divide, Parts_AreHeldAndCoverEveryTriangle) {
 }
 
 TEST(Divide, Bias_MovesSurfaceAway) {
-  const Fixture f(test::meshOf(test::ball(1, 3)));
+  const Fixture f(test::meshOf(test::cuboid({4, 1, 1}, 4)));
   const SphereSet set = optimise({f.points, f.depth, 4}, {});
   const double standOff = 1.2 * coverStandOff(f.points, set);
   std::vector<double> bias(set.size(), 0);

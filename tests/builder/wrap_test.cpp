@@ -12,7 +12,7 @@
 #include "cairn/builder/import.h"
 #include "cairn/builder/mesh_file.h"
 #include "distance_oracle.h"
-#include "run_program.h"
+#include "read_back.h"
 #include "surface/farthest_point.h"
 
 namespace cairn::builder {
@@ -136,12 +136,7 @@ TEST(Wrap, GivesTheSameBitsTwiceAndTheMeshItsFileHolds) {
   const TriangleMesh& mesh = first.value().mesh;
   EXPECT_EQ(plyBytes(mesh), plyBytes(second.value().mesh));
   EXPECT_EQ(first.value().farthestUpper, second.value().farthestUpper);
-  const test::TemporaryFolder folder;
-  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "mesh.ply", plyBytes(mesh)));
-  ASSERT_TRUE(read.ok()) << read.error().message;
-  EXPECT_EQ(read.value().vertices, mesh.vertices);
-  EXPECT_EQ(read.value().triangles, mesh.triangles);
-  EXPECT_EQ(read.value().sha256, mesh.sha256);
+  test::expectReadBack(mesh);
 }
 
 TEST(Wrap, HoldsTrianglesThatLieInOnePlane) {

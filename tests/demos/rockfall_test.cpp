@@ -82,6 +82,18 @@ TEST(Rockfall_UnderABudget, LosesNoRockAndMovesDownhill) {
   EXPECT_GT(endX, startX + 10);
 }
 
+/// Nothing is ever refined: the ground is held by spheres of whole rocks, through many gatherings of its triangles.
+TEST(Rockfall_WithoutAnyBudget, LosesNoRock) {
+  RockfallOptions options;
+  options.rocks = 30;
+  options.budget.operations = 0;
+  const auto scene = makeRockfall(options);
+  for (std::uint32_t second = 0; second < 20; ++second) {
+    for (std::uint32_t i = 0; i < Rockfall::kStepsPerSecond; ++i) scene->step();
+    ASSERT_EQ(scene->countLost(), 0U) << "after second " << second;
+  }
+}
+
 /// Many rocks on each other, fine trees: what a coarse tree's fat spheres forgive shows here.
 TEST(Rockfall_OfFineTrees, LosesNoRock) {
   RockfallOptions options;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "cairn/builder/triangle_mesh.h"
+
+namespace cairn::builder {
+
+/// The triangles of a CGAL surface, same frame and unit, vertices numbered anew in their order so that removed ones leave
+/// no gap; nameless. Precondition: every face is a triangle. Linear. Only for files that see CGAL already.
+template <class Point>
+TriangleMesh meshFrom(const CGAL::Surface_mesh<Point>& surface) {
+  using Surface = CGAL::Surface_mesh<Point>;
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> numbers(surface.num_vertices() + surface.number_of_removed_vertices());
+  for (const typename Surface::Vertex_index v : surface.vertices()) {
+    numbers[v] = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Point& p = surface.point(v);
+    mesh.vertices.push_back({p.x(), p.y(), p.z()});
+  }
+  for (const typename Surface::Face_index f : surface.faces()) {
+    Triangle& t = mesh.triangles.emplace_back();
+    auto corner = t.begin();
+    for (const typename Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      *corner++ = numbers[v];
+  }
+  return mesh;
+}
+
+}  // namespace cairn::builder
