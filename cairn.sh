@@ -162,7 +162,7 @@ fuzz() {
   build/fuzz/bin/tree_file_fuzz -max_total_time="${1:-600}" -max_len=65536 -artifact_prefix=out/fuzz/ out/fuzz/tree_file
 }
 
-sources() { git ls-files -- '*.h' '*.cpp'; }
+sources() { git ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
 
 format() {
   need lint
