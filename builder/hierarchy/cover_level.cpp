@@ -23,6 +23,18 @@ std::vector<double> leastCosts(const CoverLevel& level, const PointSet& points, 
 
 }  // namespace
 
+std::vector<ChildBall> levelOf(const SphereSet& balls, std::uint32_t parent) {
+  std::vector<ChildBall> level;
+  for (const Ball& ball : balls) level.push_back({ball, parent});
+  return level;
+}
+
+SphereSet ballsOf(const std::vector<ChildBall>& level) {
+  SphereSet balls;
+  for (const ChildBall& child : level) balls.push_back(child.ball);
+  return balls;
+}
+
 Reach reachOfAll(std::size_t points) {
   Reach all(1, std::vector<std::uint32_t>(points));
   std::iota(all[0].begin(), all[0].end(), 0U);

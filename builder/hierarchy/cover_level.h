@@ -18,6 +18,10 @@ struct CoverLevel {
   double limit = 0;              ///< stand-off at which they cover everything: no descendant may need more of them
 };
 
+/// Balls below one parent, and back.
+std::vector<ChildBall> levelOf(const SphereSet& balls, std::uint32_t parent);
+SphereSet ballsOf(const std::vector<ChildBall>& level);
+
 /// The reach below no ball at all: every point.
 Reach reachOfAll(std::size_t points);
 /// What the level's balls reach of what their parents do.
