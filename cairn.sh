@@ -15,6 +15,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
   ./cairn.sh corpus [OPTIONS] try to build a tree of every mesh of Debian's test collections, list how each one ended
                              (tests/corpus/run.sh --help lists the options)
+  ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
+                             thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting and include arrows
@@ -156,6 +158,12 @@ corpus() {
   tests/corpus/run.sh /usr/share/doc/libcgal-dev/data.tar.gz /usr/share/assimp/models "$@"
 }
 
+tables() {
+  need "${everything[@]}" tables
+  configure_and_build release --target cairn > /dev/null
+  tests/tables/run.sh "$@"
+}
+
 fuzz() {
   build fuzz
   mkdir -p out/fuzz/tree_file
@@ -184,6 +192,7 @@ case $command in
   build) build "$@" ;;
   bench) bench "$@" ;;
   corpus) corpus "$@" ;;
+  tables) tables "$@" ;;
   fuzz) fuzz "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
