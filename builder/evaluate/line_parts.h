@@ -17,9 +17,9 @@ struct LinePart {
 /// Parts of one line, ascending and apart.
 using LineParts = std::vector<LinePart>;
 
-/// Where lines parallel to the z axis run inside a solid. Lines that meet an edge or a corner of the projected mesh need
-/// no special case: every edge decides on which side of itself a line passes once for both of its triangles, so the
-/// entries and exits of a line always add up to zero.
+/// Where lines parallel to the z axis run inside a solid. Lines that meet an edge or a corner of the projected mesh
+/// need no special case: every edge decides on which side of itself a line passes once for both of its triangles, so
+/// the entries and exits of a line always add up to zero.
 class SolidLines {
  public:
   /// Keeps a reference to `mesh`, which must outlive this. Precondition: `checkMesh(mesh)`. O(n).
