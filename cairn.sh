@@ -13,6 +13,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh test fast       the release tests alone
   ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
+  ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
   ./cairn.sh corpus [OPTIONS] try to build a tree of every mesh of Debian's test collections, list how each one ended
                              (tests/corpus/run.sh --help lists the options)
   ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
@@ -147,6 +148,12 @@ bench() {
   build release
   local mesh
   mkdir -p out/bench
+  if [[ ${1:-} == inside ]]; then
+    shift
+    (($#)) || { fetch_mesh out/bench; set -- "$mesh"; }
+    build/release/bin/inside_bench "$@"
+    return
+  fi
   fetch_mesh out/bench
   build/release/bin/frame_budget --scene heap --mesh "$mesh" --bodies 100 --shape tree,hull,spheres,gimpact \
     --json out/bench/heap.json

@@ -110,7 +110,8 @@ bool InsideByClosestPoint::isBehindEdge(std::uint32_t triangle, int edge, const 
 }
 
 bool InsideByClosestPoint::isBehindCorner(std::uint32_t vertex, const Vec3d& offset) const {
-  return std::all_of(trianglesAround_.begin() + firstAround_[vertex], trianglesAround_.begin() + firstAround_[vertex + 1],
+  return std::all_of(trianglesAround_.begin() + firstAround_[vertex],
+                     trianglesAround_.begin() + firstAround_[vertex + 1],
                      [&](std::uint32_t t) { return isBehind(t, offset); });
 }
 

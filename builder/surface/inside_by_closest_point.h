@@ -38,9 +38,9 @@ class InsideByClosestPoint {
 
   const TriangleMesh& mesh_;
   TriangleGrid grid_;
-  std::vector<TrianglePacket> packets_;  // triangle t in lane t % kWidth of packet t / kWidth
-  std::vector<Vec3d> normals_;           // unit, by triangle
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;    // by triangle and edge
+  std::vector<TrianglePacket> packets_;                       // triangle t in lane t % kWidth of packet t / kWidth
+  std::vector<Vec3d> normals_;                                // unit, by triangle
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;      // by triangle and edge
   std::vector<std::uint32_t> firstAround_, trianglesAround_;  // by vertex: those that share it
 };
 

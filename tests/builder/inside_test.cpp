@@ -24,14 +24,20 @@ constexpr Vec3d kPitBottom{1.6, 0, 1};
 
 /// A cube with a slanted pit: what lies below its bottom is in front of the face that hangs over it.
 TriangleMesh slantedPit() {
-  return test::moved(test::meshOf(test::cuboid({4, 4, 4}, 4)),
-                     [](const Vec3d& v) { return v == Vec3d{0, 0, 2} ? kPitBottom : v; });
+  return test::moved(test::meshOf(test::cuboid({4, 4, 4}, 4)), [](const Vec3d& v) {
+    return v == Vec3d{0, 0, 2} ? kPitBottom : v;
+  });
 }
 
 std::vector<TriangleMesh> solids(std::uint64_t seed) {
-  return {slantedPit(), test::lumpyBall(6, seed), test::torus(1, 0.3, 16, 8), test::meshOf(test::cuboid({2, 1, 0.4}, 3)),
+  return {slantedPit(),
+          test::lumpyBall(6, seed),
+          test::torus(1, 0.3, 16, 8),
+          test::meshOf(test::cuboid({2, 1, 0.4}, 3)),
           test::joined(test::meshOf(test::cuboid({2, 2, 2}, 2)), test::flipped(test::meshOf(test::ball(0.6, 4)))),
-          test::moved(test::lumpyBall(4, seed), [](const Vec3d& v) { return Vec3d{v.x + 1e3, v.y * 1e-3, v.z - 1e3}; })};
+          test::moved(test::lumpyBall(4, seed), [](const Vec3d& v) {
+            return Vec3d{v.x + 1e3, v.y * 1e-3, v.z - 1e3};
+          })};
 }
 
 /// All over the box and around it, and near the surface at all scales down to where rounding begins.
@@ -147,7 +153,8 @@ TEST(InsideByClosestPoint, FindsTheNearestTriangle) {
       const test::DistanceOracle oracle{mesh};
       std::mt19937_64 engine(seed);
       for (const Vec3d& p : queriesFor(mesh, engine, kQueries))
-        ASSERT_NEAR(length(test.nearest(p).place.offset), oracle.distance(p), solid.roundingBound(p)) << "seed " << seed;
+        ASSERT_NEAR(length(test.nearest(p).place.offset), oracle.distance(p), solid.roundingBound(p))
+            << "seed " << seed;
     }
 }
 
@@ -156,7 +163,8 @@ TEST(InsideByGrid, IsAsRightAsTheTestItAsks) {
     for (const TriangleMesh& mesh : solids(seed)) {
       const SignedDistance solid(mesh);
       for (const std::uint32_t perSide : {1U, 7U, 40U}) {
-        const InsideByGrid test(mesh, [&](const Vec3d& p) { return solid.depth(p) > 0; }, perSide);
+        const InsideByGrid test(
+            mesh, [&](const Vec3d& p) { return solid.depth(p) > 0; }, perSide);
         forPoints(mesh, seed, kQueries, [&](const Vec3d& p, bool inside) {
           ASSERT_EQ(test.inside(p), inside) << "seed " << seed << ", " << perSide << " voxels";
         });
@@ -168,7 +176,9 @@ TEST(InsideByGrid, DecidesMoreTheFinerItIs) {
   const TriangleMesh mesh = test::lumpyBall(6, 1);
   const SignedDistance solid(mesh);
   const auto decided = [&](std::uint32_t perSide) {
-    return InsideByGrid(mesh, [&](const Vec3d& p) { return solid.depth(p) > 0; }, perSide).decidedFraction();
+    return InsideByGrid(
+               mesh, [&](const Vec3d& p) { return solid.depth(p) > 0; }, perSide)
+        .decidedFraction();
   };
   EXPECT_EQ(decided(1), 0);
   EXPECT_GT(decided(40), decided(10));

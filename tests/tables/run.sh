@@ -17,15 +17,16 @@ run.sh [OPTIONS] [MESH...] [-- BUILD OPTIONS]
   --out FOLDER     where the finished builds' reports are kept (default out/tables)
   --json FILE      write everything there too; - is standard output, instead of the tables
   --csv FILE       write one line per mesh, method and level there too
+  --markdown FILE  write the tables of docs/tables.md there too
 Meshes named bunny, dragon, s-shape and ellipsoid are compared with the thesis's tables. Without any, stand-ins for the
 thesis's five models are made of Debian's libcgal-demo (--archive FILE, its data.tar.gz).
 END
 }
 
-tool=build/release/bin/cairn methods='' threads=1 seconds=1200 out=out/tables archive=/usr/share/doc/libcgal-dev/data.tar.gz json='' csv='' meshes=() build_options=()
+tool=build/release/bin/cairn methods='' threads=1 seconds=1200 out=out/tables archive=/usr/share/doc/libcgal-dev/data.tar.gz json='' csv='' markdown='' meshes=() build_options=()
 while (($#)); do
   case $1 in
-    --tool | --methods | --threads | --seconds | --out | --archive | --json | --csv)
+    --tool | --methods | --threads | --seconds | --out | --archive | --json | --csv | --markdown)
       (($# > 1)) || { usage >&2; exit 2; }
       declare "${1#--}=$2"; shift 2 ;;
     --) shift; build_options=("$@"); break ;;
@@ -93,6 +94,7 @@ done
 ((${#records[@]} == 0)) || cat "${records[@]}" > "$report"
 jq -s --rawfile thesis "$here/thesis.tsv" -f "$here/tables.jq" "$report" > "$report.json"
 [[ -z $csv ]] || jq -r -f "$here/csv.jq" "$report.json" > "$csv"
+[[ -z $markdown ]] || jq -r -f "$here/markdown.jq" "$report.json" > "$markdown"
 if [[ $json == - ]]; then
   cat "$report.json"
 else
