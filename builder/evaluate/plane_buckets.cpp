@@ -26,6 +26,7 @@ Rectangle hullOf(std::span<const Rectangle> rectangles) {
 PlaneBuckets::PlaneBuckets(std::span<const Rectangle> rectangles) : bounds_(hullOf(rectangles)) {
   const double wanted = std::ceil(std::sqrt(static_cast<double>(rectangles.size())));
   side_ = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, kMaxSide));
+  while (side_ > 1 && entriesFor(rectangles) > kMostPerRectangle * rectangles.size()) side_ /= 2;
   first_.assign(std::size_t{side_} * side_ + 1, 0);
   for (const Rectangle& r : rectangles) forCells(r, [&](std::size_t cell) { ++first_[cell + 1]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -33,6 +34,16 @@ PlaneBuckets::PlaneBuckets(std::span<const Rectangle> rectangles) : bounds_(hull
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t i = 0; i < rectangles.size(); ++i)
     forCells(rectangles[i], [&](std::size_t cell) { list_[next[cell]++] = i; });
+}
+
+/// Of all lists together, with cells as large as they are now.
+std::size_t PlaneBuckets::entriesFor(std::span<const Rectangle> rectangles) const {
+  std::size_t sum = 0;
+  for (const Rectangle& r : rectangles) {
+    const auto from = cellOf(r.lower), to = cellOf(r.upper);
+    sum += std::size_t{to[0] - from[0] + 1} * (to[1] - from[1] + 1);
+  }
+  return sum;
 }
 
 /// Rounds the same way for queries and rectangles, and never falls as a coordinate grows: a rectangle that holds a

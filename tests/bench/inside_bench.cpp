@@ -100,8 +100,8 @@ int run(const TriangleMesh& mesh, std::size_t count, std::uint32_t perSide, std:
   const InsideByClosestPoint closest(mesh, perSide);
   const InsideByCrossings crossings(mesh, perSide);
   const Bench bench{solid, queriesFor(mesh, count, seed)};
-  fmt::print("{}: {} triangles, {} queries of each kind, seed {}, one thread\n", mesh.name, mesh.triangles.size(), count,
-             seed);
+  fmt::print("{}: {} triangles, {} queries of each kind, seed {}, one thread\n", mesh.name, mesh.triangles.size(),
+             count, seed);
   fmt::print("                                    build ms    in box /s  near surface /s   wrong\n");
   const auto grid = [&](Test test) { return InsideByGrid(mesh, std::move(test), perSide); };
   bool right = bench.row("signed distance (the builder's)", [&] { return BySignedDistance{SignedDistance(mesh)}; });

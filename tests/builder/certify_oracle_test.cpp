@@ -139,11 +139,11 @@ TEST(Protrusion, AgreesWithBruteForceOnRandomBalls) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 engine(seed);
-    const TriangleMesh mesh =
-        seed % 3 == 0   ? test::lumpyBall(2, seed)
-        : seed % 3 == 1 ? test::torus(1, 0.4, 6, 4)
-                        : test::joined(test::meshOf(test::cuboid({2, 2, 2}, 1)),
-                                       test::flipped(test::meshOf(test::cuboid({1.4, 1.4, 1.4}, 1))));
+    const TriangleMesh mesh = seed % 3 == 0 ? test::lumpyBall(2, seed)
+                              : seed % 3 == 1
+                                  ? test::torus(1, 0.4, 6, 4)
+                                  : test::joined(test::meshOf(test::cuboid({2, 2, 2}, 1)),
+                                                 test::flipped(test::meshOf(test::cuboid({1.4, 1.4, 1.4}, 1))));
     const SignedDistance solid(mesh);
     const test::DistanceOracle oracle{mesh};
     const Vec3d center = test::randomPoint(engine) * 1.2;

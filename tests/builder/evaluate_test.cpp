@@ -130,6 +130,36 @@ TEST(Volumes, OfManySeedsScatterAsTheStandardErrorSays) {
   EXPECT_LT(scatter, stated * 2);
 }
 
+TEST(PlaneBuckets, ListEveryRectangleThatHoldsAPoint) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    std::mt19937_64 engine(seed);
+    // From all alike to some that cover nearly everything.
+    std::vector<Rectangle> rectangles(400);
+    for (Rectangle& r : rectangles) {
+      const double width = std::pow(10.0, test::uniform(engine, -2.0, -2.0 + static_cast<double>(seed) / 4));
+      for (int axis = 0; axis < 2; ++axis) {
+        r.lower[axis] = test::uniform(engine, -1, 1);
+        r.upper[axis] = r.lower[axis] + width;
+      }
+    }
+    const PlaneBuckets buckets(rectangles);
+    EXPECT_LE(buckets.entries(), PlaneBuckets::kMostPerRectangle * rectangles.size());
+    for (int i = 0; i < 500; ++i) {
+      // Every other point on a corner.
+      const Rectangle& corner = rectangles[engine() % rectangles.size()];
+      const double x = i % 2 == 0 ? corner.upper[0] : test::uniform(engine, -1.5, 2.5);
+      const double y = i % 2 == 0 ? corner.lower[1] : test::uniform(engine, -1.5, 2.5);
+      const auto listed = buckets.at(x, y);
+      for (std::uint32_t r = 0; r < rectangles.size(); ++r) {
+        const auto& [lower, upper] = rectangles[r];
+        if (lower[0] <= x && x <= upper[0] && lower[1] <= y && y <= upper[1]) {
+          ASSERT_TRUE(std::binary_search(listed.begin(), listed.end(), r)) << "seed " << seed;
+        }
+      }
+    }
+  }
+}
+
 TEST(SolidLines, MeetCornersAndEdgesLikeAnyOtherPlace) {
   // All corners, edges and faces of this cube and its diagonals lie over points of the grid.
   const TriangleMesh cube = meshOf(cuboid({2, 2, 2}, 4));
