@@ -13,8 +13,11 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh test fast       the release tests alone
   ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
+  ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
   ./cairn.sh corpus [OPTIONS] try to build a tree of every mesh of Debian's test collections, list how each one ended
                              (tests/corpus/run.sh --help lists the options)
+  ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
+                             thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting and include arrows
@@ -145,6 +148,12 @@ bench() {
   build release
   local mesh
   mkdir -p out/bench
+  if [[ ${1:-} == inside ]]; then
+    shift
+    (($#)) || { fetch_mesh out/bench; set -- "$mesh"; }
+    build/release/bin/inside_bench "$@"
+    return
+  fi
   fetch_mesh out/bench
   build/release/bin/frame_budget --scene heap --mesh "$mesh" --bodies 100 --shape tree,hull,spheres,gimpact \
     --json out/bench/heap.json
@@ -154,6 +163,12 @@ corpus() {
   need "${everything[@]}" corpus
   configure_and_build release --target cairn
   tests/corpus/run.sh /usr/share/doc/libcgal-dev/data.tar.gz /usr/share/assimp/models "$@"
+}
+
+tables() {
+  need "${everything[@]}" tables
+  configure_and_build release --target cairn > /dev/null
+  tests/tables/run.sh "$@"
 }
 
 fuzz() {
@@ -184,6 +199,7 @@ case $command in
   build) build "$@" ;;
   bench) bench "$@" ;;
   corpus) corpus "$@" ;;
+  tables) tables "$@" ;;
   fuzz) fuzz "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;

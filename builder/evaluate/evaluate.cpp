@@ -2,13 +2,15 @@
 #include "cairn/builder/evaluate.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "evaluate/sampled_protrusion.h"
-#include "evaluate/sphere_union.h"
+#include "evaluate/uncovered_area.h"
+#include "evaluate/volumes.h"
 #include "surface/mass_properties.h"
 
 namespace cairn::builder {
@@ -36,13 +38,34 @@ std::vector<CutBall> cutBalls(const SphereTree& tree, std::uint32_t level) {
 
 void sampleProtrusions(const SignedDistance& solid, const std::vector<CutBall>& balls, LevelFit& fit) {
   std::vector<double> errors(balls.size());
-  tbb::parallel_for(std::size_t{0}, balls.size(),
-                    [&](std::size_t i) { errors[i] = sampledProtrusion(solid, balls[i].center, balls[i].radius); });
-  double sumSq = 0;
-  for (const double error : errors) sumSq += error * error;
   const double diagonal = solid.bounds().diagonal();
-  fit.sampledMaxFraction = *std::max_element(errors.begin(), errors.end()) / diagonal;
-  fit.sampledRmsFraction = std::sqrt(sumSq / static_cast<double>(errors.size())) / diagonal;
+  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) {
+    errors[i] = sampledProtrusion(solid, balls[i].center, balls[i].radius) / diagonal;
+  });
+  const auto count = static_cast<double>(errors.size());
+  double sum = 0, sumSq = 0, deviationSq = 0;
+  for (const double error : errors) sum += error, sumSq += error * error;
+  for (const double error : errors) deviationSq += (error - sum / count) * (error - sum / count);
+  fit.sampledMaxFraction = *std::max_element(errors.begin(), errors.end());
+  fit.sampledRmsFraction = std::sqrt(sumSq / count);
+  fit.sampledVarianceFractionSquared = deviationSq / count;
+}
+
+/// Each integral has a stream of random numbers of its own and runs in one thread.
+void measureVolumes(const SignedDistance& distance, const SolidLines& solid, double volume, const BallLines& balls,
+                    std::uint64_t seed, LevelFit& fit) {
+  VolumeEstimate wasted, uncovered;
+  UncoveredDepth depth;
+  tbb::parallel_invoke([&] { wasted = wastedVolume(solid, balls, seed); },
+                       [&] { uncovered = uncoveredVolume(solid, balls, seed); },
+                       [&] { depth = uncoveredDepth(distance, solid, balls, seed); });
+  fit.wastedVolumeFraction = wasted.value / volume;
+  fit.wastedVolumeStandardErrorFraction = wasted.standardError / volume;
+  fit.uncoveredVolumeFraction = uncovered.value / volume;
+  fit.uncoveredVolumeStandardErrorFraction = uncovered.standardError / volume;
+  const double diagonal = distance.bounds().diagonal();
+  fit.uncoveredDepthMaxFraction = depth.max / diagonal;
+  fit.uncoveredDepthRmsFraction = depth.rms / diagonal;
 }
 
 }  // namespace
@@ -58,6 +81,7 @@ Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMes
   if (sampling == Sampling::none) return fits;
 
   const SignedDistance solid(mesh);
+  const SolidLines lines(mesh);
   const double volume = massPropertiesOf(mesh).volume;
   for (LevelFit& fit : fits) {
     const auto index = static_cast<double>(fit.level - first);
@@ -71,7 +95,7 @@ Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMes
     if (!report(1)) return Error{std::string(kCancelled)};
     fit.uncoveredAreaFraction = uncoveredAreaFraction(mesh, balls, seed);
     if (!report(2)) return Error{std::string(kCancelled)};
-    fit.wastedVolumeFraction = wastedVolume(solid, balls, seed) / volume;
+    measureVolumes(solid, lines, volume, BallLines(balls), seed, fit);
   }
   return fits;
 }

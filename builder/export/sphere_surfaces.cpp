@@ -11,7 +11,7 @@
 
 #include "cairn/builder/export.h"
 #include "cairn/core/atomic_file.h"
-#include "export/icosphere.h"
+#include "surface/icosphere.h"
 
 namespace cairn::builder {
 namespace {

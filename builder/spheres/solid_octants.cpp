@@ -6,31 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "surface/triangle_in_cube.h"
+
 namespace cairn::builder {
 
 namespace {
 
 /// Cubes are widened by this factor, far more than clipping rounds by, so that no point of the surface is lost between.
 constexpr double kSlack = 1 + 1e-9;
-
-/// True when the triangle meets the cube: what is left after clipping it at the six faces.
-bool meets(const Cube& cube, const std::array<Vec3d, 3>& corners) {
-  std::vector<Vec3d> polygon(corners.begin(), corners.end()), clipped;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {-1.0, 1.0}) {
-      const auto height = [&](const Vec3d& p) { return cube.halfEdge - side * (p[axis] - cube.center[axis]); };
-      clipped.clear();
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3d &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-        const double a = height(from), b = height(to);
-        if (a >= 0) clipped.push_back(from);
-        if ((a < 0) != (b < 0)) clipped.push_back(from + (to - from) * (a / (a - b)));
-      }
-      if (clipped.empty()) return false;
-      polygon.swap(clipped);
-    }
-  return true;
-}
 
 bool fits(const Cube& cube, const Piece& piece) {
   return std::all_of(piece.corners.begin(), piece.corners.end(),
@@ -41,7 +24,7 @@ bool fits(const Cube& cube, const Piece& piece) {
 std::vector<unsigned> metBy(const Piece& piece, const std::array<Cube, 8>& octants) {
   std::vector<unsigned> met;
   for (unsigned i = 0; i < 8; ++i)
-    if (meets({octants[i].center, octants[i].halfEdge * kSlack}, piece.corners)) met.push_back(i);
+    if (triangleMeetsCube(piece.corners, octants[i].center, octants[i].halfEdge * kSlack)) met.push_back(i);
   return met;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "cairn/core/atomic_file.h"
@@ -21,8 +22,14 @@ Json levelsJson(const std::vector<builder::LevelFit>& fits, builder::Sampling sa
     if (sampling == builder::Sampling::full) {
       level["sampled_max_fraction"] = fit.sampledMaxFraction;
       level["sampled_rms_fraction"] = fit.sampledRmsFraction;
+      level["sampled_variance_fraction_squared"] = fit.sampledVarianceFractionSquared;
       level["uncovered_area_fraction"] = fit.uncoveredAreaFraction;
+      level["uncovered_volume_fraction"] = fit.uncoveredVolumeFraction;
+      level["uncovered_volume_standard_error_fraction"] = fit.uncoveredVolumeStandardErrorFraction;
+      level["uncovered_depth_max_fraction"] = fit.uncoveredDepthMaxFraction;
+      level["uncovered_depth_rms_fraction"] = fit.uncoveredDepthRmsFraction;
       level["wasted_volume_fraction"] = fit.wastedVolumeFraction;
+      level["wasted_volume_standard_error_fraction"] = fit.wastedVolumeStandardErrorFraction;
     }
     level["coverage_proven"] = fit.coverageProven;
     level["reachable_proven"] = fit.reachableProven;
@@ -51,21 +58,42 @@ Status writeJson(const Json& json, const std::string& path) {
   return {};
 }
 
-void printLevels(const std::vector<builder::LevelFit>& fits, builder::Sampling sampling) {
-  const bool full = sampling == builder::Sampling::full;
+namespace {
+
+void printProtrusions(const std::vector<builder::LevelFit>& fits, bool full) {
   fmt::print("level  spheres  protrusion, certified  ");
-  if (full) fmt::print("sampled          uncovered  wasted  ");
+  if (full) fmt::print("sampled                   ");
   fmt::print("cover\n                max %    rms %        ");
-  if (full) fmt::print("  max %    rms %    area %     volume %  ");
+  if (full) fmt::print("  max %    rms %    std %   ");
   fmt::print("\n");
   for (const builder::LevelFit& fit : fits) {
     fmt::print("{:5}  {:7} {:8.4f} {:8.4f}        ", fit.level, fit.spheres, 100 * fit.certifiedMaxFraction,
                100 * fit.certifiedRmsFraction);
     if (full)
-      fmt::print("{:7.4f}  {:7.4f}  {:7.4f}  {:9.2f}   ", 100 * fit.sampledMaxFraction, 100 * fit.sampledRmsFraction,
-                 100 * fit.uncoveredAreaFraction, 100 * fit.wastedVolumeFraction);
+      fmt::print("{:7.4f}  {:7.4f}  {:7.4f}   ", 100 * fit.sampledMaxFraction, 100 * fit.sampledRmsFraction,
+                 100 * std::sqrt(fit.sampledVarianceFractionSquared));
     fmt::print("{}\n", fit.reachableProven ? "proven" : fit.coverageProven ? "proven, not reachable" : "NOT proven");
   }
+}
+
+void printVolumes(const std::vector<builder::LevelFit>& fits) {
+  fmt::print(
+      "level  uncovered                                        wasted\n"
+      "        area %  volume % +- error  depth max %  rms %   volume % +- error\n");
+  for (const builder::LevelFit& fit : fits)
+    fmt::print("{:5} {:8.4f} {:9.3f}   {:6.3f}   {:9.4f} {:8.4f}  {:8.2f}   {:6.2f}\n", fit.level,
+               100 * fit.uncoveredAreaFraction, 100 * fit.uncoveredVolumeFraction,
+               100 * fit.uncoveredVolumeStandardErrorFraction, 100 * fit.uncoveredDepthMaxFraction,
+               100 * fit.uncoveredDepthRmsFraction, 100 * fit.wastedVolumeFraction,
+               100 * fit.wastedVolumeStandardErrorFraction);
+}
+
+}  // namespace
+
+void printLevels(const std::vector<builder::LevelFit>& fits, builder::Sampling sampling) {
+  const bool full = sampling == builder::Sampling::full;
+  printProtrusions(fits, full);
+  if (full) printVolumes(fits);
 }
 
 }  // namespace cairn::tool

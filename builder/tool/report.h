@@ -25,7 +25,7 @@ std::string treeSha256(const SphereTree& tree);
 /// Writes a report to `path`, "-" being standard output; does nothing for an empty path.
 Status writeJson(const Json& json, const std::string& path);
 
-/// The fit per level as a table on standard output, lengths in percent of the mesh's diagonal.
+/// The fit per level as tables on standard output: lengths in percent of the mesh's diagonal, volumes of its own.
 void printLevels(const std::vector<builder::LevelFit>& fits, builder::Sampling sampling);
 
 }  // namespace cairn::tool

@@ -9,8 +9,8 @@
 #include "builder_meshes.h"
 #include "built_trees.h"
 #include "cairn/builder/import.h"
-#include "export/icosphere.h"
 #include "run_program.h"
+#include "surface/icosphere.h"
 #include "surface/mass_properties.h"
 
 namespace cairn::builder {

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <random>
+#include <set>
 #include <vector>
 
 #include "builder_meshes.h"
@@ -39,6 +42,66 @@ TEST(VoronoiDiagram, RandomSites_NoSiteInsideAVertexSphere) {
     VoronoiDiagram diagram(kUnitBox);
     for (int i = 0; i < 150; ++i) ASSERT_TRUE(diagram.insert(test::randomPoint(engine)));
     expectEmptySpheres(diagram);
+  }
+}
+
+using Quadruple = std::array<std::uint32_t, 4>;
+using Wide = BasicVec3<long double>;
+
+/// Six times the signed volume of a tetrahedron.
+long double volumeOf(const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
+  return dot(b - a, cross(c - a, d - a));
+}
+
+/// Whether `e` lies in the sphere through a, b, c and d: the sign of a determinant, not a comparison of radii.
+bool inSphere(const Wide& a, const Wide& b, const Wide& c, const Wide& d, const Wide& e) {
+  const std::array<Wide, 4> p{a - e, b - e, c - e, d - e};
+  long double sum = 0;
+  for (int i = 0; i < 4; ++i) {
+    const Wide &u = p[(i + 1) % 4], &v = p[(i + 2) % 4], &w = p[(i + 3) % 4];
+    sum += (i % 2 == 0 ? 1 : -1) * lengthSq(p[i]) * dot(u, cross(v, w));
+  }
+  return volumeOf(a, b, c, d) > 0 ? sum > 0 : sum < 0;
+}
+
+/// All quadruples of sites without another site in their sphere.
+std::set<Quadruple> delaunayByTrial(const VoronoiDiagram& diagram) {
+  const std::uint32_t n = diagram.siteCount();
+  const auto site = [&](std::uint32_t i) { return Wide(diagram.site(i)); };
+  std::set<Quadruple> found;
+  for (std::uint32_t a = 0; a < n; ++a)
+    for (std::uint32_t b = a + 1; b < n; ++b)
+      for (std::uint32_t c = b + 1; c < n; ++c)
+        for (std::uint32_t d = c + 1; d < n; ++d) {
+          bool empty = true;
+          for (std::uint32_t e = 0; empty && e < n; ++e)
+            empty = e == a || e == b || e == c || e == d || !inSphere(site(a), site(b), site(c), site(d), site(e));
+          if (empty) found.insert({a, b, c, d});
+        }
+  return found;
+}
+
+TEST(VoronoiDiagram, RandomSites_AreThoseOfAllEmptyQuadruples) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 engine(seed);
+    VoronoiDiagram diagram(kUnitBox);
+    for (int i = 0; i < 14; ++i) ASSERT_TRUE(diagram.insert(test::randomPoint(engine)));
+    std::set<Quadruple> vertices;
+    for (const VoronoiVertex& vertex : diagram.vertices()) {
+      if (!vertex.alive) continue;
+      Quadruple sites = vertex.sites;
+      std::ranges::sort(sites);
+      EXPECT_TRUE(vertices.insert(sites).second);
+    }
+    std::set<Quadruple> expected = delaunayByTrial(diagram);
+    // The eight enclosing sites are the corners of a cube: a sphere through three of a face holds the fourth too, and
+    // which of the quadruples are taken is free.
+    const auto isFree = [](const Quadruple& q) { return q[2] < VoronoiDiagram::kEnclosingSites; };
+    std::erase_if(vertices, isFree);
+    std::erase_if(expected, isFree);
+    EXPECT_GT(expected.size(), 14U);
+    EXPECT_EQ(vertices, expected);
   }
 }
 

@@ -68,7 +68,9 @@ TEST_F(Tool, BuildWritesATreeAndTheReportScriptsRelyOn) {
   for (const Json& level : report.at("levels")) {
     for (const char* key :
          {"level", "spheres", "certified_max_fraction", "certified_rms_fraction", "sampled_max_fraction",
-          "sampled_rms_fraction", "uncovered_area_fraction", "wasted_volume_fraction"})
+          "sampled_rms_fraction", "sampled_variance_fraction_squared", "uncovered_area_fraction",
+          "uncovered_volume_fraction", "uncovered_volume_standard_error_fraction", "uncovered_depth_max_fraction",
+          "uncovered_depth_rms_fraction", "wasted_volume_fraction", "wasted_volume_standard_error_fraction"})
       EXPECT_TRUE(level.at(key).is_number()) << key;
     EXPECT_EQ(level.at("coverage_proven"), true);
     EXPECT_EQ(level.at("reachable_proven"), true);

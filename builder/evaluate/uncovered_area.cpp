@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluate/sphere_union.h"
+#include "evaluate/uncovered_area.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "surface/random_stream.h"
 
@@ -13,7 +12,6 @@ namespace cairn::builder {
 namespace {
 
 constexpr std::size_t kAreaSamples = 100'000;
-constexpr std::size_t kVolumeSamples = 100'000;
 constexpr std::size_t kChunk = 1'000;  // samples of one random stream
 
 /// cumulative[i] = sum of the weights before i; one entry more than weights.
@@ -87,28 +85,6 @@ double uncoveredAreaFraction(const TriangleMesh& mesh, const std::vector<CutBall
     return count;
   });
   return outside / kAreaSamples;
-}
-
-double wastedVolume(const SignedDistance& solid, const std::vector<CutBall>& balls, std::uint64_t seed) {
-  std::vector<double> volumes;
-  for (const CutBall& ball : balls) volumes.push_back(4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3));
-  const std::vector<double> sums = cumulated(volumes);
-  const double mean = sumOverChunks(kVolumeSamples, [&](std::size_t chunk) {
-    RandomStream random(seed, chunk);
-    double share = 0;
-    for (std::size_t i = chunk * kChunk; i < (chunk + 1) * kChunk; ++i) {
-      const double position = (static_cast<double>(i) + random.uniform()) / kVolumeSamples * sums.back();
-      const CutBall& ball = balls[intervalAt(sums, position)];
-      const Vec3d point = random.inBall(ball.center, ball.radius);
-      if (solid.depth(point) >= 0) continue;
-      const auto holding =
-          std::count_if(balls.begin(), balls.end(), [&](const CutBall& b) { return b.contains(point); });
-      // At least the ball it was drawn from, whatever rounding says.
-      share += 1.0 / static_cast<double>(std::max<std::ptrdiff_t>(holding, 1));
-    }
-    return share;
-  });
-  return mean / kVolumeSamples * sums.back();
 }
 
 }  // namespace cairn::builder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/icosphere.h"
+#include "surface/icosphere.h"
 
 #include <algorithm>
 #include <cmath>

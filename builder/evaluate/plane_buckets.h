@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cairn::builder {
+
+/// An axis-aligned rectangle of the xy plane, edges included.
+struct Rectangle {
+  std::array<double, 2> lower{}, upper{};
+};
+
+/// Which of many rectangles may hold a point of the plane: a regular grid with a list per cell, about one cell for each
+/// rectangle, fewer when that would take more than `kMostPerRectangle` entries for each. O(1) a query for rectangles of
+/// like size that overlap little; linear memory for any.
+class PlaneBuckets {
+ public:
+  static constexpr std::size_t kMostPerRectangle = 32;
+
+  /// O(n).
+  explicit PlaneBuckets(std::span<const Rectangle> rectangles);
+
+  /// Ascending indices of rectangles, those that hold (x, y) among them. Empty outside `bounds()`.
+  std::span<const std::uint32_t> at(double x, double y) const;
+  /// Of all rectangles; lower = upper = 0 without any.
+  const Rectangle& bounds() const { return bounds_; }
+  /// Entries of all lists together.
+  std::size_t entries() const { return list_.size(); }
+
+ private:
+  std::size_t entriesFor(std::span<const Rectangle> rectangles) const;
+  std::array<std::uint32_t, 2> cellOf(const std::array<double, 2>& point) const;
+  template <class Visit>
+  void forCells(const Rectangle& rectangle, const Visit& visit) const;
+
+  Rectangle bounds_;
+  std::uint32_t side_ = 1;                   // cells along each axis
+  std::vector<std::uint32_t> first_, list_;  // indices of cell i: list_[first_[i]] to list_[first_[i + 1]]
+};
+
+}  // namespace cairn::builder
