@@ -29,6 +29,7 @@ constexpr const char* kAbout =
     "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
     "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate\n"
     "  cairn build rock.obj -o lean.cairn --balance 0.05\n"
+    "  cairn build rock.obj -o thesis.cairn --method burst --optimise thesis --balance work\n"
     "  cairn build scan.ply -o scan.cairn --repair\n"
     "  cairn build ship.dae -o ship.cairn --wrap --wrap-alpha 0.05 --mesh-output skin.ply";
 

@@ -32,8 +32,7 @@ RegionTree grown(const SignedDistance& solid, const SplitSettings& settings) {
 
 double worstChildOf(const RegionTree& tree, const RegionNode& node) {
   double worst = 0;
-  for (std::uint32_t c = 0; c < node.childCount; ++c)
-    worst = std::max(worst, tree[node.firstChild + c].region.error);
+  for (std::uint32_t c = 0; c < node.childCount; ++c) worst = std::max(worst, tree[node.firstChild + c].region.error);
   return worst;
 }
 
@@ -54,7 +53,8 @@ TEST(Balance, NamesRoundTripAndOthersAreRefused) {
     ASSERT_TRUE(parsed);
     EXPECT_EQ(parsed.value(), balance);
   }
-  for (const char* text : {"", "1.01", "-0.1", "nan", "inf", "0.05x", "5%", "much"}) EXPECT_FALSE(parseBalance(text)) << text;
+  for (const char* text : {"", "1.01", "-0.1", "nan", "inf", "0.05x", "5%", "much"})
+    EXPECT_FALSE(parseBalance(text)) << text;
 }
 
 class BalanceOf : public testing::TestWithParam<Method> {};

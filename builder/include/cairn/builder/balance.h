@@ -17,8 +17,8 @@ struct Balance {
   friend bool operator==(const Balance&, const Balance&) = default;
 };
 
-/// The thesis's two sets of parameters (footnote of 6.3): a constant excess (A infinite, v = 1), and a growth that has to
-/// be earned by work saved (A = 5, v = 0.75, B = 0): 2.5 % for the first of eight, 3.75 % for two, then 4.2 %.
+/// The thesis's two sets of parameters (footnote of 6.3): a constant excess (A infinite, v = 1), and a growth that has
+/// to be earned by work saved (A = 5, v = 0.75, B = 0): 2.5 % for the first of eight, 3.75 % for two, then 4.2 %.
 inline constexpr Balance constantExcess(double excess) {
   return {.excess = excess};
 }
