@@ -4,11 +4,13 @@
 #include <tbb/task_arena.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "cairn/builder/import.h"
 #include "hierarchy/build_options.h"
 #include "hierarchy/grow_levels.h"
+#include "hierarchy/method_traits.h"
 #include "hierarchy/region_tree.h"
 #include "hierarchy/tree_data.h"
 #include "medial/hubbard_medial.h"
@@ -26,8 +28,10 @@ constexpr double kNegligibleFraction = 1e-6;
 constexpr std::size_t kHubbardSamples = 500;
 
 BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
-  return {mesh.name,       mesh.sha256, methodName(options.method), options.branching, options.depth,
-          options.samples, options.seed};
+  std::string method = methodName(options.method);
+  if (options.optimiser) method += std::string("+optimise-") + optimiserName(*options.optimiser);
+  if (options.balance) method += "+balance-" + balanceName(*options.balance);
+  return {mesh.name, mesh.sha256, std::move(method), options.branching, options.depth, options.samples, options.seed};
 }
 
 /// Splitting takes nearly all the time, and each level about as much per region; what follows is the last tenth.
@@ -46,8 +50,10 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
     medial = hubbardMedialOf(solid, kHubbardSamples, options.seed);
     for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) root.medial.push_back(i);
   }
-  const SplitSettings settings{options.method, options.branching, options.seed,
-                               kNegligibleFraction * boundsOf(mesh).diagonal(), &medial};
+  const SplitSettings settings{options.method, options.branching,
+                               options.seed,   kNegligibleFraction * boundsOf(mesh).diagonal(),
+                               &medial,        options.optimiser.value_or(traitsOf(options.method).optimiser),
+                               options.balance};
   const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
   const RegionTree regions = grow(std::move(root), options.depth, solid, settings,
                                   [&](std::uint32_t level, std::size_t done, std::size_t count) {

@@ -28,6 +28,10 @@ Status checkOptions(const BuildOptions& options) {
     return Error{"the method " + std::string(methodName(options.method)) +
                  " divides by eight, but the option branching is " + std::to_string(options.branching) +
                  "; choose 8 or another method"};
+  if (!fitsRegions(options.method) && (options.optimiser || options.balance))
+    return Error{"the method " + std::string(methodName(options.method)) +
+                 " does not fit spheres region by region, as the option " +
+                 (options.optimiser ? "optimiser" : "balance") + " needs; leave it out or choose another method"};
   if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMostAdaptiveLeaves)
     return Error{
         "the method adaptive fits all spheres of a level at once, but the options branching and depth ask for " +

@@ -10,22 +10,23 @@ namespace cairn::builder {
 
 namespace {
 
-constexpr bool kImproved = true, kAsInTheThesis = false;
-constexpr bool kCubes = true, kBalls = false;
-
 constexpr std::array kMethods{
-    MethodTraits{Method::combined, "combined", kImproved, Refit::tightest, kBalls},
-    MethodTraits{Method::merge, "merge", kImproved, Refit::tightest, kBalls},
-    MethodTraits{Method::expand, "expand", kImproved, Refit::tightest, kBalls},
-    MethodTraits{Method::adaptive, "adaptive", kImproved, Refit::tightest, kBalls},
-    MethodTraits{Method::expandCover, "expand-cover", kAsInTheThesis, Refit::tightest, kBalls},
-    MethodTraits{Method::burst, "burst", kAsInTheThesis, Refit::tightest, kBalls},
-    MethodTraits{Method::spawn, "spawn", kAsInTheThesis, Refit::tightest, kBalls},
-    MethodTraits{Method::hubbard, "hubbard", kAsInTheThesis, Refit::none, kBalls},
-    MethodTraits{Method::grid, "grid", kAsInTheThesis, Refit::smallest, kBalls},
-    MethodTraits{Method::octree, "octree", kAsInTheThesis, Refit::none, kCubes},
-    MethodTraits{Method::solidOctree, "solid-octree", kAsInTheThesis, Refit::none, kCubes},
+    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres},
+    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres},
+    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres},
+    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels},
+    MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres},
+    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres},
+    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres},
+    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups},
+    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres},
+    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres},
+    MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes},
+    MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes},
 };
+
+/// In the order of the enumeration.
+constexpr std::array<const char*, 3> kOptimisers{"none", "thesis", "cairn"};
 
 }  // namespace
 
@@ -59,8 +60,27 @@ std::vector<std::string> methodNames() {
   return names;
 }
 
+Result<Optimiser> parseOptimiser(const std::string& name) {
+  const auto* const found = std::find(kOptimisers.begin(), kOptimisers.end(), name);
+  if (found == kOptimisers.end())
+    return Error{"there is no optimisation '" + name + "'; choose one of none, thesis, cairn"};
+  return static_cast<Optimiser>(found - kOptimisers.begin());
+}
+
+const char* optimiserName(Optimiser optimiser) {
+  return kOptimisers[static_cast<std::size_t>(optimiser)];
+}
+
+std::vector<std::string> optimiserNames() {
+  return {kOptimisers.begin(), kOptimisers.end()};
+}
+
+bool fitsRegions(Method method) {
+  return traitsOf(method).division == Division::spheres;
+}
+
 bool dividesByEight(Method method) {
-  return traitsOf(method).cubes;
+  return traitsOf(method).division == Division::cubes;
 }
 
 }  // namespace cairn::builder

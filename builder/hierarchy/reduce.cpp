@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce.h"
 
-#include "hierarchy/method_traits.h"
+#include <utility>
+
 #include "medial/medial_spheres.h"
 #include "spheres/ball_fit.h"
 #include "spheres/burst.h"
@@ -9,6 +10,7 @@
 #include "spheres/grid.h"
 #include "spheres/merge.h"
 #include "spheres/optimise.h"
+#include "spheres/optimise_one_by_one.h"
 #include "spheres/spawn.h"
 
 namespace cairn::builder {
@@ -31,7 +33,7 @@ MedialSpheres medialSpheresOf(const CoverProblem& problem, const Region& region,
   MedialGoal goal;
   goal.maxStandOff = 0.5 * region.ball.standOff();
   goal.maxOutside = 0.5 * region.ball.standOff();
-  const bool moved = traitsOf(settings.method).improved;
+  const bool moved = settings.optimiser == Optimiser::cairn;
   if (!moved) goal.minSpheres = kSpheresUnmoved;
   goal.maxInsertions = moved ? kMaxInsertions : kMaxInsertionsUnmoved;
   return approximateMedialAxis(solid, problem.points, spacing, sites, goal);
@@ -52,33 +54,54 @@ Candidates candidatesFrom(const MedialSpheres& medial, const CoverProblem& probl
   return c;
 }
 
-SphereSet betterOfBoth(const CoverProblem& problem, const Candidates& candidates, int swapRounds) {
-  SphereSet expanded = optimise(problem, expand(problem, candidates.all));
-  SphereSet merged = optimise(problem, merge(problem, candidates.covering));
-  return optimiseBySwaps(
-      problem, coverStandOff(problem.points, merged) < coverStandOff(problem.points, expanded) ? merged : expanded,
-      swapRounds);
+SphereSet optimised(const CoverProblem& problem, SphereSet set, Optimiser optimiser, int swapRounds) {
+  switch (optimiser) {
+    case Optimiser::thesis:
+      return optimiseOneByOne(problem, std::move(set));
+    case Optimiser::cairn:
+      return optimiseBySwaps(problem, std::move(set), swapRounds);
+    default:
+      return set;
+  }
+}
+
+SphereSet betterOfBoth(const CoverProblem& problem, const Candidates& candidates, Optimiser optimiser) {
+  SphereSet expanded = expand(problem, candidates.all), merged = merge(problem, candidates.covering);
+  if (optimiser == Optimiser::cairn) {
+    expanded = optimise(problem, std::move(expanded));
+    merged = optimise(problem, std::move(merged));
+  }
+  return coverStandOff(problem.points, merged) < coverStandOff(problem.points, expanded) ? merged : expanded;
+}
+
+SphereSet reducedFrom(const Candidates& candidates, const CoverProblem& problem, const SplitSettings& settings) {
+  switch (settings.method) {
+    case Method::expand:
+      return expand(problem, candidates.all);
+    case Method::merge:
+      return merge(problem, candidates.covering);
+    case Method::expandCover:
+      return expand(problem, candidates.all, ExpandRank::maxCover);
+    case Method::burst:
+      return burst(problem, candidates.covering);
+    default:
+      return betterOfBoth(problem, candidates, settings.optimiser);
+  }
+}
+
+SphereSet reducedSet(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
+                     const SplitSettings& settings) {
+  if (settings.method == Method::spawn) return spawn(problem);
+  if (settings.method == Method::grid || settings.method == Method::hybrid) return gridSpheres(problem);
+  return reducedFrom(candidatesFrom(medialSpheresOf(problem, region, spacing, solid, settings), problem), problem,
+                     settings);
 }
 
 }  // namespace
 
 SphereSet reduce(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
                  const SplitSettings& settings, int swapRounds) {
-  if (settings.method == Method::spawn) return spawn(problem);
-  if (settings.method == Method::grid) return gridSpheres(problem);
-  const Candidates candidates = candidatesFrom(medialSpheresOf(problem, region, spacing, solid, settings), problem);
-  switch (settings.method) {
-    case Method::expand:
-      return optimiseBySwaps(problem, expand(problem, candidates.all), swapRounds);
-    case Method::merge:
-      return optimiseBySwaps(problem, merge(problem, candidates.covering), swapRounds);
-    case Method::expandCover:
-      return expand(problem, candidates.all, ExpandRank::maxCover);
-    case Method::burst:
-      return burst(problem, candidates.covering);
-    default:
-      return betterOfBoth(problem, candidates, swapRounds);
-  }
+  return optimised(problem, reducedSet(problem, region, spacing, solid, settings), settings.optimiser, swapRounds);
 }
 
 }  // namespace cairn::builder

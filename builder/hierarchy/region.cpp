@@ -1,34 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "region.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "certify/protrusion.h"
 #include "spheres/ball_fit.h"
 #include "spheres/enclosing_ball.h"
+#include "spheres/sphere_set.h"
 
 namespace cairn::builder {
+
+namespace {
+
+struct CertifiedBall {
+  Ball ball;
+  double error = 0;
+};
+
+/// The balls around one part of the surface, each with its certified error.
+class PartFit {
+ public:
+  PartFit(const Pieces& pieces, const SignedDistance& solid)
+      : solid_(solid), depth_(solid), list_(cornersOf(pieces)), corners_(list_) {}
+
+  CertifiedBall around(const Vec3d& center) const { return certified(ballAround(center, corners_, depth_)); }
+  CertifiedBall smallest() const { return around(smallestEnclosingBall(list_).center); }
+  CertifiedBall tightest(const Vec3d& center) const { return certified(fitBall(center, corners_, depth_)); }
+
+  /// Fitted in the closing of the solid at about the error of `start`, so that narrow concavities are not charged.
+  CertifiedBall closed(const CertifiedBall& start) const {
+    if (start.error <= 0) return start;
+    const ClosedDepth field(solid_, kClosingScale * start.error, closingSpacing(std::span(&start.ball, 1), start.error),
+                            start.ball.center, start.ball.radius + 2 * start.error);
+    if (!field.usable()) return start;
+    return around(fitBall(start.ball.center, corners_, field).center);
+  }
+
+ private:
+  CertifiedBall certified(const Ball& ball) const { return {ball, errorOf(ball, solid_)}; }
+
+  const SignedDistance& solid_;
+  SolidDepth depth_;
+  std::vector<Vec3d> list_;
+  PointSet corners_;
+};
+
+/// The first one on a tie.
+CertifiedBall better(const CertifiedBall& a, const CertifiedBall& b) {
+  return b.error < a.error ? b : a;
+}
+
+CertifiedBall fitted(const PartFit& part, const Vec3d& center, Refit refit) {
+  if (refit == Refit::none) return part.around(center);
+  if (refit == Refit::smallest) return part.smallest();
+  if (refit == Refit::tightest) return better(part.around(center), part.tightest(center));
+  const CertifiedBall least = better(part.smallest(), part.tightest(center));
+  return better(least, part.closed(least));
+}
+
+}  // namespace
 
 double errorOf(const Ball& ball, const SignedDistance& solid) {
   return certifiedProtrusion(solid, ball.center, ball.radius, defaultProtrusionTolerance(solid)).upper;
 }
 
 Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit) {
-  const SolidDepth depth(solid);
-  const std::vector<Vec3d> list = cornersOf(pieces);
-  const PointSet corners(list);
-  Ball kept = ballAround(refit == Refit::smallest ? smallestEnclosingBall(list).center : ball.center, corners, depth);
-  double error = errorOf(kept, solid);
-  if (refit == Refit::tightest) {
-    const Ball fitted = fitBall(ball.center, corners, depth);
-    const double fittedError = errorOf(fitted, solid);
-    if (fittedError < error) {
-      kept = fitted;
-      error = fittedError;
-    }
-  }
-  return {kept, error, std::move(pieces)};
+  const CertifiedBall kept = fitted(PartFit(pieces, solid), ball.center, refit);
+  return {kept.ball, kept.error, std::move(pieces)};
 }
 
 }  // namespace cairn::builder

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <utility>
 
+#include "hierarchy/drop_spheres.h"
 #include "hierarchy/lookahead.h"
-#include "hierarchy/method_traits.h"
 
 namespace cairn::builder {
 
@@ -55,9 +55,10 @@ class Growth {
     RegionTree tree;
     tree.push_back({std::move(root), 0, 0, 0});
     std::vector<Split> splits{splitRegion(tree[0].region, solid_, settings_, kRootSwapRounds)};
-    if (traitsOf(settings_.method).improved)
+    if (settings_.optimiser == Optimiser::cairn)
       splits[0] = refineSplit(splits[0], tree[0].region, solid_, settings_, kRootSwapRounds);
     for (std::uint32_t level = 0; level < depth; ++level) {
+      if (!dropAll(tree, splits, level)) return {};
       std::vector<Split> next;
       if (level + 1 < depth && !lookAhead(splits, next, level)) return {};
       append(tree, splits);
@@ -67,6 +68,21 @@ class Growth {
   }
 
  private:
+  /// Drops spheres from the divisions of the tree's last nodes. False when cancelled.
+  bool dropAll(const RegionTree& tree, std::vector<Split>& splits, std::uint32_t level) const {
+    if (!settings_.balance) return true;
+    // The divisions are still to be chosen for their children's sake, so the level is no farther than its beginning.
+    const LevelProgress still = [&](std::uint32_t l, std::size_t, std::size_t count) { return progress_(l, 0, count); };
+    LevelCounter counter(still, level, splits.size());
+    const std::size_t first = tree.size() - splits.size();
+    tbb::parallel_for(std::size_t{0}, splits.size(), [&](std::size_t i) {
+      if (counter.cancelled()) return;
+      splits[i] = dropSpheres(splits[i], tree[first + i].region, solid_, settings_);
+      counter.finishOne();
+    });
+    return !counter.cancelled();
+  }
+
   /// Divides the children of the level's nodes, then improves the level's divisions for their sake. False when
   /// cancelled.
   bool lookAhead(std::vector<Split>& splits, std::vector<Split>& next, std::uint32_t level) {
@@ -78,7 +94,7 @@ class Growth {
       counter.finishOne();
     });
     if (counter.cancelled()) return false;
-    if (traitsOf(settings_.method).improved && !relieveAll(nodes, level)) return false;
+    if (settings_.optimiser == Optimiser::cairn && !relieveAll(nodes, level)) return false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       splits[i] = nodes[i]->split();
       for (Split& split : nodes[i]->takeChildren()) next.push_back(std::move(split));

@@ -119,7 +119,7 @@ Split splitByBalls(const Region& region, const SignedDistance& solid, const Spli
   const SolidDepth depth(solid);
   const CoverProblem problem{split.points, depth, settings.branching};
   SphereSet balls = reduce(problem, region, spacingOf(split.pieces), solid, settings, swapRounds);
-  if (!traitsOf(settings.method).improved) {
+  if (settings.optimiser != Optimiser::cairn) {
     settle(split, balls, solid, settings);
     if (split.children.size() >= 2) return split;
     // A set of which one ball takes everything does not divide; the optimisation completes it and spreads it out.
@@ -192,9 +192,9 @@ double Split::worst() const {
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
   if (region.pieces.empty() || region.ball.standOff() <= settings.negligible) return {};
   Split split;
-  if (traitsOf(settings.method).cubes)
+  if (traitsOf(settings.method).division == Division::cubes)
     split.children = splitByCubes(region, solid, settings);
-  else if (settings.method == Method::hubbard)
+  else if (traitsOf(settings.method).division == Division::groups)
     split.children = splitByGroups(region, solid, settings);
   else
     split = splitByBalls(region, solid, settings, swapRounds);
@@ -211,14 +211,25 @@ Split refineSplit(const Split& split, const Region& region, const SignedDistance
   const ClosedDepth depth(solid, kClosingScale * standOff, closingSpacing(split.balls, standOff), region.ball.center,
                           region.ball.radius + 2 * standOff);
   if (!depth.usable()) return split;
-  Split refined;
-  refined.pieces = split.pieces;
-  refined.points = split.points;
-  const CoverProblem problem{refined.points, depth, settings.branching};
-  SphereSet start = split.balls;
-  for (Ball& ball : start) ball.depth = depth.depth(ball.center);
-  settleOptimised(refined, optimiseBySwaps(problem, std::move(start), swapRounds), problem, solid, settings);
+  const CoverProblem problem{split.points, depth, settings.branching};
+  const SphereSet start = seenBy(depth, split.balls);
+  const Split refined = splitAmong(split, optimiseBySwaps(problem, start, swapRounds), depth, solid, settings);
   return refined.worst() < split.worst() ? refined : split;
+}
+
+SphereSet seenBy(const DepthField& field, SphereSet balls) {
+  for (Ball& ball : balls) ball.depth = field.depth(ball.center);
+  return balls;
+}
+
+Split splitAmong(const Split& split, SphereSet start, const DepthField& field, const SignedDistance& solid,
+                 const SplitSettings& settings) {
+  Split among;
+  among.pieces = split.pieces;
+  among.points = split.points;
+  const CoverProblem problem{among.points, field, settings.branching};
+  settleOptimised(among, std::move(start), problem, solid, settings);
+  return among;
 }
 
 Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,

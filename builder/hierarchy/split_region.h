@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "cairn/builder/build.h"
@@ -19,6 +21,8 @@ struct SplitSettings {
   std::uint64_t seed = 1;
   double negligible = 0;                   ///< stand-off not worth splitting for, mesh unit, > 0
   const HubbardMedial* hubbard = nullptr;  ///< of the solid; for that method only
+  Optimiser optimiser = Optimiser::cairn;
+  std::optional<Balance> balance{};
 };
 
 /// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.
@@ -34,6 +38,7 @@ struct Split {
   double standOff = 0;       ///< at which the balls cover the region's pieces, seams included
   std::vector<Region>
       children;  ///< at most `branching`; none when the region fits its ball so well that they are pointless
+  double allowed = std::numeric_limits<double>::infinity();  ///< most the children's worst error may become
 
   /// Worst error of the children, 0 without any.
   double worst() const;
@@ -44,10 +49,18 @@ struct Split {
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds);
 
 /// A better division of the same region, or the same one: fits the balls of `split` anew against the closing of the
-/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. For methods whose
-/// traits say improved. A pure function.
+/// solid at about their stand-off (`ClosedDepth`), which lets them fill narrow concavities. For builds
+/// optimised by `cairn`. A pure function.
 Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
                   int swapRounds);
+
+/// The balls with their depths as `field` sees them.
+SphereSet seenBy(const DepthField& field, SphereSet balls);
+
+/// The region of `split` divided among `start` (not empty), once these are optimised as at most `settings.branching`
+/// balls in `field`: for the seams too, whatever the settings' optimiser. A pure function.
+Split splitAmong(const Split& split, SphereSet start, const DepthField& field, const SignedDistance& solid,
+                 const SplitSettings& settings);
 
 /// Divides the split's pieces anew among its balls, with other seams, and refits the balls of parts that changed.
 Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,

@@ -28,13 +28,15 @@ constexpr const char* kAbout =
     "  cairn build rock.obj -o rock.cairn\n"
     "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
     "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate\n"
+    "  cairn build rock.obj -o lean.cairn --balance 0.05\n"
+    "  cairn build rock.obj -o thesis.cairn --method burst --optimise thesis --balance work\n"
     "  cairn build scan.ply -o scan.cairn --repair\n"
     "  cairn build ship.dae -o ship.cairn --wrap --wrap-alpha 0.05 --mesh-output skin.ply";
 
 struct BuildCommand {
   MeshSourceOptions source;
   std::string output, json;
-  std::string method = builder::methodName(builder::BuildOptions{}.method);
+  std::string method = builder::methodName(builder::BuildOptions{}.method), optimiser, balance;
   builder::BuildOptions options;
   bool noEvaluate = false;
 };
@@ -90,10 +92,26 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   return kDone;
 }
 
+/// What is done to sphere sets, from the words given for it.
+Status readSetTreatment(BuildCommand& command) {
+  if (!command.optimiser.empty()) {
+    const Result<builder::Optimiser> optimiser = builder::parseOptimiser(command.optimiser);
+    if (!optimiser) return optimiser.error();
+    command.options.optimiser = optimiser.value();
+  }
+  if (!command.balance.empty()) {
+    const Result<builder::Balance> balance = builder::parseBalance(command.balance);
+    if (!balance) return balance.error();
+    command.options.balance = balance.value();
+  }
+  return {};
+}
+
 int run(BuildCommand& command) {
   Result<builder::Method> method = builder::parseMethod(command.method);
   if (!method) return refuse(method.error());
   command.options.method = method.value();
+  if (Status s = readSetTreatment(command); !s) return refuse(s.error());
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
   if (Status s = checkOutputs({command.source.path}, {command.output, command.json, command.source.output}); !s)
     return refuse(s.error());
@@ -112,6 +130,11 @@ void checkUsage(const BuildCommand& command) {
   if (method && builder::dividesByEight(method.value()) && command.options.branching != 8)
     throw CLI::ValidationError("--branching",
                                "the method " + command.method + " divides by eight; choose 8 or another method");
+  if (method && !builder::fitsRegions(method.value()) && !(command.optimiser.empty() && command.balance.empty()))
+    throw CLI::ValidationError(command.optimiser.empty() ? "--balance" : "--optimise",
+                               "the method " + command.method +
+                                   " does not fit spheres region by region; leave the option out or choose another "
+                                   "method");
 }
 
 }  // namespace
@@ -124,6 +147,17 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("--method", command->method, "How regions are covered by spheres")
       ->check(CLI::IsMember(builder::methodNames()))
       ->capture_default_str();
+  sub->add_option("--optimise", command->optimiser,
+                  "How each region's spheres are improved: not, as in the thesis, or by our own search, which is the "
+                  "default of combined, merge and expand")
+      ->check(CLI::IsMember(builder::optimiserNames()));
+  sub->add_option("--balance", command->balance,
+                  "Drop spheres while the worst error of a node's children grows by at most this part, as 0.05; or "
+                  "'work': the more spheres go, the more it may grow, 2.5 % for the first of eight, up to 4.2 %")
+      ->check([](const std::string& text) {
+        const Result<builder::Balance> balance = builder::parseBalance(text);
+        return balance ? std::string() : balance.error().message;
+      });
   sub->add_option("--branching", command->options.branching, "Most children of a sphere")
       ->check(CLI::Range(2U, 8U))
       ->capture_default_str();

@@ -86,6 +86,83 @@ TEST_P(EveryMethod, DeeperLevels_HaveSmallerErrors) {
   EXPECT_LT(tree.levelError(2), tree.levelError(1));
 }
 
+struct SetTreatment {
+  const char* name;
+  Method method;
+  std::optional<Optimiser> optimiser;
+  std::optional<Balance> balance;
+  const char* goldenHash;  ///< of a small cuboid's tree; see SmallTree_HasItsGoldenHash
+};
+
+class EveryTreatment : public testing::TestWithParam<SetTreatment> {
+ protected:
+  static BuildOptions options() {
+    BuildOptions o = smallBuild(GetParam().method);
+    o.optimiser = GetParam().optimiser;
+    o.balance = GetParam().balance;
+    return o;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(
+    Build, EveryTreatment,
+    testing::Values(SetTreatment{"balanced", Method::combined, {}, constantExcess(0.05), "d5861a6f18e5af92"},
+                    SetTreatment{"balancedByWork", Method::merge, {}, kBalanceByWork, "76972c605e4b2a43"},
+                    SetTreatment{"thesis", Method::combined, Optimiser::thesis, {}, "a5434223cb3cd518"},
+                    SetTreatment{"thesisBalanced", Method::expandCover, Optimiser::thesis, constantExcess(0.05),
+                                 "2772602583521267"},
+                    SetTreatment{"unoptimised", Method::combined, Optimiser::none, {}, "2a5d7cf2b909893b"},
+                    SetTreatment{"hybrid", Method::hybrid, {}, {}, "6e8a20bade0c3940"},
+                    SetTreatment{"spawnByCairn", Method::spawn, Optimiser::cairn, {}, "5a5d160230fbbce5"}),
+    [](const auto& treatment) { return std::string(treatment.param.name); });
+
+TEST_P(EveryTreatment, AnySolid_IsProvedToBeCoveredWithTheSameBitsForAnyNumberOfThreads) {
+  for (const TriangleMesh& mesh : {test::lumpyBall(2, 8), test::meshOf(test::cuboid({1, 1, 1}, 1))}) {
+    BuildOptions o = options();
+    o.threads = 1;
+    const SphereTree tree = built(mesh, o);
+    const Result<Certificate> certificate = certify(tree, mesh);
+    ASSERT_TRUE(certificate);
+    EXPECT_EQ(certificate.value().failures(tree), std::vector<std::string>{});
+    o.threads = 2;
+    EXPECT_EQ(hashOf(built(mesh, o)), hashOf(tree));
+  }
+}
+
+TEST_P(EveryTreatment, SmallTree_HasItsGoldenHash) {
+  EXPECT_EQ(hashOf(built(test::meshOf(test::cuboid({1, 0.7, 0.4}, 2)), options())), GetParam().goldenHash);
+}
+
+TEST(Build, Treatment_IsNamedInTheTree) {
+  BuildOptions options = smallBuild(Method::merge, 1);
+  options.optimiser = Optimiser::thesis;
+  options.balance = constantExcess(0.05);
+  EXPECT_EQ(built(test::meshOf(test::cuboid({1, 1, 1}, 1)), options).info().method,
+            "merge+optimise-thesis+balance-0.05");
+}
+
+TEST(Hybrid, Regions_AreTheGridsAndNoBallErrsMore) {
+  for (const std::uint64_t seed : {std::uint64_t{3}, std::uint64_t{4}}) {
+    const TriangleMesh mesh = test::lumpyBall(2, seed);
+    const SignedDistance solid(mesh);
+    const auto grown = [&](Method method) {
+      SplitSettings settings{method, 8, 1, 1e-6};
+      settings.optimiser = Optimiser::none;
+      return growRegionTree(rootRegion(solid, 800), 2, solid, settings, [](auto...) { return true; });
+    };
+    const RegionTree grid = grown(Method::grid), hybrid = grown(Method::hybrid);
+    ASSERT_EQ(grid.size(), hybrid.size());
+    double gridSum = 0, hybridSum = 0;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      EXPECT_EQ(grid[i].region.pieces, hybrid[i].region.pieces) << "seed " << seed << ", node " << i;
+      EXPECT_LE(hybrid[i].region.error, grid[i].region.error) << "seed " << seed << ", node " << i;
+      EXPECT_GE(hybrid[i].region.ball.radius, grid[i].region.ball.radius * (1 - 1e-12));
+      gridSum += grid[i].region.error;
+      hybridSum += hybrid[i].region.error;
+    }
+    EXPECT_LT(hybridSum, 0.95 * gridSum);
+  }
+}
+
 TEST(Build, Combined_BeatsTheOctreeByFar) {
   const TriangleMesh mesh = test::torus(1, 0.35, 24, 12);
   const SphereTree combined = built(mesh, smallBuild(Method::combined)),
@@ -104,8 +181,7 @@ TEST(Build, Branching_BoundsEveryFamily) {
   EXPECT_EQ(tree.depth(), 2U);
 }
 
-// Regenerate after a deliberate change: builder_tests --gtest_filter=Build.SmallTree_HasItsGoldenHash prints the new
-// hash.
+// Regenerate after a deliberate change: builder_tests --gtest_filter=*SmallTree_HasItsGoldenHash* prints the new ones.
 TEST(Build, SmallTree_HasItsGoldenHash) {
   const SphereTree tree = built(test::meshOf(test::cuboid({1, 0.7, 0.4}, 2)), smallBuild(Method::combined));
   EXPECT_EQ(hashOf(tree), "726b6acefee88520");
@@ -129,6 +205,16 @@ TEST(Build, OptionsOutOfRange_AreNamedInOneSentence) {
               o.branching = 4;
             }).find("choose 8"),
             std::string::npos);
+  EXPECT_NE(refusal([](BuildOptions& o) {
+              o.method = Method::adaptive;
+              o.balance = constantExcess(0.05);
+            }).find("region by region, as the option balance needs"),
+            std::string::npos);
+  EXPECT_NE(refusal([](BuildOptions& o) {
+              o.method = Method::hubbard;
+              o.optimiser = Optimiser::thesis;
+            }).find("region by region, as the option optimiser needs"),
+            std::string::npos);
 }
 
 TEST(Build, OpenMesh_IsRefused) {
@@ -137,11 +223,17 @@ TEST(Build, OpenMesh_IsRefused) {
   EXPECT_FALSE(buildTree(mesh, {}));
 }
 
+BuildOptions balancedBuild() {
+  BuildOptions options = smallBuild(Method::combined);
+  options.balance = constantExcess(0.05);
+  return options;
+}
+
 TEST(Build, Progress_NeverFallsAndEndsAtOne) {
   double last = 0;
   bool falls = false;
   const Result<SphereTree> tree =
-      buildTree(test::lumpyBall(1, 1), smallBuild(Method::combined), [&](std::string_view, double fraction) {
+      buildTree(test::lumpyBall(1, 1), balancedBuild(), [&](std::string_view, double fraction) {
         falls = falls || fraction < last;
         last = fraction;
         return true;
@@ -153,7 +245,7 @@ TEST(Build, Progress_NeverFallsAndEndsAtOne) {
 
 TEST(Build, CancelledAtAnyReport_SaysSo) {
   const TriangleMesh mesh = test::lumpyBall(1, 1);
-  const BuildOptions options = smallBuild(Method::combined);
+  const BuildOptions options = balancedBuild();
   int reports = 0;
   ASSERT_TRUE(buildTree(mesh, options, [&](std::string_view, double) { return ++reports > 0; }));
   for (int stop = 1; stop <= reports; ++stop) {
@@ -171,6 +263,8 @@ TEST(Method, NamesRoundTrip) {
     EXPECT_EQ(parsed.value(), method);
   }
   EXPECT_FALSE(parseMethod("spline"));
+  for (const std::string& name : optimiserNames()) EXPECT_EQ(optimiserName(parseOptimiser(name).value()), name);
+  EXPECT_FALSE(parseOptimiser("spline"));
 }
 
 TEST(RegionTree, ChildrenRegions_CoverTheParentsAndStayInAllAncestors) {

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "builder_meshes.h"
+#include "spheres/ball_fit.h"
 #include "spheres/burst.h"
 #include "spheres/downhill_simplex.h"
 #include "spheres/expand.h"
 #include "spheres/grid.h"
+#include "spheres/optimise_one_by_one.h"
 #include "spheres/oriented_grid.h"
 #include "spheres/piece.h"
 #include "spheres/spawn.h"
@@ -65,6 +67,10 @@ const std::vector<Reduction>& reductions() {
       {"burst", burst},
       {"expandCover",
        [](const CoverProblem& p, std::span<const Ball> c) { return expand(p, c, ExpandRank::maxCover); }},
+      {"expandCoverOneByOne",
+       [](const CoverProblem& p, std::span<const Ball> c) {
+         return optimiseOneByOne(p, expand(p, c, ExpandRank::maxCover));
+       }},
       {"grid", [](const CoverProblem& p, std::span<const Ball>) { return gridSpheres(p); }},
       {"spawn", [](const CoverProblem& p, std::span<const Ball>) { return spawn(p); }},
   };
@@ -148,6 +154,30 @@ TEST(Expand, MaxCover_TakesTheBallThatHoldsMostFirst) {
   for (const Ball& c : f.candidates) counts.push_back(heldBy(c, set[0].standOff()));
   std::sort(counts.rbegin(), counts.rend());
   EXPECT_GE(heldBy(set[0], set[0].standOff()), counts[2]);
+}
+
+TEST(OptimiseOneByOne, AnySet_IsNeverWorsenedAndPoorOnesAreImproved) {
+  for (const std::uint64_t seed : {std::uint64_t{11}, std::uint64_t{12}, std::uint64_t{13}}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Fixture f(test::lumpyBall(2, seed), seed);
+    const CoverProblem problem{f.points, f.depth, 6};
+    // The candidates are at random places: six of them, far from any optimum.
+    const SphereSet poor(f.candidates.begin(), f.candidates.begin() + 6);
+    const double before = coverStandOff(f.points, poor);
+    const SphereSet once = optimiseOneByOne(problem, poor);
+    EXPECT_LE(once.size(), 6U);
+    EXPECT_LT(coverStandOff(f.points, once), 0.8 * before);
+    EXPECT_LE(coverStandOff(f.points, optimiseOneByOne(problem, once)), coverStandOff(f.points, once) + kRounding);
+  }
+}
+
+TEST(OptimiseOneByOne, OneBall_BecomesNearlyTheBestOne) {
+  // For a single ball the simplex and the bundle method lower the same figure.
+  const Fixture f(test::lumpyBall(2, 7), 7);
+  const SphereSet start{ballAround(f.candidates[0].center, f.points, f.depth)};
+  const double simplex = coverStandOff(f.points, optimiseOneByOne({f.points, f.depth, 1}, start));
+  // The best of a hundred evaluations with four unknowns, against a method that sees gradients.
+  EXPECT_LE(simplex, 1.1 * fitBall(f.candidates[0].center, f.points, f.depth).standOff());
 }
 
 TEST(OrientedGrid, PrincipalAxes_AreABoxsOwn) {

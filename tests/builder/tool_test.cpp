@@ -154,6 +154,10 @@ TEST_F(Tool, WrongUsageEndsWithTwo) {
     expectOneSentence(run("build " + in + out + " --seed " + seed), 2, "--seed");
   expectOneSentence(run("evaluate " + in + " rock.cairn --seed=-1"), 2, "--seed");
   expectOneSentence(run("build " + in + out + " --method octree --branching 4"), 2, "--branching");
+  expectOneSentence(run("build " + in + out + " --balance 5%"), 2, "--balance");
+  expectOneSentence(run("build " + in + out + " --optimise well"), 2, "--optimise");
+  expectOneSentence(run("build " + in + out + " --method octree --balance 0.05"), 2, "--balance");
+  expectOneSentence(run("build " + in + out + " --method adaptive --optimise thesis"), 2, "--optimise");
   expectOneSentence(run("export a.cairn --to sph --level 1 -o b"), 2, "--level");
   EXPECT_EQ(fileCount(), 1U);
 }

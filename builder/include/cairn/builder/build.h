@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cairn/builder/balance.h"
 #include "cairn/builder/progress.h"
 #include "cairn/builder/triangle_mesh.h"
 #include "cairn/core/result.h"
@@ -25,8 +27,16 @@ enum class Method : std::uint8_t {
   spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
   solidOctree,  ///< with cubes inside the solid, which cover no surface but fill it (3.1.2)
   grid,         ///< cells of a cubic grid, freely turned and moved (3.3)
+  hybrid,       ///< the regions of grid, each with a sphere of least error instead of the smallest (7.1.5)
   hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
   adaptive,     ///< whole levels of equal error instead of regions one by one (ours)
+};
+
+/// How a sphere set is improved before the surface is divided among its spheres (thesis 6.2).
+enum class Optimiser : std::uint8_t {
+  none,    ///< the set as its method leaves it
+  thesis,  ///< one sphere after another, by downhill simplex (Alg. 9 and 10)
+  cairn,   ///< ours: for the seams too, and divisions are chosen with their children in view
 };
 
 struct BuildOptions {
@@ -36,6 +46,11 @@ struct BuildOptions {
   std::uint32_t samples = 5000;  ///< surface pieces the sphere sets are fitted to, about; 100..1e6
   std::uint64_t seed = 1;
   std::uint32_t threads = 0;  ///< 0: one per core. The result does not depend on it.
+  /// Nothing: `cairn` for the methods said to be improved further, `none` for the others. Only for methods that fit
+  /// spheres region by region (`fitsRegions`).
+  std::optional<Optimiser> optimiser;
+  /// Spheres are dropped while this allows it; nothing: none are. Only for methods that fit spheres region by region.
+  std::optional<Balance> balance;
 };
 
 /// A certified sphere-tree of a closed mesh: every level covers the whole surface, reachable through every ancestor, by
@@ -48,6 +63,11 @@ Result<Method> parseMethod(const std::string& name);
 const char* methodName(Method method);
 /// Of all methods, those for general use first.
 std::vector<std::string> methodNames();
+Result<Optimiser> parseOptimiser(const std::string& name);
+const char* optimiserName(Optimiser optimiser);
+std::vector<std::string> optimiserNames();
+/// True for methods that fit a set of spheres to one region after another: they can be optimised and balanced.
+bool fitsRegions(Method method);
 /// True for methods that cut cubes in eight: they take no other branching.
 bool dividesByEight(Method method);
 
