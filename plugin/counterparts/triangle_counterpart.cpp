@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #include "counterparts/triangle_counterpart.h"
 
+#include <algorithm>
+
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "contacts/normal_clusters.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -9,6 +12,10 @@ namespace cairn::bullet {
 namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
+// Directions in which the whole tree is held.
+constexpr int kMaxWholes = 4;
+// Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
+constexpr float kCoveredFraction = 0.01F;
 }  // namespace
 
 void TriangleCounterpart::place(const PairPlacement& placement) {
@@ -100,14 +107,21 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
-Contact TriangleCounterpart::wholeContact() {
-  Contact nearest;
-  nearest.ofSpheres = true;
-  nearest.gap = std::numeric_limits<float>::infinity();
-  for (std::uint32_t i = 0; i < inPair_.size(); ++i)
-    if (const Contact contact = boundingContact({kRootNode, i}); contact.gap < nearest.gap) nearest = contact;
-  nearest.id = {0, static_cast<int>(kRootNode), -1, -1};
-  return nearest;
+void TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
+  const Sphere root = placement_.tree.sphere(kRootNode);
+  const auto onTriangle = [&](const Contact& c) { return c.onTree() - c.normal * c.gap; };
+  wholes_.clear();
+  for (std::uint32_t i = 0; i < inPair_.size(); ++i) wholes_.push_back(boundingContact({kRootNode, i}));
+  for (int found = 0; found < kMaxWholes && !wholes_.empty(); ++found) {
+    // The first of equals, as the order of the triangles is the shape's own.
+    Contact nearest = *std::ranges::min_element(wholes_, {}, &Contact::gap);
+    nearest.isWhole = true;
+    contacts.push_back(nearest);
+    std::erase_if(wholes_, [&](const Contact& c) {
+      const bool isCovered = dot(nearest.normal, onTriangle(c) - onTriangle(nearest)) <= kCoveredFraction * root.radius;
+      return isCovered || dot(nearest.normal, c.normal) > kSameWayCosine;
+    });
+  }
 }
 
 }  // namespace cairn::bullet

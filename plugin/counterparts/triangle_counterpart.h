@@ -23,8 +23,9 @@ class TriangleCounterpart final : public Counterpart {
   Traversal& traversal() override { return traversal_; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// With the nearest triangle of all that were gathered; beyond any reach when there is none.
-  Contact wholeContact() override;
+  /// With the nearest of the triangles that were gathered, and with those it does not cover and that lie in other
+  /// directions, up to four. Linear in the triangles.
+  void appendWhole(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:
@@ -38,6 +39,7 @@ class TriangleCounterpart final : public Counterpart {
   TriangleSoup soup_;
   std::vector<ContactId> oldSources_;
   std::vector<Triangle> inPair_;
+  std::vector<Contact> wholes_;  // working memory of `appendWhole`
   SoupObstacle obstacle_;
   ObstacleTraversal traversal_;
   TriangleContacts contacts_;
