@@ -53,10 +53,12 @@ class Counterpart {
   /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
   virtual Contact boundingContact(const NodePair& pair) = 0;
   /// Appends contacts of the sphere around the whole tree that hold it against all of the counterpart there is near it,
-  /// one for each direction it meets some in. Default: that of the two roots.
-  virtual void appendWhole(std::vector<Contact>& contacts) {
+  /// one for each direction it meets some in. Returns the pairs of spheres compared for it. Default: that of the two
+  /// roots.
+  virtual std::uint32_t appendWhole(std::vector<Contact>& contacts) {
     contacts.push_back(boundingContact({kRootNode, kRootNode}));
     contacts.back().isWhole = true;
+    return 1;
   }
   /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `last` is
   /// the common normal of the step before, or zero; returns the normal given, or zero. Default: nothing is flat.

@@ -117,15 +117,14 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
   const bool isCut = front.size() < counterpart.traversal().front().size();
   scratch.wholes.clear();
-  counterpart.appendWhole(scratch.wholes);
-  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(scratch.wholes.size()));
+  budget.chargeAnyway(kSphereCost * counterpart.appendWhole(scratch.wholes));
   for (const Contact& whole : scratch.wholes) {
     if (!isStale && !isCut && !lastOf(whole)) continue;
     const auto inFront = std::ranges::find(guards, whole.id, &Contact::id);
     if (inFront == guards.end())
       guards.push_back(whole);
     else
-      inFront->isWhole = true;
+      inFront->isWhole = whole.isWhole;
   }
   for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
   answer_.approach += closingSpeed * motion.timeStep;

@@ -13,7 +13,7 @@ namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
 // Directions in which the whole tree is held.
-constexpr int kMaxWholes = 4;
+constexpr std::uint32_t kMaxWholes = 4;
 // Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
 constexpr float kCoveredFraction = 0.01F;
 }  // namespace
@@ -107,12 +107,13 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
-void TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
+std::uint32_t TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
   const Sphere root = placement_.tree.sphere(kRootNode);
   const auto onTriangle = [&](const Contact& c) { return c.onTree() - c.normal * c.gap; };
   wholes_.clear();
   for (std::uint32_t i = 0; i < inPair_.size(); ++i) wholes_.push_back(boundingContact({kRootNode, i}));
-  for (int found = 0; found < kMaxWholes && !wholes_.empty(); ++found) {
+  std::uint32_t found = 0;
+  for (; found < kMaxWholes && !wholes_.empty(); ++found) {
     // The first of equals, as the order of the triangles is the shape's own.
     Contact nearest = *std::ranges::min_element(wholes_, {}, &Contact::gap);
     nearest.isWhole = true;
@@ -122,6 +123,7 @@ void TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
       return isCovered || dot(nearest.normal, c.normal) > kSameWayCosine;
     });
   }
+  return found;
 }
 
 }  // namespace cairn::bullet

@@ -24,8 +24,9 @@ class TriangleCounterpart final : public Counterpart {
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   /// With the nearest of the triangles that were gathered, and with those it does not cover and that lie in other
-  /// directions, up to four. Linear in the triangles.
-  void appendWhole(std::vector<Contact>& contacts) override;
+  /// directions, up to four, which alone are
+  /// counted as work. Linear in the triangles.
+  std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:

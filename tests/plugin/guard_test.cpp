@@ -70,5 +70,31 @@ TEST_P(GuardedRod, IsNotKickedByAWall) {
 
 INSTANTIATE_TEST_SUITE_P(Budgets, GuardedRod, testing::Values(0, 1, 45, 100, 300, 1000));
 
+// The centres of a wide ground and a small body on it say nothing about which way is up.
+TEST(Guards_OnAWideTree, HoldASmallBodyAnywhereWithBoundedWork) {
+  const Vec3d size{0.6, 0.5, 0.4};
+  const auto body = plainTree(cuboid(size, 4));
+  for (const double width : {4.0, 12.0})
+    for (const btScalar aside : {btScalar(0), btScalar(1.5)})
+      for (const bool groundFirst : {false, true})
+        for (const std::int64_t operations : {0, 1, 45, 100}) {
+          BulletWorld<> w;
+          ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+          const auto ground = treeShape(plainTree(cuboid({width, width, 1}, width > 4 ? 16 : 8)));
+          if (groundFirst) w.add(ground, 0, btVector3(0, 0, btScalar(-0.5)));
+          btRigidBody& cube = w.add(treeShape(body), 1, btVector3(aside, btScalar(0.1), btScalar(0.3)));
+          if (!groundFirst) w.add(ground, 0, btVector3(0, 0, btScalar(-0.5)));
+          cube.setActivationState(DISABLE_DEACTIVATION);
+          for (int i = 0; i < 400; ++i) {
+            w.step();
+            // Without refinement: re-tests and the front as ever, and eight families for the whole bodies.
+            if (operations <= 1)
+              ASSERT_LE(w.dispatcher.lastStep().operations, 32 * 5 + 128 * 3 + 65 * 3) << "step " << i;
+          }
+          EXPECT_GT(cube.getWorldTransform().getOrigin().z(), 0.1)
+              << width << " m wide, " << aside << " m aside, budget " << operations;
+        }
+}
+
 }  // namespace
 }  // namespace cairn::test
