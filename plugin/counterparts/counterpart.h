@@ -36,6 +36,8 @@ class Counterpart {
  public:
   virtual ~Counterpart() = default;
 
+  /// Forgets what it learnt about the bodies it served: a pooled pair must answer like a new one.
+  virtual void reset() {}
   /// Takes the poses of this step.
   virtual void place(const PairPlacement& placement) = 0;
   /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about

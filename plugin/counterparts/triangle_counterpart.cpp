@@ -28,10 +28,7 @@ void TriangleCounterpart::place(const PairPlacement& placement) {
 
 void TriangleCounterpart::start(std::vector<NodePair>& known) {
   oldSources_.clear();
-  for (const NodePair& pair : known) {
-    const TriangleSoup::Source& source = soup_.triangles()[pair.b];
-    oldSources_.push_back({-1, -1, source.part, source.index});
-  }
+  for (const NodePair& pair : known) oldSources_.push_back(soup_.triangles()[pair.b]);
   gather();
   rename(known);
   placeTriangles();
@@ -57,7 +54,7 @@ void TriangleCounterpart::gather() {
 void TriangleCounterpart::rename(std::vector<NodePair>& known) const {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const int element = soup_.find(oldSources_[i].otherPart, oldSources_[i].otherIndex);
+    const int element = soup_.find(oldSources_[i]);
     if (element >= 0) known[kept++] = {known[i].a, static_cast<std::uint32_t>(element)};
   }
   known.resize(kept);

@@ -17,6 +17,7 @@ namespace cairn::bullet {
 /// position in the gathered soup.
 class TriangleCounterpart final : public Counterpart {
  public:
+  void reset() override { outran_ = false; }
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known) override;
   bool resume() override;
@@ -38,7 +39,7 @@ class TriangleCounterpart final : public Counterpart {
   btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
   bool outran_ = false;              // the last traversal had to be given up: gather farther ahead
   TriangleSoup soup_;
-  std::vector<ContactId> oldSources_;
+  std::vector<TriangleSoup::Source> oldSources_;
   std::vector<Triangle> inPair_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   SoupObstacle obstacle_;
