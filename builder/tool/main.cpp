@@ -33,6 +33,11 @@ int run(int argc, char** argv) {
   cairn::tool::addExportCommand(app, action);
   cairn::tool::addSimplifyCommand(app, action);
   cairn::tool::addBoundCommand(app, action);
+  const auto isMeant = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(isMeant).empty()) {
+    fmt::print(stderr, "cairn: there is no command '{}'; `cairn --help` lists them\n", argv[1]);
+    return cairn::tool::kWrongUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

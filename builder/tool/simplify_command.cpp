@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "cairn/builder/import.h"
 #include "cairn/core/atomic_file.h"
@@ -23,7 +27,15 @@ struct SimplifyCommand {
   std::uint32_t triangles = 1500;
 };
 
+Status checkIsObj(const std::string& output) {
+  std::string extension = std::filesystem::path(output).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (extension == ".obj" || !std::filesystem::path(output).has_extension()) return {};
+  return Error{fmt::format("{}: only OBJ can be written; name a file that ends in .obj", output)};
+}
+
 int run(const SimplifyCommand& command) {
+  if (Status s = checkIsObj(command.output); !s) return refuse(s.error());
   if (Status s = checkWritable(command.output); !s) return refuse(s.error());
   if (Status s = checkOutputs({command.mesh}, {command.output}); !s) return refuse(s.error());
   const Result<builder::TriangleMesh> mesh = builder::importMesh(command.mesh);

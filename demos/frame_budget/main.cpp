@@ -2,6 +2,7 @@
 // frame_budget: what a scene's collision costs and how right it is, for one shape or several in the same run.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,9 +42,20 @@ Result<scenes::SourcedTree> obtainTree(const Options& options) {
   return scenes::obtainTree(options.source, progress.callback());
 }
 
+Status checkSpheresLevel(const Options& options, const SphereTree& tree) {
+  const bool isAsked = std::ranges::find(options.shapes, scenes::ShapeKind::spheres) != options.shapes.end();
+  const std::uint32_t level = options.heap.shape.sphereLevel;
+  if (!isAsked || level <= tree.depth()) return {};
+  return Error{fmt::format("the tree has no level {}: use 0 to {} for --spheres-level", level, tree.depth())};
+}
+
 Status measure(const Options& options) {
+  for (const auto& output : {options.json, options.csv, options.picture})
+    if (output)
+      if (Status writable = scenes::checkWritable(*output); !writable) return writable;
   const auto source = obtainTree(options);
   if (!source) return source.error();
+  if (Status level = checkSpheresLevel(options, *source.value().tree); !level) return level;
   const scenes::Model model = scenes::makeModel(source.value().tree, 1.0);
   std::vector<ShapeRun> runs;
   for (const scenes::ShapeKind shape : options.shapes) {

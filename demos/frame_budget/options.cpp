@@ -25,19 +25,28 @@ struct RawOptions {
   bool noSleeping = false;
 };
 
+// CLI11's own range lets NaN through.
+std::string refuseNoFraction(const std::string& text) {
+  double value = 0;
+  const bool isFraction = CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1;
+  return isFraction ? std::string() : "'" + text + "' is not a fraction from 0 to 1";
+}
+
 void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--scene", options.scene, "heap: bodies dropped in a column into a pit")->capture_default_str();
   app.add_option("--bodies", options.heap.bodies, "bodies in the scene")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
   app.add_option("--steps", options.steps, "steps of 1/60 s")->check(CLI::Range(1U, 10000000U))->capture_default_str();
-  app.add_option("--seed", options.heap.seed, "of the bodies' orientations")->capture_default_str();
+  app.add_option("--seed", options.heap.seed, "of the bodies' orientations")
+      ->check(scenes::refuseNoWholeNumber)
+      ->capture_default_str();
   app.add_flag("--no-sleeping", raw.noSleeping, "keep resting bodies awake");
   app.add_option("--shape", raw.shapes, "tree, gimpact, hull or spheres; several with commas, compared in one run")
       ->capture_default_str();
   app.add_option("--margin-fraction", options.heap.shape.marginFraction,
                  "collision margin of gimpact and hull as a fraction of body size (default 0.001 and 0.01)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(refuseNoFraction);
   app.add_option("--spheres-level", options.heap.shape.sphereLevel, "tree level the shape 'spheres' is made of")
       ->check(CLI::Range(0U, kMaxDepth))
       ->capture_default_str();
@@ -50,7 +59,9 @@ void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--depth", options.source.build.depth, "levels of the tree below its root")
       ->check(CLI::Range(1U, 8U))
       ->capture_default_str();
-  app.add_option("--rock", options.source.rock.seed, "seed of the generated rock")->capture_default_str();
+  app.add_option("--rock", options.source.rock.seed, "seed of the generated rock")
+      ->check(scenes::refuseNoWholeNumber)
+      ->capture_default_str();
 }
 
 void declareNarrowPhase(CLI::App& app, Options& options) {

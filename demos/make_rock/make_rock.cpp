@@ -5,6 +5,7 @@
 
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
+#include "scenes/budget_options.h"
 #include "scenes/program.h"
 #include "scenes/rock.h"
 
@@ -13,7 +14,7 @@ int main(int argc, char** argv) {
   CLI::App app("Writes a concave, closed rock about 1 unit across.\n\n  make_rock --seed 7 -o rock.obj", "make_rock");
   scenes::RockOptions options;
   std::string file;
-  app.add_option("--seed", options.seed, "which rock")->capture_default_str();
+  app.add_option("--seed", options.seed, "which rock")->check(scenes::refuseNoWholeNumber)->capture_default_str();
   app.add_option("--subdivisions", options.subdivisions, "20 * 4^n triangles")
       ->check(CLI::Range(1U, 6U))
       ->capture_default_str();

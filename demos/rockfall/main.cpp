@@ -90,15 +90,23 @@ std::string summaryText(const Run& run, const Options& options) {
   return json.dump(2) + "\n";
 }
 
-Status writeResults(const Run& run, const Options& options) {
+// Before the work, so that nobody waits for what cannot be kept.
+Status prepareOutputs(const Options& options) {
+  if (options.json)
+    if (Status writable = scenes::checkWritable(*options.json); !writable) return writable;
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) return Error{fmt::format("cannot make the folder {}: {}", options.folder.string(), failure.message())};
+  return scenes::checkWritable(options.folder / "trajectories.csv");
+}
+
+Status writeResults(const Run& run, const Options& options) {
   if (const Status status = run.log.write(options.folder / "trajectories.csv"); !status) return status;
   return options.json ? writeFileAtomically(*options.json, summaryText(run, options)) : Status();
 }
 
 Status runRockfall(const Options& options) {
+  if (Status prepared = prepareOutputs(options); !prepared) return prepared;
   const auto trees = buildRocks(options);
   if (!trees) return trees.error();
   auto scene = scenes::Rockfall::create(trees.value(), options.scene);

@@ -23,7 +23,9 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "simulated time")->check(CLI::Range(1U, 3600U))->capture_default_str();
   scenes::addBudgetOptions(app, options.scene.budget);
-  app.add_option("--seed", options.scene.seed, "of slope, rocks and release")->capture_default_str();
+  app.add_option("--seed", options.scene.seed, "of slope, rocks and release")
+      ->check(scenes::refuseNoWholeNumber)
+      ->capture_default_str();
   app.add_option("-o,--output", options.folder, "folder for trajectories.csv; made if missing")->capture_default_str();
   app.add_option("--json", options.json, "write a summary to this file");
   app.footer("Example: rockfall --rocks 200 --seconds 30 --budget-ops 40000 -o run1 --json run1.json");

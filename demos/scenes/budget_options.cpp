@@ -2,13 +2,20 @@
 #include "scenes/budget_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
 namespace cairn::scenes {
 
+std::string refuseNoWholeNumber(const std::string& text) {
+  std::int64_t value = 0;
+  const bool isNumber = CLI::detail::lexical_cast(text, value) && value >= 0;
+  return isNumber ? std::string() : "'" + text + "' is not a whole number, 0 or more";
+}
+
 void addBudgetOptions(CLI::App& app, bullet::StepBudget& budget) {
   app.add_option("--budget-ops", budget.operations, "narrow-phase operations a step (default: no limit)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(refuseNoWholeNumber);
   // CLI11's own range lets NaN through: it compares false with both ends.
   const auto refuseNan = [](const std::string& text) {
     double value = 0;

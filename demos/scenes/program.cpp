@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 namespace cairn::scenes {
@@ -40,6 +41,18 @@ int refuse(std::string_view program, const Error& error) {
 
 int refuseUsage(std::string_view program, const Error& error) {
   return complain(program, error, kExitWrongUsage);
+}
+
+Status checkWritable(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    return Error{fmt::format("{}: it is a folder; name a file in it", path.string())};
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, ignored))
+    return Error{fmt::format("{}: the folder {} does not exist; create it first", path.string(), folder.string())};
+  if (access(folder.c_str(), W_OK) != 0)
+    return Error{fmt::format("{}: the folder {} may not be written; choose another", path.string(), folder.string())};
+  return {};
 }
 
 void watchForInterrupt() {

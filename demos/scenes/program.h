@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
 /// Prints one sentence on standard error and returns the exit code that belongs to it.
 int refuse(std::string_view program, const Error& error);
 int refuseUsage(std::string_view program, const Error& error);
+
+/// An error if a file of this name can certainly not be written: asked before the work whose result it is to hold.
+Status checkWritable(const std::filesystem::path& path);
 
 /// From now on the interrupt key (SIGINT) only sets a flag.
 void watchForInterrupt();

@@ -14,6 +14,9 @@ inline constexpr int kMaxClusters = 4;
 /// Cosine of the 50 degrees within which normals share a cluster (the angle that let every heap fall asleep).
 inline constexpr float kClusterCosine = 0.642787610F;
 
+/// Cosine of the 45 degrees within which two bounding spheres' contacts hold against the same motion.
+inline constexpr float kSameWayCosine = 0.707106781F;
+
 /// The direction a cluster had in the last step, so that contacts stay in the manifold that holds their impulses.
 struct ClusterSeed {
   Vec3 normal;

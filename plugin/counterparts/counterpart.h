@@ -36,6 +36,8 @@ class Counterpart {
  public:
   virtual ~Counterpart() = default;
 
+  /// Forgets what it learnt about the bodies it served: a pooled pair must answer like a new one.
+  virtual void reset() {}
   /// Takes the poses of this step.
   virtual void place(const PairPlacement& placement) = 0;
   /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about
@@ -52,9 +54,14 @@ class Counterpart {
   virtual void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) = 0;
   /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
   virtual Contact boundingContact(const NodePair& pair) = 0;
-  /// The contact of the sphere around the whole tree with all of the counterpart there is near it. Default: that of the
-  /// two roots.
-  virtual Contact wholeContact() { return boundingContact({kRootNode, kRootNode}); }
+  /// Appends contacts of the sphere around the whole tree that hold it against all of the counterpart there is near it,
+  /// one for each direction it meets some in. Returns the pairs of spheres compared for it. Default: that of the two
+  /// roots.
+  virtual std::uint32_t appendWhole(std::vector<Contact>& contacts) {
+    contacts.push_back(boundingContact({kRootNode, kRootNode}));
+    contacts.back().isWhole = true;
+    return 1;
+  }
   /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `last` is
   /// the common normal of the step before, or zero; returns the normal given, or zero. Default: nothing is flat.
   virtual Vec3 flatten(std::span<Contact> cluster, const Vec3& last);

@@ -14,8 +14,6 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
-// Guards within 45 degrees hold against the same motion.
-constexpr float kSameWayCosine = 0.707106781F;
 
 }  // namespace
 
@@ -83,6 +81,29 @@ void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget&
 
 }  // namespace
 
+// The spheres of the whole bodies first, then the deepest of each direction, then the deepest of all: what overlaps a
+// wall must not be all that is left of the floor.
+std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
+  std::sort(guards.begin(), guards.end(), deeper);
+  std::size_t count = 0;
+  const auto choose = [&](const auto& isChoice) {
+    for (std::size_t i = count; i < guards.size() && count < kMaxGuards; ++i) {
+      if (!isChoice(guards[i])) continue;
+      const auto first = guards.begin() + static_cast<std::ptrdiff_t>(count);
+      const auto it = guards.begin() + static_cast<std::ptrdiff_t>(i);
+      std::rotate(first, it, it + 1);
+      ++count;
+    }
+  };
+  choose([](const Contact& c) { return c.isWhole; });
+  choose([&](const Contact& c) {
+    return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
+                        [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameWayCosine; });
+  });
+  choose([](const Contact&) { return true; });
+  return count;
+}
+
 void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                                 ContactScratch& scratch) {
   const std::span<const NodePair> front = headOf(counterpart.traversal().front());
@@ -95,29 +116,46 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   // known to hold all of it.
   const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
   const bool isCut = front.size() < counterpart.traversal().front().size();
-  budget.chargeAnyway(kSphereCost);
-  const Contact whole = counterpart.wholeContact();
-  const auto isWhole = [&](const Contact& c) { return c.id == whole.id; };
-  if ((isStale || isCut || isGuarded(whole.id)) && std::ranges::none_of(guards, isWhole)) guards.push_back(whole);
+  scratch.wholes.clear();
+  budget.chargeAnyway(kSphereCost * counterpart.appendWhole(scratch.wholes));
+  for (const Contact& whole : scratch.wholes) {
+    if (!isStale && !isCut && !lastOf(whole)) continue;
+    const auto inFront = std::ranges::find(guards, whole.id, &Contact::id);
+    if (inFront == guards.end())
+      guards.push_back(whole);
+    else
+      inFront->isWhole = whole.isWhole;
+  }
   for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
   answer_.approach += closingSpeed * motion.timeStep;
   // What was ruled out may close in while the front stands still: a rod that turns about its end.
   traversal_.approach += motion.greatestSpeed() * motion.timeStep;
   std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
-  const std::size_t count = std::min(kMaxGuards, guards.size());
-  std::partial_sort(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count), guards.end(), deeper);
+  const std::size_t count = putChosenFirst(guards);
   std::array<Guard, kMaxGuards> now;
   for (std::size_t i = 0; i < count; ++i) {
     const float allowed = allowedGap(guards[i]);
     guards[i].gap -= allowed;
-    now[i] = {guards[i].id, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
+    now[i] = {guards[i].id, guards[i].isWhole, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
     scratch.contacts.list().push_back(guards[i]);
   }
   guards_.assign(now.begin(), now.begin() + count);
 }
 
-bool PairContacts::isGuarded(const ContactId& id) const {
-  return std::ranges::any_of(guards_, [&](const Guard& g) { return g.id == id; });
+// The same guard in the last step. Of whole bodies it is the one that faced the same way, whatever is nearest now: one
+// for the floor says nothing about a wall.
+const PairContacts::Guard* PairContacts::lastOf(const Contact& guard) const {
+  const Guard* best = nullptr;
+  float cosine = kSameWayCosine;
+  for (const Guard& g : guards_) {
+    const float c = dot(g.normal, guard.normal);
+    if (!guard.isWhole || !g.isWhole || c <= cosine) continue;
+    best = &g;
+    cosine = c;
+  }
+  if (best) return best;
+  const auto same = std::ranges::find(guards_, guard.id, &Guard::id);
+  return same == guards_.end() ? nullptr : &*same;
 }
 
 // Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
@@ -126,9 +164,9 @@ bool PairContacts::isGuarded(const ContactId& id) const {
 // traversal would start anew from zero, and bodies creep through each other.
 float PairContacts::allowedGap(const Contact& guard) const {
   const float now = std::min(guard.gap, 0.0F);
+  if (const Guard* last = lastOf(guard)) return std::max(last->allowedGap, now);
   float sunk = 0;
   for (const Guard& g : guards_) {
-    if (g.id == guard.id) return std::max(g.allowedGap, now);
     if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
   }
   return now + sunk;

@@ -16,7 +16,7 @@ namespace cairn::bullet {
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
   ClusteredContacts contacts;  ///< of the pair at hand
-  std::vector<Contact> guards;
+  std::vector<Contact> guards, wholes;
 };
 
 /// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
@@ -47,6 +47,16 @@ class PairContacts {
   void rememberDeepest(ContactScratch& scratch);
 
  private:
+  // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
+  // it was first seen, and what it has sunk since.
+  struct Guard {
+    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
+    bool isWhole;
+    Vec3 normal;
+    float allowedGap;
+    float sunk;
+  };
+
   void retest(Counterpart& counterpart, Budget& budget);
   void appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
@@ -58,19 +68,11 @@ class PairContacts {
   // Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
-  bool isGuarded(const ContactId& id) const;
+  static std::size_t putChosenFirst(std::vector<Contact>& guards);
+  const Guard* lastOf(const Contact& guard) const;
   float allowedGap(const Contact& guard) const;
 
   static constexpr std::size_t kMaxGuards = 4;
-
-  // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
-  // it was first seen, and what it has sunk since.
-  struct Guard {
-    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
-    Vec3 normal;
-    float allowedGap;
-    float sunk;
-  };
 
   std::vector<NodePair> known_;
   std::vector<Contact> retested_;

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Zlib
 #include "counterparts/tree_counterpart.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
+
+namespace {
+// Ratio of the roots' radii from which the larger one's centre says little about where it is.
+constexpr float kMuchLarger = 2;
+// Families of the larger tree looked at for guards of whole bodies; bounds the work of a pair that gets no budget.
+constexpr int kMaxWholeSplits = 8;
+}  // namespace
 
 void TreeCounterpart::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
@@ -96,6 +104,39 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
   contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
                 static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
   return contact;
+}
+
+bool TreeCounterpart::isMuchLarger(const Sphere& large, const Sphere& small) const {
+  return large.radius > kMuchLarger * small.radius;
+}
+
+// The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is
+// done. What is left covers all that may touch; the nearest of each direction stand for it.
+std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
+  const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
+  const bool splitsA = isMuchLarger(rootA, rootB);
+  if (!splitsA && !isMuchLarger(rootB, rootA)) return Counterpart::appendWhole(contacts);
+  const PlacedTree& large = splitsA ? a_ : b_;
+  const Sphere& small = splitsA ? rootB : rootA;
+  const auto nodeOf = [&](const Contact& c) { return splitsA ? c.pair.a : c.pair.b; };
+  const auto radiusOf = [&](const Contact& c) {
+    return large.tree().isLeaf(nodeOf(c)) ? 0 : large.sphere(nodeOf(c)).radius;
+  };
+  std::uint32_t tests = 1;
+  wholes_.assign(1, boundingContact({kRootNode, kRootNode}));
+  for (int split = 0; split < kMaxWholeSplits && !wholes_.empty(); ++split) {
+    const auto largest = std::ranges::max_element(wholes_, {}, radiusOf);
+    if (radiusOf(*largest) <= small.radius) break;
+    const NodeId node = nodeOf(*largest);
+    wholes_.erase(largest);
+    const NodeId first = large.tree().childFamily(node) * kFamilyWidth;
+    for (NodeId child = first; child < first + large.tree().childCount(node); ++child, ++tests) {
+      const Contact contact = boundingContact(splitsA ? NodePair{child, kRootNode} : NodePair{kRootNode, child});
+      if (contact.gap < reach_) wholes_.push_back(contact);
+    }
+  }
+  contacts.insert(contacts.end(), wholes_.begin(), wholes_.end());
+  return tests;
 }
 
 Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, const Vec3& last) {

@@ -16,10 +16,14 @@ class TreeCounterpart final : public Counterpart {
   Traversal& traversal() override { return traversal_; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
+  /// Where one tree is much larger, its root says little: the larger one is followed down to spheres about as large as
+  /// the smaller one's, at most eight families.
+  std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   Vec3 flatten(std::span<Contact> cluster, const Vec3& last) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
+  bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
   // Where a region is planar, the centre line says more about where the leaves lie than about where the surfaces meet:
   // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
@@ -32,6 +36,7 @@ class TreeCounterpart final : public Counterpart {
   float margins_ = 0;
   float reach_ = 0;
   TreePairTraversal traversal_;
+  std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;
 };
 

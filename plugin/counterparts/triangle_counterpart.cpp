@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #include "counterparts/triangle_counterpart.h"
 
+#include <algorithm>
+
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "contacts/normal_clusters.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -9,6 +12,10 @@ namespace cairn::bullet {
 namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
+// Directions in which the whole tree is held.
+constexpr std::uint32_t kMaxWholes = 4;
+// Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
+constexpr float kCoveredFraction = 0.01F;
 }  // namespace
 
 void TriangleCounterpart::place(const PairPlacement& placement) {
@@ -21,10 +28,7 @@ void TriangleCounterpart::place(const PairPlacement& placement) {
 
 void TriangleCounterpart::start(std::vector<NodePair>& known) {
   oldSources_.clear();
-  for (const NodePair& pair : known) {
-    const TriangleSoup::Source& source = soup_.triangles()[pair.b];
-    oldSources_.push_back({-1, -1, source.part, source.index});
-  }
+  for (const NodePair& pair : known) oldSources_.push_back(soup_.triangles()[pair.b]);
   gather();
   rename(known);
   placeTriangles();
@@ -50,7 +54,7 @@ void TriangleCounterpart::gather() {
 void TriangleCounterpart::rename(std::vector<NodePair>& known) const {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const int element = soup_.find(oldSources_[i].otherPart, oldSources_[i].otherIndex);
+    const int element = soup_.find(oldSources_[i]);
     if (element >= 0) known[kept++] = {known[i].a, static_cast<std::uint32_t>(element)};
   }
   known.resize(kept);
@@ -100,14 +104,23 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
-Contact TriangleCounterpart::wholeContact() {
-  Contact nearest;
-  nearest.ofSpheres = true;
-  nearest.gap = std::numeric_limits<float>::infinity();
-  for (std::uint32_t i = 0; i < inPair_.size(); ++i)
-    if (const Contact contact = boundingContact({kRootNode, i}); contact.gap < nearest.gap) nearest = contact;
-  nearest.id = {0, static_cast<int>(kRootNode), -1, -1};
-  return nearest;
+std::uint32_t TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
+  const Sphere root = placement_.tree.sphere(kRootNode);
+  const auto onTriangle = [&](const Contact& c) { return c.onTree() - c.normal * c.gap; };
+  wholes_.clear();
+  for (std::uint32_t i = 0; i < inPair_.size(); ++i) wholes_.push_back(boundingContact({kRootNode, i}));
+  std::uint32_t found = 0;
+  for (; found < kMaxWholes && !wholes_.empty(); ++found) {
+    // The first of equals, as the order of the triangles is the shape's own.
+    Contact nearest = *std::ranges::min_element(wholes_, {}, &Contact::gap);
+    nearest.isWhole = true;
+    contacts.push_back(nearest);
+    std::erase_if(wholes_, [&](const Contact& c) {
+      const bool isCovered = dot(nearest.normal, onTriangle(c) - onTriangle(nearest)) <= kCoveredFraction * root.radius;
+      return isCovered || dot(nearest.normal, c.normal) > kSameWayCosine;
+    });
+  }
+  return found;
 }
 
 }  // namespace cairn::bullet

@@ -17,14 +17,17 @@ namespace cairn::bullet {
 /// position in the gathered soup.
 class TriangleCounterpart final : public Counterpart {
  public:
+  void reset() override { outran_ = false; }
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// With the nearest triangle of all that were gathered; beyond any reach when there is none.
-  Contact wholeContact() override;
+  /// With the nearest of the triangles that were gathered, and with those it does not cover and that lie in other
+  /// directions, up to four, which alone are
+  /// counted as work. Linear in the triangles.
+  std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:
@@ -36,8 +39,9 @@ class TriangleCounterpart final : public Counterpart {
   btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
   bool outran_ = false;              // the last traversal had to be given up: gather farther ahead
   TriangleSoup soup_;
-  std::vector<ContactId> oldSources_;
+  std::vector<TriangleSoup::Source> oldSources_;
   std::vector<Triangle> inPair_;
+  std::vector<Contact> wholes_;  // working memory of `appendWhole`
   SoupObstacle obstacle_;
   ObstacleTraversal traversal_;
   TriangleContacts contacts_;

@@ -2,6 +2,7 @@
 #include "counterparts/triangle_soup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -11,6 +12,17 @@ namespace {
 
 bool before(const TriangleSoup::Source& x, const TriangleSoup::Source& y) {
   return std::tie(x.part, x.index) < std::tie(y.part, y.index);
+}
+
+auto coordinates(const TriangleSoup::Source& s) {
+  const auto& [a, b, c] = s.corners;
+  return std::array{a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()};
+}
+
+// Shapes of the user may number their triangles as they like, or not at all.
+bool beforeInSoup(const TriangleSoup::Source& x, const TriangleSoup::Source& y) {
+  if (before(x, y) || before(y, x)) return before(x, y);
+  return coordinates(x) < coordinates(y);
 }
 
 class Gatherer final : public btTriangleCallback {
@@ -30,7 +42,7 @@ void TriangleSoup::gather(const btConcaveShape& shape, const btVector3& lower, c
   triangles_.clear();
   Gatherer gatherer(triangles_);
   shape.processAllTriangles(&gatherer, lower, upper);
-  std::sort(triangles_.begin(), triangles_.end(), before);
+  std::sort(triangles_.begin(), triangles_.end(), beforeInSoup);
   lower_ = lower;
   upper_ = upper;
 }
@@ -41,13 +53,12 @@ bool TriangleSoup::covers(const btVector3& lower, const btVector3& upper) const 
   return true;
 }
 
-int TriangleSoup::find(int part, int index) const {
-  Source wanted;
-  wanted.part = part;
-  wanted.index = index;
-  const auto it = std::lower_bound(triangles_.begin(), triangles_.end(), wanted, before);
-  const bool found = it != triangles_.end() && it->part == part && it->index == index;
-  return found ? static_cast<int>(it - triangles_.begin()) : -1;
+int TriangleSoup::find(const Source& wanted) const {
+  const auto [first, last] = std::equal_range(triangles_.begin(), triangles_.end(), wanted, before);
+  auto it = first;
+  if (last - first > 1)
+    it = std::find_if(first, last, [&](const Source& s) { return coordinates(s) == coordinates(wanted); });
+  return it == last ? -1 : static_cast<int>(it - triangles_.begin());
 }
 
 void SoupObstacle::clear(float margin) {

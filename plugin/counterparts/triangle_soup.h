@@ -10,8 +10,9 @@
 
 namespace cairn::bullet {
 
-/// The triangles of a concave shape near a tree, gathered once for a traversal and ordered by (part, index), so that
-/// neither the shape's own order nor its acceleration structure shows in the result. Buffers are reused.
+/// The triangles of a concave shape near a tree, gathered once for a traversal and ordered by (part, index) and
+/// corners, so that neither the shape's own order nor its acceleration structure shows in the result. Buffers are
+/// reused.
 class TriangleSoup {
  public:
   struct Source {
@@ -25,8 +26,9 @@ class TriangleSoup {
   bool covers(const btVector3& lower, const btVector3& upper) const;
 
   const std::vector<Source>& triangles() const { return triangles_; }
-  /// Position of the triangle in `triangles()`, or -1.
-  int find(int part, int index) const;
+  /// Position in `triangles()` of the triangle with this part and index, or -1. Where a shape gives several the same
+  /// numbers, that with the same corners.
+  int find(const Source& wanted) const;
 
  private:
   std::vector<Source> triangles_;

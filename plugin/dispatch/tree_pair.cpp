@@ -49,6 +49,7 @@ Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
 
 void TreePair::reset() {
   contacts_.reset();
+  counterpart_->reset();
   subject_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
@@ -101,6 +102,7 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
 // The manifolds stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
 void TreePair::forget() {
   contacts_.reset();
+  counterpart_->reset();
   subject_ = {};
   for (btPersistentManifold* m : manifolds_)
     if (m) m->clearManifold();

@@ -57,7 +57,29 @@ INSTANTIATE_TEST_SUITE_P(
                       WrongUsage{"rockfall", "--rocks 0", "--rocks"},
                       WrongUsage{"rockfall", "--budget-ops x", "--budget-ops"},
                       WrongUsage{"rockfall", "--budget-us nan", "--budget-us"},
+                      WrongUsage{"rockfall", "--budget-ops -5", "'-5' is not a whole number, 0 or more"},
+                      WrongUsage{"rockfall", "--budget-ops 1e999", "'1e999' is not a whole number, 0 or more"},
+                      WrongUsage{"rockfall", "--seed -1", "'-1' is not a whole number"},
+                      WrongUsage{"frame_budget", "--margin-fraction nan", "'nan' is not a fraction from 0 to 1"},
+                      WrongUsage{"make_rock", "--seed -1 -o rock.obj", "'-1' is not a whole number"},
                       WrongUsage{"tree_picture", "", "TREE"}));
+
+TEST(Programs_UnwritableOutput, IsNoticedBeforeTheWork) {
+  const TemporaryFolder folder;
+  const std::string nowhere = (folder.path() / "missing" / "file").string(), here = folder.path().string();
+  // An hour of rocks and a million steps: whoever notices late does not come back in time.
+  for (const auto& [program, arguments] :
+       {std::pair<std::string, std::string>{"rockfall", "--seconds 3600 -o '" + here + "' --json '" + nowhere + "'"},
+        {"frame_budget", "--steps 1000000 --csv '" + nowhere + "'"},
+        {"frame_budget", "--steps 1000000 --json '" + nowhere + "'"}}) {
+    const ProgramResult result = runProgram(program, arguments);
+    EXPECT_EQ(result.exitCode, 1) << arguments;
+    expectOneSentence(result, program, "does not exist; create it first");
+  }
+  const ProgramResult proc = runProgram("rockfall", "--seconds 3600 -o /proc/nope");
+  EXPECT_EQ(proc.exitCode, 1);
+  expectOneSentence(proc, "rockfall", "cannot make the folder /proc/nope");
+}
 
 TEST(Programs_UnreadableInput, IsOneSentenceThatNamesTheFileAndExitCodeOne) {
   const TemporaryFolder folder;
@@ -95,6 +117,13 @@ class ProgramsWithATree : public ::testing::Test {
   TemporaryFolder folder_;
   std::filesystem::path tree_ = folder_.path() / "rock.cairn";
 };
+
+TEST_F(ProgramsWithATree, RefusesALevelTheTreeDoesNotHave) {
+  const ProgramResult result =
+      runProgram("frame_budget", "--tree '" + tree_.string() + "' --shape spheres --spheres-level 8 --steps 1");
+  EXPECT_EQ(result.exitCode, 1);
+  expectOneSentence(result, "frame_budget", "the tree has no level 8: use 0 to ");
+}
 
 TEST_F(ProgramsWithATree, FrameBudgetWritesAnObjectForOneShapeAndAnArrayForSeveral) {
   const std::string common =

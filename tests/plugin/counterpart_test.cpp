@@ -156,5 +156,36 @@ TEST(Obstacles_Touches, AgreeWithOneSphereAtATime) {
   }
 }
 
+// A user's shape need not number its triangles.
+TEST(TriangleSoup_Find, TellsTrianglesWithoutNumbersApart) {
+  struct Unnumbered final : btConcaveShape {
+    int turn = 0;
+    void processAllTriangles(btTriangleCallback* callback, const btVector3&, const btVector3&) const override {
+      for (int i = 0; i < 5; ++i) {
+        const auto x = btScalar((i + turn) % 5);
+        btVector3 triangle[] = {btVector3(x, 0, 0), btVector3(x + 1, 0, 0), btVector3(x, 1, 0)};
+        callback->processTriangle(triangle, -1, -1);
+      }
+    }
+    void getAabb(const btTransform&, btVector3&, btVector3&) const override {}
+    void setLocalScaling(const btVector3&) override {}
+    const btVector3& getLocalScaling() const override { return one; }
+    void calculateLocalInertia(btScalar, btVector3&) const override {}
+    const char* getName() const override { return "Unnumbered"; }
+    btVector3 one{1, 1, 1};
+  } shape;
+  const btVector3 lower(-9, -9, -9), upper(9, 9, 9);
+  TriangleSoup soup;
+  soup.gather(shape, lower, upper);
+  const std::vector<TriangleSoup::Source> first = soup.triangles();
+  shape.turn = 2;
+  soup.gather(shape, lower, upper);
+  for (const TriangleSoup::Source& wanted : first) {
+    const int found = soup.find(wanted);
+    ASSERT_GE(found, 0);
+    EXPECT_EQ(soup.triangles()[static_cast<std::size_t>(found)].corners[0].x(), wanted.corners[0].x());
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test

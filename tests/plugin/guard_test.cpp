@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Zlib
+// Guards: what stands in for contacts when a pair gets no budget. They hold, and they neither shift nor kick.
+#include <gtest/gtest.h>
+
+#include "bullet_world.h"
+#include "triangle_grounds.h"
+
+namespace cairn::test {
+namespace {
+
+constexpr btScalar kStep = btScalar(1) / 60;
+
+// A floor at height 0 and a wall at x = 2, one mesh.
+std::shared_ptr<btCollisionShape> floorAndWall() {
+  std::vector<btVector3> corners;
+  const auto quad = [&](const btVector3& a, const btVector3& b, const btVector3& c, const btVector3& d) {
+    corners.insert(corners.end(), {a, b, c, a, c, d});
+  };
+  for (int i = -10; i < 10; ++i)
+    for (int j = -10; j < 10; ++j) {
+      const auto x = btScalar(i), y = btScalar(j), z = btScalar(i + 4);
+      quad({x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0});
+      if (i >= -4 && i < 6) quad({2, y, z}, {2, y, z + 1}, {2, y + 1, z + 1}, {2, y + 1, z});
+    }
+  return meshOf(corners);
+}
+
+struct RodToWall {
+  BulletWorld<> w;
+  btRigidBody* rod = nullptr;
+
+  // A rod of 3 m stands on the floor and slides at 2 m/s towards the wall.
+  explicit RodToWall(std::int64_t operations) {
+    EXPECT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    w.add(floorAndWall(), 0, btVector3(0, 0, 0));
+    rod = &w.add(treeShape(plainTree(cuboid({3, 0.3, 0.3}, 3))), 1, btVector3(btScalar(0.5), 0, btScalar(1.51)),
+                 btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI));
+    rod->setLinearVelocity(btVector3(2, 0, 0));
+    rod->setFriction(0);
+    rod->setActivationState(DISABLE_DEACTIVATION);
+  }
+};
+
+class GuardedRod : public testing::TestWithParam<std::int64_t> {};
+
+// What had been allowed to sink into the floor has nothing to do with the wall: split impulses must not shift the rod
+// by it in one step.
+TEST_P(GuardedRod, IsNotShiftedByAWall) {
+  RodToWall scene(GetParam());
+  for (int i = 0; i < 300; ++i) {
+    const btVector3 before = scene.rod->getWorldTransform().getOrigin();
+    scene.w.step();
+    const btScalar moved = scene.rod->getWorldTransform().getOrigin().distance(before);
+    // Split impulses take out a fifth of what has sunk in a step, and that is less than the rod's thickness.
+    ASSERT_LT(moved - scene.rod->getLinearVelocity().length() * kStep, 0.2 * 0.3) << "step " << i;
+    ASSERT_GT(scene.rod->getWorldTransform().getOrigin().z(), 0) << "step " << i;
+    ASSERT_LT(scene.rod->getWorldTransform().getOrigin().x(), 2) << "step " << i;
+  }
+}
+
+TEST_P(GuardedRod, IsNotKickedByAWall) {
+  RodToWall scene(GetParam());
+  scene.w.world.getSolverInfo().m_splitImpulse = 0;
+  for (int i = 0; i < 300; ++i) {
+    scene.w.step();
+    // It may topple: its centre falls by 1.36 m at most.
+    ASSERT_LT(scene.rod->getLinearVelocity().length(), std::sqrt(4 + 2 * 9.81 * 1.36)) << "step " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, GuardedRod, testing::Values(0, 1, 45, 100, 300, 1000));
+
+// The centres of a wide ground and a small body on it say nothing about which way is up.
+TEST(Guards_OnAWideTree, HoldASmallBodyAnywhereWithBoundedWork) {
+  const Vec3d size{0.6, 0.5, 0.4};
+  const auto body = plainTree(cuboid(size, 4));
+  for (const double width : {4.0, 12.0})
+    for (const btScalar aside : {btScalar(0), btScalar(1.5)})
+      for (const bool groundFirst : {false, true})
+        for (const std::int64_t operations : {0, 1, 45, 100}) {
+          BulletWorld<> w;
+          ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+          const auto ground = treeShape(plainTree(cuboid({width, width, 1}, width > 4 ? 16 : 8)));
+          if (groundFirst) w.add(ground, 0, btVector3(0, 0, btScalar(-0.5)));
+          btRigidBody& cube = w.add(treeShape(body), 1, btVector3(aside, btScalar(0.1), btScalar(0.3)));
+          if (!groundFirst) w.add(ground, 0, btVector3(0, 0, btScalar(-0.5)));
+          cube.setActivationState(DISABLE_DEACTIVATION);
+          for (int i = 0; i < 400; ++i) {
+            w.step();
+            // Without refinement: re-tests and the front as ever, and eight families for the whole bodies.
+            if (operations <= 1)
+              ASSERT_LE(w.dispatcher.lastStep().operations, 32 * 5 + 128 * 3 + 65 * 3) << "step " << i;
+          }
+          EXPECT_GT(cube.getWorldTransform().getOrigin().z(), 0.1)
+              << width << " m wide, " << aside << " m aside, budget " << operations;
+        }
+}
+
+}  // namespace
+}  // namespace cairn::test
