@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support_points.h"
 
-#include "spheres/farthest_sample.h"
-
 #include <algorithm>
 #include <cassert>
 #include <limits>
+
+#include "spheres/farthest_sample.h"
 
 namespace cairn::builder {
 

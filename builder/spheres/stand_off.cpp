@@ -37,7 +37,6 @@ StandOff::Value StandOff::near(const Value& around, double reach, const Vec3d& c
     around_ = around.ball.center;
     known_ = true;
     reach_ = 0;
-    return at(center);
   }
   if (reach > reach_)
     gather(around, reach);

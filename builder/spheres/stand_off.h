@@ -26,7 +26,7 @@ class StandOff {
   Value at(const Vec3d& center) const;
 
   /// `at(center)`, of which it is known that it lies within `reach` of the centre of `around`, itself an earlier value.
-  /// Constant time, typically, from the second call for one `around` on.
+  /// The first call for one `around` costs about what `at` does, the later ones next to nothing, typically.
   Value near(const Value& around, double reach, const Vec3d& center);
 
  private:
