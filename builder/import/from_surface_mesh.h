@@ -10,8 +10,8 @@
 
 namespace cairn::builder {
 
-/// The triangles of a CGAL surface, same frame and unit, vertices numbered anew in their order so that removed ones leave
-/// no gap; nameless. Precondition: every face is a triangle. Linear. Only for files that see CGAL already.
+/// The triangles of a CGAL surface, same frame and unit, vertices numbered anew in their order so that removed ones
+/// leave no gap; nameless. Precondition: every face is a triangle. Linear. Only for files that see CGAL already.
 template <class Point>
 TriangleMesh meshFrom(const CGAL::Surface_mesh<Point>& surface) {
   using Surface = CGAL::Surface_mesh<Point>;
