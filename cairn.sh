@@ -14,6 +14,9 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
   ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
+  ./cairn.sh bench builder [OPTIONS] [MESH...]
+                             how long trees take to build, method by method, beside the thesis author's toolkit
+                             (tests/bench/builder.sh --help lists the options)
   ./cairn.sh corpus [OPTIONS] try to build a tree of every mesh of Debian's test collections, list how each one ended
                              (tests/corpus/run.sh --help lists the options)
   ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
@@ -144,7 +147,23 @@ test_all() {
   say "All tests passed in $SECONDS s"
 }
 
+bench_builder() {
+  need "${everything[@]}"
+  configure_and_build release --target cairn
+  local mesh
+  if (($# == 0)); then
+    mkdir -p out/bench
+    fetch_mesh out/bench
+    set -- "$mesh"
+  fi
+  tests/bench/builder.sh "$@"
+}
+
 bench() {
+  if [[ ${1:-} == builder ]]; then
+    bench_builder "${@:2}"
+    return
+  fi
   build release
   local mesh
   mkdir -p out/bench

@@ -13,7 +13,8 @@ namespace {
 struct Piece {
   std::array<Vec3d, 3> directions;
   double inner = 0, outer = 0;
-  double upper = 0;  ///< proved: no point of the piece is farther from the solid
+  double upper = 0;            ///< proved: no point of the piece is farther from the solid
+  std::uint32_t triangle = 0;  ///< the one nearest to a point of the piece it was split from
 
   /// Orders a heap: the largest bound on top. Ties keep no order that matters to the result's validity, and the heap's
   /// own order is a function of the input alone.
@@ -26,7 +27,8 @@ class BranchAndBound {
       : solid_(solid), center_(center), radius_(radius), tolerance_(tolerance) {}
 
   CertifiedProtrusion run() {
-    const SignedDistance::Answer atCenter = query(center_);
+    const SignedDistance::Answer atCenter = solid_.query(center_);
+    ++queries_;
     depth_ = atCenter.depth;
     result_.depth = depth_;
     result_.witness = center_;
@@ -34,8 +36,8 @@ class BranchAndBound {
     const double whole = radius_ - depth_;
     double upper = std::max(whole, 0.0);
     if (whole > 0 && radius_ > 0) {
-      offerFarPoint(atCenter.nearest.point);
-      if (!closeEnough(upper)) upper = refine(whole);
+      offerFarPoint(atCenter.nearest);
+      if (!closeEnough(upper)) upper = refine(whole, atCenter.nearest.triangle);
     }
     // The guard covers the queries, and the pieces' corners and witness, which are rounded to a few units of the same
     // lengths.
@@ -46,9 +48,10 @@ class BranchAndBound {
   }
 
  private:
-  SignedDistance::Answer query(const Vec3d& p) {
+  /// `known`: a triangle that may be near.
+  SignedDistance::Answer query(const Vec3d& p, std::uint32_t known) {
     ++queries_;
-    return solid_.query(p);
+    return solid_.query(p, solid_.distanceToTriangle(known, p));
   }
 
   bool closeEnough(double upper) const { return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute; }
@@ -62,18 +65,18 @@ class BranchAndBound {
 
   /// Beyond the surface point nearest to the centre, or away from it when the centre is outside, is a good first
   /// witness.
-  void offerFarPoint(const Vec3d& nearest) {
-    const Vec3d away = depth_ > 0 ? nearest - center_ : center_ - nearest;
+  void offerFarPoint(const SurfacePoint& nearest) {
+    const Vec3d away = depth_ > 0 ? nearest.point - center_ : center_ - nearest.point;
     const double reach = length(away);
     if (!(reach > 0)) return;
     const Vec3d point = center_ + away * (radius_ / reach);
-    offer(point, -query(point).depth);
+    offer(point, -query(point, nearest.triangle).depth);
   }
 
-  double refine(double whole) {
+  double refine(double whole, std::uint32_t triangle) {
     for (int octant = 0; octant < 8; ++octant) {
       const double x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
-      push({{Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}}, 0, radius_, whole});
+      push({{Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}}, 0, radius_, whole, triangle});
     }
     while (!pieces_.empty() && !closeEnough(pieces_.front().upper) && queries_ < tolerance_.maxQueries) {
       std::pop_heap(pieces_.begin(), pieces_.end());
@@ -91,15 +94,15 @@ class BranchAndBound {
     const double height = piece.outer - piece.inner;
     if (height * height > kMostHeightToWidth * kMostHeightToWidth * width) {
       const double middle = (piece.inner + piece.outer) / 2;
-      push({piece.directions, middle, piece.outer, piece.upper});
-      push({piece.directions, piece.inner, middle, piece.upper});
+      push({piece.directions, middle, piece.outer, piece.upper, piece.triangle});
+      push({piece.directions, piece.inner, middle, piece.upper, piece.triangle});
       return;
     }
     const Vec3d ab = normalized(a + b), bc = normalized(b + c), ca = normalized(c + a);
-    push({{ab, bc, ca}, piece.inner, piece.outer, piece.upper});
-    push({{a, ab, ca}, piece.inner, piece.outer, piece.upper});
-    push({{b, bc, ab}, piece.inner, piece.outer, piece.upper});
-    push({{c, ca, bc}, piece.inner, piece.outer, piece.upper});
+    push({{ab, bc, ca}, piece.inner, piece.outer, piece.upper, piece.triangle});
+    push({{a, ab, ca}, piece.inner, piece.outer, piece.upper, piece.triangle});
+    push({{b, bc, ab}, piece.inner, piece.outer, piece.upper, piece.triangle});
+    push({{c, ca, bc}, piece.inner, piece.outer, piece.upper, piece.triangle});
   }
 
   /// Points this near the centre are no farther from the solid than the witness: dist(x) <= |x - c| - s(c).
@@ -113,7 +116,8 @@ class BranchAndBound {
     const auto& [a, b, c] = piece.directions;
     const Vec3d middle = normalized(a + b + c);
     const Vec3d point = center_ + middle * piece.outer;
-    const SignedDistance::Answer answer = query(point);
+    const SignedDistance::Answer answer = query(point, piece.triangle);
+    piece.triangle = answer.nearest.triangle;
     offer(point, -answer.depth);
     piece.upper = std::min(piece.upper, boundOnHull(piece, point, answer));
     if (piece.upper <= best_) return;

@@ -3,6 +3,8 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,26 +42,49 @@ double fractionDone(std::uint32_t depth, std::uint32_t level, std::size_t done, 
   return 0.9 * (static_cast<double>(level) + within) / static_cast<double>(depth);
 }
 
+/// Passes progress on from one thread at a time, and remembers that it was told to stop.
+class Reporter {
+ public:
+  explicit Reporter(const ProgressCallback& callback) : callback_(callback) {}
+
+  bool report(double fraction) {
+    const std::lock_guard lock(mutex_);
+    fraction_ = std::max(fraction_, fraction);
+    if (!stopped_ && !callback_("fitting spheres", fraction_)) stopped_ = true;
+    return !stopped_;
+  }
+  /// Asks whether to go on, without progress to tell.
+  bool keepGoing() { return report(0); }
+
+ private:
+  const ProgressCallback& callback_;
+  std::mutex mutex_;
+  double fraction_ = 0;
+  bool stopped_ = false;
+};
+
 /// Nothing when cancelled.
 std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOptions& options,
                                         const ProgressCallback& report) {
   const SignedDistance solid(mesh);
+  Reporter reporter(report);
+  const KeepGoing keepGoing = [&] { return reporter.keepGoing(); };
   HubbardMedial medial;
   Region root = rootRegion(solid, options.samples);
   if (options.method == Method::hubbard) {
-    medial = hubbardMedialOf(solid, kHubbardSamples, options.seed);
+    medial = hubbardMedialOf(solid, kHubbardSamples, options.seed, keepGoing);
     for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) root.medial.push_back(i);
   }
-  const SplitSettings settings{options.method, options.branching,
-                               options.seed,   kNegligibleFraction * boundsOf(mesh).diagonal(),
-                               &medial,        options.optimiser.value_or(traitsOf(options.method).optimiser),
-                               options.balance};
+  const SplitSettings settings{options.method,  options.branching,
+                               options.seed,    kNegligibleFraction * boundsOf(mesh).diagonal(),
+                               &medial,         options.optimiser.value_or(traitsOf(options.method).optimiser),
+                               options.balance, keepGoing};
   const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
   const RegionTree regions = grow(std::move(root), options.depth, solid, settings,
                                   [&](std::uint32_t level, std::size_t done, std::size_t count) {
-                                    return report("fitting spheres", fractionDone(options.depth, level, done, count));
+                                    return reporter.report(fractionDone(options.depth, level, done, count));
                                   });
-  if (regions.empty() || !report("certifying errors", 0.9)) return std::nullopt;
+  if (regions.empty() || !keepGoing() || !report("certifying errors", 0.9)) return std::nullopt;
   SphereTreeData data = makeTreeData(regions, solid);
   data.info = infoOf(mesh, options);
   return data;

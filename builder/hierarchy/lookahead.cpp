@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace cairn::builder {
@@ -75,6 +76,14 @@ std::vector<double> Lookahead::strongerBias(std::size_t child) const {
   return bias;
 }
 
+std::vector<std::size_t> Lookahead::likelyWorstFirst(std::size_t child) const {
+  std::vector<std::size_t> order(next_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rank = [&](std::size_t i) { return std::pair(i != child, -next_[i].worst()); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
 void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings) {
   Split moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff), solid, settings);
   step_ *= kStepAfterFailure;
@@ -83,7 +92,7 @@ void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance&
   std::vector<Split> next = next_;
   std::vector<bool> searched = searched_;
   const double goal = worstGrandchild() * kWorthwhile;
-  for (std::size_t i = 0; i < next.size(); ++i) {
+  for (const std::size_t i : likelyWorstFirst(child)) {
     if (moved.children[i].pieces == split_.children[i].pieces) continue;
     next[i] = splitRegion(moved.children[i], solid, settings, 0);
     searched[i] = next[i].worst() >= goal;

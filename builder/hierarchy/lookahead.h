@@ -37,6 +37,9 @@ class Lookahead {
   void searchHarder(std::size_t child, const SignedDistance& solid, const SplitSettings& settings);
   /// The bias that makes every child with more than half of the worst one's error give up surface, the worst most.
   std::vector<double> strongerBias(std::size_t child) const;
+  /// The order in which children are divided anew: one that fails the goal ends the attempt, so `child` goes first,
+  /// then those that were nearly as bad. What comes of it does not depend on the order.
+  std::vector<std::size_t> likelyWorstFirst(std::size_t child) const;
   void moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings);
 
   Split split_;

@@ -7,6 +7,7 @@
 #include "spheres/ball_fit.h"
 #include "spheres/burst.h"
 #include "spheres/expand.h"
+#include "spheres/farthest_sample.h"
 #include "spheres/grid.h"
 #include "spheres/merge.h"
 #include "spheres/optimise.h"

@@ -143,8 +143,7 @@ class Sharing {
   void see(std::uint32_t k) {
     const std::span<const double> costs = row(k);
     const ParentMask bit = 1U << k;
-    for (std::size_t p = 0; p < masks_.size(); ++p)
-      masks_[p] = costs[p] <= limit_ ? masks_[p] | bit : masks_[p] & ~bit;
+    for (std::size_t p = 0; p < masks_.size(); ++p) masks_[p] = costs[p] <= limit_ ? masks_[p] | bit : masks_[p] & ~bit;
   }
   void see() {
     for (std::uint32_t k = 0; k < parents_.size(); ++k) see(k);

@@ -11,6 +11,7 @@
 #include "spheres/depth_field.h"
 #include "spheres/divide.h"
 #include "spheres/enclosing_ball.h"
+#include "spheres/farthest_sample.h"
 #include "spheres/hubbard.h"
 #include "spheres/optimise.h"
 #include "spheres/solid_octants.h"
@@ -136,7 +137,9 @@ std::vector<Region> splitByGroups(const Region& region, const SignedDistance& so
   std::vector<Region> children;
   if (region.medial.size() < 2) return children;
   const SolidDepth depth(solid);
-  std::vector<HubbardGroup> groups = mergeHubbard(*settings.hubbard, region.medial, settings.branching, depth);
+  std::vector<HubbardGroup> groups =
+      mergeHubbard(*settings.hubbard, region.medial, settings.branching, depth, settings.keepGoing);
+  if (groups.empty()) return children;
   Pieces pieces = region.pieces;
   refinePieces(pieces, kMinPieces);
   std::vector<Pieces> parts = divideByOwners(*settings.hubbard, groups, pieces);

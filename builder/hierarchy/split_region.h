@@ -9,6 +9,7 @@
 #include "cairn/builder/build.h"
 #include "hierarchy/region.h"
 #include "medial/hubbard_medial.h"
+#include "spheres/hubbard.h"
 #include "spheres/sphere_set.h"
 #include "surface/signed_distance.h"
 
@@ -23,6 +24,8 @@ struct SplitSettings {
   const HubbardMedial* hubbard = nullptr;  ///< of the solid; for that method only
   Optimiser optimiser = Optimiser::cairn;
   std::optional<Balance> balance{};
+  /// Asked during splits that take long; once it says no, splits come out undivided and are not to be used.
+  KeepGoing keepGoing = [] { return true; };
 };
 
 /// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 
+#include "spheres/farthest_sample.h"
+
 namespace cairn::builder {
 
 namespace {

@@ -18,9 +18,13 @@ constexpr int kRepairs = 3;
 constexpr double kFinestRepair = 0.5;
 
 /// Samples that are sites of the diagram: coincident ones are left out of both.
-void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::vector<ClusterSample>& samples) {
-  for (ClusterSample& s : list)
-    if (diagram.insert(s.point)) samples.push_back(std::move(s));
+void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::vector<ClusterSample>& samples,
+               const KeepGoing& keepGoing) {
+  constexpr std::size_t kPollEvery = 1024;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i % kPollEvery == 0 && !keepGoing()) return;
+    if (diagram.insert(list[i].point)) samples.push_back(std::move(list[i]));
+  }
 }
 
 double spacingOf(const TriangleMesh& mesh, std::size_t samples) {
@@ -69,7 +73,8 @@ void findNeighbours(HubbardMedial& medial) {
 
 }  // namespace
 
-HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, std::uint64_t seed) {
+HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, std::uint64_t seed,
+                              const KeepGoing& keepGoing) {
   const TriangleMesh& mesh = solid.mesh();
   const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
   const PlanarClusters clusters = planarClustersOf(mesh, halfEdges);
@@ -78,11 +83,12 @@ HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, 
   HubbardMedial medial;
   medial.clusterNormals = clusters.normals;
   VoronoiDiagram diagram(boundsOf(mesh));
-  insertAll(relaxedSamples(mesh, halfEdges, clusters, samples, seed), diagram, medial.samples);
+  insertAll(relaxedSamples(mesh, halfEdges, clusters, samples, seed), diagram, medial.samples, keepGoing);
   for (int repair = 0; repair < kRepairs; ++repair) {
     auto added = gapCrossingSamples(diagram, medial.samples, mesh, hierarchy, clusters, finest);
     if (added.empty()) break;
-    insertAll(std::move(added), diagram, medial.samples);
+    insertAll(std::move(added), diagram, medial.samples, keepGoing);
+    if (!keepGoing()) return medial;
   }
   collectSpheres(diagram, solid, medial);
   findNeighbours(medial);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "medial/relaxed_samples.h"
@@ -11,6 +12,9 @@
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {
+
+/// Asked from any thread during long work; false once the caller wants it to end.
+using KeepGoing = std::function<bool()>;
 
 /// Hubbard's approximation of the medial axis of a whole solid (thesis 4.1 to 4.3): what all regions of a tree by his
 /// method are made from. Mesh frame.
@@ -27,6 +31,8 @@ struct HubbardMedial {
 
 /// Samples the surface (`relaxedSamples`, about `samples` points and those on edges), repairs gap-crossing cells three
 /// times over, and keeps the spheres around inner vertices. A pure function; expected O(n log n) in samples.
-HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, std::uint64_t seed);
+HubbardMedial hubbardMedialOf(
+    const SignedDistance& solid, std::size_t samples, std::uint64_t seed,
+    const KeepGoing& keepGoing = [] { return true; });
 
 }  // namespace cairn::builder

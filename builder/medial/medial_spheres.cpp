@@ -31,12 +31,7 @@ struct QueuedVertex {
 class AdaptiveSampling {
  public:
   AdaptiveSampling(const SignedDistance& solid, const PointSet& region, double spacing)
-      : solid_(solid),
-        region_(region),
-        spacing_(spacing),
-        bounds_(boundsOf(solid.mesh())),
-        diagram_(bounds_),
-        distances_(region.size()) {}
+      : solid_(solid), region_(region), spacing_(spacing), bounds_(boundsOf(solid.mesh())), diagram_(bounds_) {}
 
   void run(std::span<const Vec3d> sites, const MedialGoal& goal) {
     for (const Vec3d& site : sites) diagram_.insert(site);
@@ -82,14 +77,9 @@ class AdaptiveSampling {
     for (const std::uint32_t site : vertex.sites)
       if (site < VoronoiDiagram::kEnclosingSites) return j;
     const double reach = distance(vertex.position, diagram_.site(vertex.sites[0]));
-    if (reach > kMaxReach * bounds_.diagonal() || !touchesRegion(vertex.position, reach)) return j;
-    const SignedDistance::Answer answer = solid_.query(vertex.position);
+    if (reach > kMaxReach * bounds_.diagonal() || !region_.anyWithin(vertex.position, reach + spacing_)) return j;
+    const SignedDistance::Answer answer = solid_.query(vertex.position, reach);  // its sites are on the surface
     return {{vertex.position, reach, answer.depth}, answer.nearest.point, true};
-  }
-
-  bool touchesRegion(const Vec3d& center, double reach) {
-    region_.distances(center, reach + spacing_, distances_);
-    return std::any_of(distances_.begin(), distances_.end(), [](double d) { return d <= 0; });
   }
 
   void dropDead() {
@@ -139,7 +129,6 @@ class AdaptiveSampling {
   Bounds bounds_;
   VoronoiDiagram diagram_;
   std::vector<Judged> judged_;
-  std::vector<double> distances_;
   std::priority_queue<QueuedVertex> worst_;
   std::size_t aliveInside_ = 0;
 };

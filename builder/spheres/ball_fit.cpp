@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spheres/enclosing_ball.h"
+#include "spheres/stand_off.h"
 
 namespace cairn::builder {
 
@@ -19,23 +20,6 @@ constexpr double kFlat = 0.02;
 /// Part of the decrease a linear model promises that a step must bring to count as one.
 constexpr double kSufficient = 0.1;
 constexpr double kGrow = 1.6, kShrink = 0.35;
-
-struct Evaluation {
-  Ball ball;
-  Vec3d gradient;  ///< one subgradient of the stand-off
-};
-
-Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
-  const Vec3d d = to - from;
-  const double norm = length(d);
-  return norm > 0 ? d / norm : Vec3d{};
-}
-
-Evaluation evaluate(const Vec3d& center, const PointSet& points, const DepthField& solid) {
-  const PointSet::Farthest farthest = points.farthest(center);
-  const DepthField::Sample sample = solid.at(center);
-  return {{center, farthest.distance, sample.depth}, directionFrom(points[farthest.index], center) - sample.rise};
-}
 
 /// Gradients seen around one centre.
 class Bundle {
@@ -52,8 +36,9 @@ class Bundle {
     Vec3d v = gradients_[0];
     for (int round = 0; round < 12; ++round) {
       std::size_t lowest = 0;
+      double least = dot(gradients_[0], v);
       for (std::size_t i = 1; i < size_; ++i)
-        if (dot(gradients_[i], v) < dot(gradients_[lowest], v)) lowest = i;
+        if (const double along = dot(gradients_[i], v); along < least) least = along, lowest = i;
       const Vec3d edge = gradients_[lowest] - v;
       const double gain = -dot(v, edge), edgeSq = lengthSq(edge);
       if (gain <= 1e-12 || edgeSq == 0) break;
@@ -74,7 +59,8 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
 }
 
 Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest) {
-  Evaluation best = evaluate(start.center, points, solid);
+  StandOff standOff(points, solid);
+  StandOff::Value best = standOff.at(start.center);
   Bundle bundle;
   bundle.restart(best.gradient);
   double step = coarsest;
@@ -86,7 +72,7 @@ Ball descend(const Ball& start, const PointSet& points, const DepthField& solid,
       bundle.restart(best.gradient);
       continue;
     }
-    const Evaluation trial = evaluate(best.ball.center - direction * (step / slope), points, solid);
+    const StandOff::Value trial = standOff.near(best, step, best.ball.center - direction * (step / slope));
     const double gain = best.ball.standOff() - trial.ball.standOff();
     if (gain > kSufficient * step * slope) {
       best = trial;

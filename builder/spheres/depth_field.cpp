@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <nanoflann.hpp>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double kRootThree = 1.7320508075688772;
 constexpr std::size_t kPointsPerLeaf = 12;
+/// Far above the rounding of a few distances, far below what it would add to a search.
+constexpr double kRoundingRoom = 1e-9;
 
 Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
   const Vec3d d = to - from;
@@ -34,6 +37,24 @@ struct PointAdaptor {
 
 using PointTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointAdaptor>, PointAdaptor, 3>;
+
+/// Collects the points within a distance, for nanoflann, until there are too many.
+struct PartsWithin {
+  double withinSq;
+  std::size_t most;
+  std::vector<DepthField::Part>& parts;
+  bool overflow = false;
+
+  bool full() const { return true; }
+  double worstDist() const { return withinSq; }
+  /// False ends the search.
+  bool addPoint(double distanceSq, std::size_t index) {
+    if (distanceSq > withinSq) return true;
+    overflow = parts.size() == most;
+    if (!overflow) parts.push_back({static_cast<std::uint32_t>(index), std::sqrt(distanceSq)});
+    return !overflow;
+  }
+};
 
 /// Walks an octree around the solid down to cells of edge `spacing` that the offset surface may cross. The nearest
 /// surface point of a cell's centre outside is also that of every point on the way to it, so the point of that way at
@@ -78,10 +99,26 @@ class OffsetSampling {
 
 }  // namespace
 
-DepthField::Sample SolidDepth::at(const Vec3d& point) const {
-  const SignedDistance::Answer answer = solid_.query(point);
+namespace {
+
+DepthField::Sample sampleOf(const SignedDistance::Answer& answer, const Vec3d& point) {
   const Vec3d away = directionFrom(answer.nearest.point, point);
   return {answer.depth, answer.depth < 0 ? -away : away};
+}
+
+}  // namespace
+
+DepthField::Sample SolidDepth::at(const Vec3d& point) const {
+  return sampleOf(solid_.query(point), point);
+}
+
+std::optional<double> SolidDepth::gather(const Vec3d& center, double depth, double reach, std::size_t most,
+                                         std::vector<Part>& parts) const {
+  return solid_.gather(center, std::abs(depth), reach, most, parts);
+}
+
+DepthField::Sample SolidDepth::atAmong(std::span<const Part> parts, const Vec3d& point) const {
+  return sampleOf(solid_.queryAmong(parts, point), point);
 }
 
 struct ClosedDepth::OffsetSurface {
@@ -112,8 +149,38 @@ DepthField::Sample ClosedDepth::at(const Vec3d& point) const {
   nanoflann::KNNResultSet<double> result(1);
   result.init(&index, &distanceSq);
   offset_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
-  const Vec3d nearest = offset_->adaptor.points[index];
-  return {std::sqrt(distanceSq) - scale_, directionFrom(nearest, point)};
+  return sampleFrom(index, distanceSq, point);
+}
+
+DepthField::Sample ClosedDepth::sampleFrom(std::size_t nearest, double distanceSq, const Vec3d& point) const {
+  return {std::sqrt(distanceSq) - scale_, directionFrom(offset_->adaptor.points[nearest], point)};
+}
+
+std::optional<double> ClosedDepth::gather(const Vec3d& center, double depth, double reach, std::size_t most,
+                                          std::vector<Part>& parts) const {
+  assert(usable());
+  parts.clear();
+  const double least = depth + scale_;
+  const double within = (least + 2 * reach) * (1 + kRoundingRoom);
+  const std::array<double, 3> query{center.x, center.y, center.z};
+  PartsWithin result{within * within, most, parts};
+  offset_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
+  if (result.overflow) return std::nullopt;
+  return within;
+}
+
+DepthField::Sample ClosedDepth::atAmong(std::span<const Part> parts, const Vec3d& point) const {
+  double leastSq = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;
+  bool tied = true;
+  for (const Part& part : parts) {
+    const double distanceSq = lengthSq(point - offset_->adaptor.points[part.index]);
+    if (distanceSq > leastSq) continue;
+    tied = distanceSq == leastSq;
+    leastSq = distanceSq;
+    nearest = part.index;
+  }
+  return tied ? at(point) : sampleFrom(nearest, leastSq, point);
 }
 
 }  // namespace cairn::builder

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "surface/signed_distance.h"
 
@@ -18,6 +21,16 @@ class DepthField {
   virtual ~DepthField() = default;
   virtual Sample at(const Vec3d& point) const = 0;
   double depth(const Vec3d& point) const { return at(point).depth; }
+
+  /// A part of what the field is measured from, named by the field, and its distance from some centre.
+  using Part = NearPacket;
+  /// Replaces `parts` by those that can decide the depth of points within `reach` of `center`. Returns the distance up
+  /// to which they were taken, for a smaller reach less by twice the difference; nothing when they are more than
+  /// `most`. Precondition: `depth` is that of `center`.
+  virtual std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
+                                       std::vector<Part>& parts) const = 0;
+  /// `at` of a point within the reach that `parts` were gathered for, to the bit, without a search.
+  virtual Sample atAmong(std::span<const Part> parts, const Vec3d& point) const = 0;
 };
 
 /// The signed distance s(c) itself: R - s(c) is a bound of the protrusion for every R (thesis Eq. 5.1).
@@ -26,6 +39,9 @@ class SolidDepth final : public DepthField {
   /// Keeps a reference to `solid`, which must outlive this.
   explicit SolidDepth(const SignedDistance& solid) : solid_(solid) {}
   Sample at(const Vec3d& point) const override;
+  std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
+                               std::vector<Part>& parts) const override;
+  Sample atAmong(std::span<const Part> parts, const Vec3d& point) const override;
 
  private:
   const SignedDistance& solid_;
@@ -45,8 +61,13 @@ class ClosedDepth final : public DepthField {
   bool usable() const;
   ~ClosedDepth() override;
   Sample at(const Vec3d& point) const override;
+  std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
+                               std::vector<Part>& parts) const override;
+  Sample atAmong(std::span<const Part> parts, const Vec3d& point) const override;
 
  private:
+  Sample sampleFrom(std::size_t nearest, double distanceSq, const Vec3d& point) const;
+
   struct OffsetSurface;
   double scale_;
   std::unique_ptr<OffsetSurface> offset_;

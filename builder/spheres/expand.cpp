@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "spheres/bit_set.h"
+#include "spheres/farthest_sample.h"
+#include "spheres/held_sets.h"
 
 namespace cairn::builder {
 
@@ -28,68 +31,75 @@ constexpr std::size_t kMaxCandidates = 150, kMaxPoints = 300;
 
 using Choice = std::vector<std::size_t>;
 
+/// What a greedy choice among candidates came to.
+struct Outcome {
+  std::optional<Choice> chosen;  ///< nothing when the balls do not suffice
+  std::size_t first = 0;         ///< the candidate it began with
+  bool hopeless = false;         ///< no choice of as many candidates can suffice
+};
+
 /// What the candidates hold at one stand-off, and the greedy choice among them.
 class Selection {
  public:
-  Selection(std::vector<BitSet> held, std::size_t points, ExpandRank rank)
+  Selection(HeldSets held, std::size_t points, ExpandRank rank)
       : held_(std::move(held)), points_(points), rank_(rank) {}
 
   /// The candidates that alone hold everything.
   Choice complete() const {
     Choice list;
     for (std::size_t i = 0; i < held_.size(); ++i)
-      if (held_[i].count() == points_) list.push_back(i);
+      if (held_.count(i) == points_) list.push_back(i);
     return list;
   }
 
-  /// The chosen candidates, or nothing when `count` do not suffice. Candidates in `barred` are left out.
-  std::optional<Choice> choose(std::size_t count, const Choice& barred) const {
-    std::vector<BitSet> remaining = held_;
-    std::vector<std::size_t> alive;
-    for (std::size_t i = 0; i < remaining.size(); ++i)
-      if (std::find(barred.begin(), barred.end(), i) == barred.end() && !remaining[i].empty()) alive.push_back(i);
+  /// At most `count` candidates, without those `barred`.
+  Outcome choose(std::size_t count, const Choice& barred) const {
+    HeldSets remaining = held_;
+    remaining.drop(barred);
+    Outcome outcome;
+    outcome.hopeless = remaining.unionCount() < points_ || mostOf(remaining, count) < points_;
+    if (outcome.hopeless) return outcome;
     std::size_t uncovered = points_;
     Choice chosen;
     while (uncovered > 0) {
-      const std::size_t best = leading(remaining, alive, (count - chosen.size()), uncovered);
-      if (best == kNone) return std::nullopt;
-      chosen.push_back(best);
-      const BitSet taken = remaining[best];
-      uncovered -= taken.count();
-      if (uncovered > 0 && chosen.size() == count) return std::nullopt;
-      for (const std::size_t i : alive) remaining[i].remove(taken);
-      std::erase_if(alive, [&](std::size_t i) { return remaining[i].empty(); });
+      if (mostOf(remaining, count - chosen.size()) < uncovered) return outcome;
+      const std::size_t best = leading(remaining);
+      chosen.push_back(remaining.name(best));
+      outcome.first = chosen.front();
+      uncovered -= remaining.count(best);
+      if (uncovered > 0 && chosen.size() == count) return outcome;
+      remaining.take(best);
     }
-    return chosen;
+    outcome.chosen = std::move(chosen);
+    return outcome;
   }
 
  private:
-  static constexpr std::size_t kNone = ~std::size_t{0};
+  /// Points that `left` of the candidates can hold at most.
+  static std::size_t mostOf(const HeldSets& remaining, std::size_t left) {
+    std::vector<std::size_t> sizes(remaining.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = remaining.count(i);
+    const std::size_t largest = std::min(left, sizes.size());
+    const auto end = sizes.begin() + static_cast<std::ptrdiff_t>(largest);
+    std::partial_sort(sizes.begin(), end, sizes.end(), std::greater<>());
+    return std::accumulate(sizes.begin(), end, std::size_t{0});
+  }
 
-  /// The candidate of highest rank; nothing when the largest cannot reach the end in `left` more steps.
-  std::size_t leading(const std::vector<BitSet>& remaining, const std::vector<std::size_t>& alive, std::size_t left,
-                      std::size_t uncovered) const {
-    std::vector<std::size_t> sizes(alive.size());
-    std::size_t largest = 0;
-    for (std::size_t k = 0; k < alive.size(); ++k) largest = std::max(largest, sizes[k] = remaining[alive[k]].count());
-    if (largest == 0 || largest * left < uncovered) return kNone;
-    if (rank_ == ExpandRank::maxCover)
-      return alive[static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), largest) - sizes.begin())];
-    std::size_t best = kNone;
+  /// The candidate of highest rank, the first on a tie.
+  std::size_t leading(const HeldSets& remaining) const {
+    std::size_t best = 0;
     std::pair<std::size_t, std::size_t> bestRank;
-    for (std::size_t k = 0; k < alive.size(); ++k) {
-      std::size_t redundant = 0;
-      for (std::size_t m = 0; m < alive.size(); ++m)
-        if (sizes[m] <= sizes[k] && remaining[alive[m]].isSubsetOf(remaining[alive[k]])) ++redundant;
-      const std::pair rank(redundant, sizes[k]);
-      if (best != kNone && rank <= bestRank) continue;
-      best = alive[k];
+    for (std::size_t i = 0; i < remaining.size(); ++i) {
+      const std::size_t redundant = rank_ == ExpandRank::maxCover ? 0 : remaining.subsetsOf(i);
+      const std::pair rank(redundant, remaining.count(i));
+      if (rank <= bestRank) continue;
+      best = i;
       bestRank = rank;
     }
     return best;
   }
 
-  std::vector<BitSet> held_;
+  HeldSets held_;
   std::size_t points_;
   ExpandRank rank_;
 };
@@ -98,40 +108,34 @@ class Selection {
 class CostTable {
  public:
   CostTable(const PointSet& points, std::span<const Ball> candidates, ExpandRank rank)
-      : points_(points.size()), rank_(rank), costs_(candidates.size() * points.size()) {
+      : points_(points.size()),
+        padded_(HeldSets::paddedPoints(points_)),
+        rank_(rank),
+        costs_(candidates.size() * padded_, std::numeric_limits<double>::infinity()) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      points.distances(candidates[i].center, candidates[i].depth, std::span(costs_).subspan(i * points_, points_));
+      points.distances(candidates[i].center, candidates[i].depth, std::span(costs_).subspan(i * padded_, points_));
   }
 
-  Selection at(double standOff) const {
-    std::vector<BitSet> held(points_ == 0 ? 0 : costs_.size() / points_, BitSet(points_));
-    for (std::size_t i = 0; i < held.size(); ++i)
-      for (std::size_t p = 0; p < points_; ++p)
-        if (costs_[i * points_ + p] <= standOff) held[i].insert(p);
-    return {std::move(held), points_, rank_};
-  }
+  Selection at(double standOff) const { return {HeldSets(costs_, padded_, standOff), points_, rank_}; }
 
   /// Stand-off at which some candidate alone holds everything.
   double enoughForOne() const {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < costs_.size(); i += points_)
+    for (std::size_t i = 0; i < costs_.size(); i += padded_)
       least = std::min(least, *std::max_element(costs_.begin() + i, costs_.begin() + i + points_));
     return least;
   }
 
   /// Below this some point is in no candidate.
   double leastFeasible() const {
-    double needed = 0;
-    for (std::size_t p = 0; p < points_; ++p) {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = p; i < costs_.size(); i += points_) least = std::min(least, costs_[i]);
-      needed = std::max(needed, least);
-    }
-    return needed;
+    std::vector<double> least(points_, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < costs_.size(); i += padded_)
+      for (std::size_t p = 0; p < points_; ++p) least[p] = std::min(least[p], costs_[i + p]);
+    return std::max(0.0, *std::max_element(least.begin(), least.end()));
   }
 
  private:
-  std::size_t points_;
+  std::size_t points_, padded_;  // columns of the table, and with its padding
   ExpandRank rank_;
   std::vector<double> costs_;
 };
@@ -151,14 +155,12 @@ PointSet thinned(const PointSet& points) {
 
 std::optional<Choice> chooseWithRetries(const Selection& selection, std::size_t count) {
   Choice barred;
-  std::optional<Choice> chosen = selection.choose(count, barred);
-  while (!chosen && barred.size() < kMaxBarred) {
-    const std::optional<Choice> first = selection.choose(~std::size_t{0}, barred);
-    if (!first) return std::nullopt;
-    barred.push_back(first->front());
-    chosen = selection.choose(count, barred);
+  Outcome outcome = selection.choose(count, barred);
+  while (!outcome.chosen && !outcome.hopeless && barred.size() < kMaxBarred) {
+    barred.push_back(outcome.first);
+    outcome = selection.choose(count, barred);
   }
-  return chosen;
+  return std::move(outcome.chosen);
 }
 
 /// A choice and the stand-off it was made at.
@@ -171,7 +173,7 @@ Expanded leastStandOff(const CostTable& costs, std::size_t count) {
   Expanded best;
   best.standOff = costs.enoughForOne();
   double tooLittle = costs.leastFeasible();
-  best.chosen = *costs.at(best.standOff).choose(~std::size_t{0}, {});
+  best.chosen = *costs.at(best.standOff).choose(~std::size_t{0}, {}).chosen;
   for (int i = 0; i < kBisections && tooLittle < best.standOff; ++i) {
     const double standOff = 0.5 * (tooLittle + best.standOff);
     if (auto chosen = chooseWithRetries(costs.at(standOff), count)) {
@@ -189,7 +191,7 @@ Expanded divided(const CostTable& costs, std::size_t count, Expanded single) {
   double standOff = single.standOff;
   for (int step = 0; step < kMaxSteps; ++step, standOff *= kNextStandOff) {
     const Selection selection = costs.at(standOff);
-    if (auto chosen = selection.choose(count, selection.complete())) return {*std::move(chosen), standOff};
+    if (auto chosen = selection.choose(count, selection.complete()).chosen) return {*std::move(chosen), standOff};
   }
   return single;
 }

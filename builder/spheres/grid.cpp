@@ -8,6 +8,7 @@
 
 #include "spheres/downhill_simplex.h"
 #include "spheres/enclosing_ball.h"
+#include "spheres/farthest_sample.h"
 #include "spheres/oriented_grid.h"
 
 namespace cairn::builder {
@@ -18,12 +19,12 @@ namespace {
 constexpr double kShrink = 0.9;
 /// The search is over when this many sizes needed too many balls: what one size needs is not a monotone function of it,
 /// because its own search may end badly.
-constexpr int kMaxMisses = 4;
-constexpr std::size_t kEvaluations = 120;
+constexpr int kMaxMisses = 2;
+constexpr std::size_t kEvaluations = 60;
 /// First steps of the search: a part of a cell along its axes, and radians about them.
 constexpr double kFirstMove = 0.25, kFirstTurn = 0.3;
 /// The search sees these many points; which balls are needed is then decided by all.
-constexpr std::size_t kSearchPoints = 200;
+constexpr std::size_t kSearchPoints = 60;
 
 std::vector<Vec3d> listOf(const PointSet& points) {
   std::vector<Vec3d> list(points.size());

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hubbard.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <queue>
 #include <set>
 #include <tuple>
+#include <utility>
 
-#include "spheres/point_set.h"
-#include "spheres/ritter_ball.h"
+#include "spheres/hubbard_error.h"
+#include "spheres/nearest_ball.h"
 
 namespace cairn::builder {
 
@@ -26,17 +29,19 @@ Indices unionOf(const Indices& a, const Indices& b) {
 
 struct Group {
   EnclosingBall ball;
-  Indices samples, members;
+  SampleSet samples;
+  Indices members;
   std::set<std::uint32_t> neighbours;  // groups, alive ones only
   bool alive = true;
 };
 
 class Merging {
  public:
-  Merging(const HubbardMedial& medial, std::span<const std::uint32_t> members) : medial_(medial) {
+  Merging(const HubbardMedial& medial, std::span<const std::uint32_t> members, const KeepGoing& keepGoing)
+      : medial_(medial), errors_(medial), keepGoing_(keepGoing) {
     for (const std::uint32_t m : members) {
       const HubbardMedial::Sphere& sphere = medial.spheres[m];
-      Group group{{sphere.ball.center, sphere.ball.radius}, {sphere.samples.begin(), sphere.samples.end()}, {m}, {}};
+      Group group{{sphere.ball.center, sphere.ball.radius}, SampleSet(sphere.samples, medial), {m}, {}};
       for (const std::uint32_t n : sphere.neighbours) {
         const auto place = std::lower_bound(members.begin(), members.end(), n);
         if (place != members.end() && *place == n)
@@ -52,37 +57,58 @@ class Merging {
     }
   }
 
+  /// Empty when cancelled.
   std::vector<Group> run(std::size_t count) {
+    constexpr std::size_t kPollEvery = 256;
     while (alive_ > count) {
-      const auto [error, a, b] = pairs_.top();
+      const Pair pair = pairs_.top();
       pairs_.pop();
-      if (groups_[a].alive && groups_[b].alive) merge(a, b);
+      if (!groups_[pair.a].alive || !groups_[pair.b].alive) continue;
+      if (!pair.exact) {
+        pairs_.push({exactError(pair.a, pair.b), pair.a, pair.b, true});
+        continue;
+      }
+      merge(pair.a, pair.b);
+      if (alive_ % kPollEvery == 0 && !keepGoing_()) return {};
     }
     std::erase_if(groups_, [](const Group& g) { return !g.alive; });
     return std::move(groups_);
   }
 
  private:
-  using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;  // error, groups
+  /// Two groups and the error of their merging, or less as long as it is not exact. Most pairs never come up before one
+  /// of them is merged with another, so they cost no more than a bound.
+  struct Pair {
+    double error;
+    std::uint32_t a, b;
+    bool exact;
 
-  EnclosingBall ballAround(const Indices& samples) const {
-    std::vector<Vec3d> points;
-    for (const std::uint32_t s : samples) points.push_back(medial_.samples[s].point);
-    return ritterBall(points);
+    friend bool operator<(const Pair& p, const Pair& q) {
+      return std::tie(p.error, p.a, p.b) > std::tie(q.error, q.a, q.b);  // the least on top of the heap
+    }
+  };
+
+  double exactError(std::uint32_t a, std::uint32_t b) const {
+    const SampleSet samples(groups_[a].samples, groups_[b].samples);
+    return errors_.of(samples.ritterBall(), samples);
   }
 
-  double errorOf(const EnclosingBall& ball, const Indices& samples) const {
-    double worst = 0;
-    for (const std::uint32_t s : samples)
-      for (const std::uint32_t cluster : medial_.samples[s].clusters)
-        worst = std::max(
-            worst, normalStandOff(ball.center, ball.radius, medial_.samples[s].point, medial_.clusterNormals[cluster]));
-    return worst;
+  /// Each of `others` with `fresh`.
+  void proposeAll(const Indices& others, std::uint32_t fresh) {
+    std::vector<double> errors(others.size());
+    const auto bound = [&](std::size_t i) {
+      errors[i] = errors_.atLeast(groups_[others[i]].samples, groups_[fresh].samples);
+    };
+    constexpr std::size_t kWorthATask = 20000;  // points looked at: some 20 us of work
+    if (others.size() * groups_[fresh].samples.size() < kWorthATask)
+      for (std::size_t i = 0; i < others.size(); ++i) bound(i);
+    else
+      tbb::parallel_for(std::size_t{0}, others.size(), bound);
+    for (std::size_t i = 0; i < others.size(); ++i) pairs_.push({errors[i], others[i], fresh, false});
   }
 
   void propose(std::uint32_t a, std::uint32_t b) {
-    const Indices samples = unionOf(groups_[a].samples, groups_[b].samples);
-    pairs_.emplace(errorOf(ballAround(samples), samples), a, b);
+    pairs_.push({errors_.atLeast(groups_[a].samples, groups_[b].samples), a, b, false});
   }
 
   /// Neighbours for a group that has none: those it overlaps, or else all.
@@ -104,10 +130,11 @@ class Merging {
   void merge(std::uint32_t a, std::uint32_t b) {
     const auto fresh = static_cast<std::uint32_t>(groups_.size());
     Group group{{},
-                unionOf(groups_[a].samples, groups_[b].samples),
+                SampleSet(groups_[a].samples, groups_[b].samples),
                 unionOf(groups_[a].members, groups_[b].members),
                 groups_[a].neighbours};
-    group.ball = ballAround(group.samples);
+    group.ball = group.samples.ritterBall();
+    errors_.markWorst(group.ball, group.samples);
     group.neighbours.insert(groups_[b].neighbours.begin(), groups_[b].neighbours.end());
     group.neighbours.erase(a);
     group.neighbours.erase(b);
@@ -117,16 +144,17 @@ class Merging {
     }
     --alive_;
     groups_.push_back(std::move(group));
-    for (const std::uint32_t n : groups_[fresh].neighbours) {
-      groups_[n].neighbours.insert(fresh);
-      propose(n, fresh);
-    }
+    const Indices neighbours(groups_[fresh].neighbours.begin(), groups_[fresh].neighbours.end());
+    for (const std::uint32_t n : neighbours) groups_[n].neighbours.insert(fresh);
+    proposeAll(neighbours, fresh);
     adopt(fresh);
   }
 
   const HubbardMedial& medial_;
+  HubbardError errors_;
+  const KeepGoing& keepGoing_;
   std::vector<Group> groups_;
-  std::priority_queue<Pair, std::vector<Pair>, std::greater<>> pairs_;
+  std::priority_queue<Pair> pairs_;
   std::size_t alive_ = 0;
 };
 
@@ -135,36 +163,29 @@ class Merging {
 std::vector<Pieces> divideByOwners(const HubbardMedial& medial, std::span<const HubbardGroup> groups,
                                    std::span<const Piece> pieces) {
   assert(!groups.empty());
-  std::vector<Vec3d> list;
-  for (const Piece& piece : pieces) list.push_back(centroidOf(piece));
-  const PointSet centroids(list);
-  std::vector<double> distances(list.size()), nearest(list.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> owner(list.size(), 0);
+  std::vector<EnclosingBall> balls;
+  std::vector<std::size_t> groupOf;
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (const std::uint32_t m : groups[g].members) {
-      centroids.distances(medial.spheres[m].ball.center, medial.spheres[m].ball.radius, distances);
-      for (std::size_t p = 0; p < list.size(); ++p) {
-        if (distances[p] >= nearest[p]) continue;
-        nearest[p] = distances[p];
-        owner[p] = g;
-      }
+      balls.push_back({medial.spheres[m].ball.center, medial.spheres[m].ball.radius});
+      groupOf.push_back(g);
     }
+  const NearestBall nearest(std::move(balls));
+  std::vector<std::size_t> owner(pieces.size());
+  constexpr std::size_t kGrain = 256;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), kGrain), [&](const auto& range) {
+    for (std::size_t p = range.begin(); p < range.end(); ++p) owner[p] = groupOf[nearest.to(centroidOf(pieces[p]))];
+  });
   std::vector<Pieces> parts(groups.size());
-  for (std::size_t p = 0; p < list.size(); ++p) parts[owner[p]].push_back(pieces[p]);
+  for (std::size_t p = 0; p < pieces.size(); ++p) parts[owner[p]].push_back(pieces[p]);
   return parts;
 }
 
-double normalStandOff(const Vec3d& center, double radius, const Vec3d& point, const Vec3d& normal) {
-  const double height = dot(center - point, normal);
-  const double besideSq = lengthSq(center - point) - height * height;
-  return std::sqrt(std::max(0.0, radius * radius - besideSq)) + height;
-}
-
 std::vector<HubbardGroup> mergeHubbard(const HubbardMedial& medial, std::span<const std::uint32_t> members,
-                                       std::size_t count, const DepthField& solid) {
+                                       std::size_t count, const DepthField& solid, const KeepGoing& keepGoing) {
   assert(!members.empty() && count >= 1);
   std::vector<HubbardGroup> result;
-  for (Group& group : Merging(medial, members).run(count))
+  for (Group& group : Merging(medial, members, keepGoing).run(count))
     result.push_back(
         {{group.ball.center, group.ball.radius, solid.depth(group.ball.center)}, std::move(group.members)});
   return result;

@@ -22,16 +22,16 @@ struct HubbardGroup {
 /// point along its normal to the ball's surface (Eq. 4.1, 4.2). A sphere without neighbours gets those it overlaps, or
 /// else all.
 ///
-/// `members`: spheres of `medial`, ascending, not empty; `count` at least 1. Some 20 balls for each member.
-std::vector<HubbardGroup> mergeHubbard(const HubbardMedial& medial, std::span<const std::uint32_t> members,
-                                       std::size_t count, const DepthField& solid);
+/// `members`: spheres of `medial`, ascending, not empty; `count` at least 1. Some 20 bounds of an error for each
+/// member, few of which are worked out. `keepGoing` is asked now and then; once it says no, the result is empty.
+std::vector<HubbardGroup> mergeHubbard(
+    const HubbardMedial& medial, std::span<const std::uint32_t> members, std::size_t count, const DepthField& solid,
+    const KeepGoing& keepGoing = [] { return true; });
 
 /// Gives every piece to the group with the medial sphere nearest to its centroid, |p - c| - r; part i of the result is
-/// what group i has to hold. Linear in members times pieces. Precondition: `groups` not empty.
+/// what group i has to hold. On a tie the first
+/// group. A search of a tree for each piece, in parallel. Precondition: `groups` not empty.
 std::vector<Pieces> divideByOwners(const HubbardMedial& medial, std::span<const HubbardGroup> groups,
                                    std::span<const Piece> pieces);
-
-/// The error of Eq. 4.1 and 4.2 for a point in the ball: how far the ball stands off along `normal` above `point`.
-double normalStandOff(const Vec3d& center, double radius, const Vec3d& point, const Vec3d& normal);
 
 }  // namespace cairn::builder

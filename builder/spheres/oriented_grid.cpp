@@ -22,51 +22,88 @@ constexpr double kSlack = 1 + 1e-12;
 /// Room for rounding around the points, in parts of the first cell.
 constexpr double kMargin = 1e-7;
 
-/// A cell as one number, for fast sorting; ordered by x, then y, then z.
-class CellKey {
+/// Where the points lie in the grid, and which cells' balls hold each of them. The cells that may are those of a block,
+/// numbered with x slowest.
+class Holdings {
  public:
-  CellKey(std::int64_t x, std::int64_t y, std::int64_t z)
-      : key_(((x + kOffset) << (2 * kBits)) | ((y + kOffset) << kBits) | (z + kOffset)) {}
-  Vec3d cell() const {
-    constexpr std::int64_t kMask = (std::int64_t{1} << kBits) - 1;
-    return Vec3d(static_cast<double>(key_ >> (2 * kBits)), static_cast<double>((key_ >> kBits) & kMask),
-                 static_cast<double>(key_ & kMask)) -
-           Vec3d(kOffset, kOffset, kOffset);
+  Holdings(const OrientedGrid& grid, std::span<const Vec3d> points) : places_(points.size()) {
+    for (std::size_t p = 0; p < points.size(); ++p) places_[p] = placeOf(grid, points[p]);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::int32_t high = places_[0].home[axis];
+      low_[axis] = high;
+      for (const Place& place : places_) {
+        low_[axis] = std::min(low_[axis], place.home[axis]);
+        high = std::max(high, place.home[axis]);
+      }
+      low_[axis] -= kReach;
+      size_[axis] = static_cast<std::size_t>(high + kReach - low_[axis]) + 1;
+    }
+    begin_.reserve(points.size() + 1);
+    cells_.reserve(points.size() * 4);
+    for (const Place& place : places_) {
+      begin_.push_back(cells_.size());
+      addCellsOf(place);
+    }
+    begin_.push_back(cells_.size());
   }
-  friend auto operator<=>(const CellKey&, const CellKey&) = default;
+
+  std::size_t cellCount() const { return size_[0] * size_[1] * size_[2]; }
+  /// By point: the cells whose balls hold it, ascending.
+  std::span<std::uint32_t> cellsOf(std::size_t point) {
+    return std::span(cells_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+  }
+  /// The cell's corner, in cells.
+  Vec3d cornerOf(std::size_t cell) const {
+    return {static_cast<double>(low_[0]) + static_cast<double>(cell / (size_[1] * size_[2])),
+            static_cast<double>(low_[1]) + static_cast<double>(cell / size_[2] % size_[1]),
+            static_cast<double>(low_[2]) + static_cast<double>(cell % size_[2])};
+  }
 
  private:
-  /// Cells shrink to a hundredth of the points' box at the smallest and move by a few boxes: far from 2^19.
-  static constexpr int kBits = 20;
-  static constexpr std::int64_t kOffset = std::int64_t{1} << (kBits - 1);
-  std::int64_t key_;
-};
-
-using Holding = std::pair<CellKey, std::uint32_t>;
-
-/// Which cells' balls hold a point, as one list of (cell, point), cells first.
-std::vector<Holding> holdings(const OrientedGrid& grid, std::span<const Vec3d> points) {
-  const double radiusSq = 0.75 * kSlack;  // in cells
-  std::vector<Holding> list;
-  list.reserve(points.size() * 3);
-  for (std::uint32_t p = 0; p < points.size(); ++p) {
+  struct Place {
+    std::array<std::int32_t, 3> home{};
     std::array<double, 3> inCell{};  // from the middle of its home
-    std::array<std::int64_t, 3> home{};
+  };
+
+  static Place placeOf(const OrientedGrid& grid, const Vec3d& point) {
+    Place place;
     for (int axis = 0; axis < 3; ++axis) {
-      const double at = dot(points[p] - grid.corner, grid.axes[axis]) / grid.edge;
-      home[axis] = static_cast<std::int64_t>(std::floor(at));
-      inCell[axis] = at - std::floor(at) - 0.5;
+      const double at = dot(point - grid.corner, grid.axes[axis]) / grid.edge;
+      auto floor = static_cast<std::int32_t>(at);  // towards zero
+      floor -= at < floor ? 1 : 0;
+      place.home[axis] = floor;
+      place.inCell[axis] = at - floor - 0.5;
     }
-    for (int x = -kReach; x <= kReach; ++x)
-      for (int y = -kReach; y <= kReach; ++y)
-        for (int z = -kReach; z <= kReach; ++z) {
-          const Vec3d offset(inCell[0] - x, inCell[1] - y, inCell[2] - z);
-          if (lengthSq(offset) <= radiusSq) list.emplace_back(CellKey(home[0] + x, home[1] + y, home[2] + z), p);
-        }
+    return place;
   }
-  std::sort(list.begin(), list.end());
-  return list;
-}
+
+  void addCellsOf(const Place& place) {
+    constexpr double kRadiusSq = 0.75 * kSlack;  // in cells
+    constexpr int kSide = 2 * kReach + 1;
+    std::array<std::array<double, kSide>, 3> square{};
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < kSide; ++i) {
+        const double offset = place.inCell[axis] - (i - kReach);
+        square[axis][i] = offset * offset;
+      }
+    const auto at = [&](int axis) { return static_cast<std::size_t>(place.home[axis] - low_[axis] - kReach); };
+    const std::size_t first = (at(0) * size_[1] + at(1)) * size_[2] + at(2);
+    for (std::size_t x = 0; x < kSide; ++x)
+      for (std::size_t y = 0; y < kSide; ++y) {
+        const double beside = square[0][x] + square[1][y];
+        if (beside > kRadiusSq) continue;
+        for (std::size_t z = 0; z < kSide; ++z)
+          if (beside + square[2][z] <= kRadiusSq)
+            cells_.push_back(static_cast<std::uint32_t>(first + (x * size_[1] + y) * size_[2] + z));
+      }
+  }
+
+  std::vector<Place> places_;
+  std::array<std::int32_t, 3> low_{};
+  std::array<std::size_t, 3> size_{};
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> cells_;
+};
 
 Vec3d rotated(const Vec3d& v, const Vec3d& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -118,50 +155,96 @@ OrientedGrid moved(const OrientedGrid& grid, const std::array<double, 6>& change
 
 namespace {
 
-/// Cells with a point in their balls, and what these hold, both ways.
-struct Incidence {
-  explicit Incidence(const std::vector<Holding>& list, std::size_t points) : begin(points + 1, 0), cells(list.size()) {
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (i == 0 || list[i].first != list[i - 1].first) first.push_back(i);
-      ++begin[list[i].second + 1];
+/// Cells with a point in their balls, numbered anew in the same order, and what their balls hold.
+class Cells {
+ public:
+  /// Renumbers the cells of `holdings`.
+  Cells(Holdings& holdings, std::size_t points) {
+    std::vector<std::uint32_t> numbers(holdings.cellCount(), 0);
+    for (std::size_t p = 0; p < points; ++p)
+      for (const std::uint32_t cell : holdings.cellsOf(p)) ++numbers[cell];
+    first_.push_back(0);
+    for (std::size_t cell = 0; cell < numbers.size(); ++cell) {
+      if (numbers[cell] == 0) continue;
+      first_.push_back(first_.back() + numbers[cell]);
+      numbers[cell] = static_cast<std::uint32_t>(cells_.size());
+      cells_.push_back(cell);
     }
-    first.push_back(list.size());
-    for (std::size_t p = 0; p < points; ++p) begin[p + 1] += begin[p];
-    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t c = 0; c + 1 < first.size(); ++c)
-      for (std::size_t i = first[c]; i < first[c + 1]; ++i) cells[next[list[i].second]++] = c;
+    points_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t p = 0; p < points; ++p)
+      for (std::uint32_t& cell : holdings.cellsOf(p)) {
+        cell = numbers[cell];
+        points_[next[cell]++] = p;
+      }
   }
 
-  std::vector<std::size_t> first;    // of each cell in the list, and the list's end
-  std::vector<std::size_t> begin;    // of each point in `cells`, and its end
-  std::vector<std::uint32_t> cells;  // by point
+  std::size_t size() const { return cells_.size(); }
+  std::size_t original(std::size_t cell) const { return cells_[cell]; }
+  std::span<const std::uint32_t> pointsOf(std::size_t cell) const {
+    return std::span(points_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+  }
+
+ private:
+  std::vector<std::size_t> cells_;
+  std::vector<std::uint32_t> first_, points_;
+};
+
+/// The cells by how many uncovered points their balls hold, the most first, the lower number first on a tie.
+class Ranking {
+ public:
+  explicit Ranking(std::vector<std::uint32_t> left) : left_(std::move(left)) {
+    for (std::uint32_t cell = 0; cell < left_.size(); ++cell) heap_.push_back(entryOf(cell));
+    std::make_heap(heap_.begin(), heap_.end());
+  }
+
+  std::uint32_t left(std::size_t cell) const { return left_[cell]; }
+  void lose(std::size_t cell) { --left_[cell]; }
+
+  /// Counts only fall, so an entry that is still right when it comes up is the best.
+  std::uint32_t best() {
+    while (true) {
+      const std::uint32_t cell = ~static_cast<std::uint32_t>(heap_.front());
+      if (heap_.front() == entryOf(cell)) return cell;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.back() = entryOf(cell);
+      std::push_heap(heap_.begin(), heap_.end());
+    }
+  }
+
+ private:
+  std::uint64_t entryOf(std::uint32_t cell) const {
+    return (std::uint64_t{left_[cell]} << 32) | static_cast<std::uint32_t>(~cell);
+  }
+
+  std::vector<std::uint32_t> left_;
+  std::vector<std::uint64_t> heap_;
 };
 
 }  // namespace
 
 GridCover coverByGrid(const OrientedGrid& grid, std::span<const Vec3d> points) {
-  const std::vector<Holding> list = holdings(grid, points);
-  const Incidence incidence(list, points.size());
-  std::vector<std::size_t> left;  // uncovered points in each cell's ball
-  for (std::size_t c = 0; c + 1 < incidence.first.size(); ++c)
-    left.push_back(incidence.first[c + 1] - incidence.first[c]);
+  Holdings holdings(grid, points);
+  const Cells cells(holdings, points.size());
+  std::vector<std::uint32_t> counts(cells.size());
+  for (std::size_t c = 0; c < counts.size(); ++c) counts[c] = static_cast<std::uint32_t>(cells.pointsOf(c).size());
+  Ranking ranking(std::move(counts));
   std::vector<bool> covered(points.size(), false);
   GridCover cover;
   for (std::size_t uncovered = points.size(); uncovered > 0;) {
-    const auto best = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
-    const std::size_t count = left[best];
+    const std::uint32_t best = ranking.best();
+    const std::size_t count = ranking.left(best);
     assert(count > 0);
     cover.metric += static_cast<double>(count) * static_cast<double>(count);
     uncovered -= count;
-    const Vec3d cell = list[incidence.first[best]].first.cell();
+    const Vec3d cell = holdings.cornerOf(cells.original(best));
     Vec3d center = grid.corner;
     for (int axis = 0; axis < 3; ++axis) center += grid.axes[axis] * ((cell[axis] + 0.5) * grid.edge);
     cover.centers.push_back(center);
-    for (std::size_t i = incidence.first[best]; i < incidence.first[best + 1]; ++i) {
-      const std::uint32_t p = list[i].second;
+    for (const std::uint32_t p : cells.pointsOf(best)) {
       if (covered[p]) continue;
       covered[p] = true;
-      for (std::size_t k = incidence.begin[p]; k < incidence.begin[p + 1]; ++k) --left[incidence.cells[k]];
+      for (const std::uint32_t held : holdings.cellsOf(p)) ranking.lose(held);
     }
   }
   return cover;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace cairn::builder {
@@ -46,6 +45,19 @@ PointSet::Farthest PointSet::farthest(const Vec3d& center) const {
   return {std::sqrt(farthestSq), index};
 }
 
+bool PointSet::anyWithin(const Vec3d& center, double reach) const {
+  // Roots are taken only where rounding might matter.
+  constexpr double kSlack = 1e-12;
+  const double surelySq = reach * reach * (1 - kSlack), perhapsSq = reach * reach * (1 + kSlack);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double dx = x_[i] - center.x, dy = y_[i] - center.y, dz = z_[i] - center.z;
+    const double distanceSq = dx * dx + dy * dy + dz * dz;
+    if (distanceSq > perhapsSq) continue;
+    if (distanceSq <= surelySq || std::sqrt(distanceSq) <= reach) return true;
+  }
+  return false;
+}
+
 void PointSet::distances(const Vec3d& center, double offset, std::span<double> out) const {
   assert(out.size() == size());
   for (std::size_t i = 0; i < size(); ++i) {
@@ -62,23 +74,6 @@ std::vector<Vec3d> cornersOf(std::span<const Piece> pieces) {
             [](const Vec3d& a, const Vec3d& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
-}
-
-std::vector<Vec3d> farthestPointSample(std::span<const Vec3d> points, std::size_t count, std::size_t first) {
-  if (points.size() <= count) return {points.begin(), points.end()};
-  const PointSet set(points);
-  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-  std::vector<double> distances(points.size());
-  std::vector<Vec3d> sample;
-  std::size_t next = first;
-  while (sample.size() < count) {
-    sample.push_back(points[next]);
-    set.distances(points[next], 0, distances);
-    for (std::size_t i = 0; i < nearest.size(); ++i) nearest[i] = std::min(nearest[i], distances[i]);
-    next = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
-    if (nearest[next] == 0) break;
-  }
-  return sample;
 }
 
 }  // namespace cairn::builder

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "spheres/farthest_sample.h"
 #include "spheres/piece.h"
 
 namespace cairn::builder {
@@ -28,6 +29,8 @@ class PointSet {
   };
   /// The point farthest from `center`, the lowest index on a tie. Precondition: not empty. Linear.
   Farthest farthest(const Vec3d& center) const;
+  /// Whether some point is within `reach` of `center`. Linear, and ends at the first.
+  bool anyWithin(const Vec3d& center, double reach) const;
   /// Distance of every point from `center`, minus `offset`. Precondition: `out.size() == size()`.
   void distances(const Vec3d& center, double offset, std::span<double> out) const;
 
@@ -37,9 +40,5 @@ class PointSet {
 
 /// The corners of the pieces, each position once, in lexicographic order.
 std::vector<Vec3d> cornersOf(std::span<const Piece> pieces);
-
-/// At most `count` of the points, spread evenly: starts with point `first`, then takes the one farthest from those
-/// taken. O(count * n); keeps the extremes of a cluster, which a random choice would lose (Gonzalez 1985).
-std::vector<Vec3d> farthestPointSample(std::span<const Vec3d> points, std::size_t count, std::size_t first);
 
 }  // namespace cairn::builder

@@ -5,9 +5,9 @@
 
 namespace cairn::builder {
 
-/// Whether no vertex of a closed mesh lies more than `tolerance` (mesh unit) in front of any of its triangles' planes: then
-/// its closing at any scale is itself, to about that. Triangles times vertices where the answer is yes, far fewer where it
-/// is no; meshes of more than 20,000 triangles are taken for concave unseen.
+/// Whether no vertex of a closed mesh lies more than `tolerance` (mesh unit) in front of any of its triangles' planes:
+/// then its closing at any scale is itself, to about that. Triangles times vertices where the answer is yes, far fewer
+/// where it is no; meshes of more than 20,000 triangles are taken for concave unseen.
 bool isConvex(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace cairn::builder

@@ -4,8 +4,11 @@
 // and sums stay separate (no fused multiply-add) and in one order, so that every target gives the same bits.
 #include "surface/nearest_triangle.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "surface/nearest_triangle.cpp"
@@ -87,7 +90,11 @@ HWY_INLINE void distancesSq(const TrianglePacket& t, const Vec3d& query, double*
   }
 }
 
-TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query) {
+HWY_INLINE double leastOf(const double* distances) {
+  return std::min(std::min(distances[0], distances[1]), std::min(distances[2], distances[3]));
+}
+
+TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMost) {
   struct Entry {
     double distanceSq;
     std::uint32_t child;
@@ -95,7 +102,7 @@ TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d
   std::array<Entry, TriangleHierarchy::kStackSize> stack;
   std::size_t size = 0;
   stack[size++] = {0, 0};
-  double best = std::numeric_limits<double>::infinity();
+  double best = atMost * atMost;
   TriangleHierarchy::Place place;
   alignas(32) double distances[HierarchyNode::kWidth];
   while (size > 0) {
@@ -104,6 +111,7 @@ TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d
     if (entry.child & HierarchyNode::kPacketBit) {
       const std::uint32_t index = entry.child & ~HierarchyNode::kPacketBit;
       distancesSq(hierarchy.packet(index), query, distances);
+      if (leastOf(distances) >= best) continue;
       for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
         if (distances[lane] < best) best = distances[lane], place = {index, lane};
       }
@@ -123,6 +131,58 @@ TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d
   return place;
 }
 
+bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, double reach, std::size_t most,
+                   std::vector<NearPacket>& out) {
+  std::array<std::uint32_t, TriangleHierarchy::kStackSize> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  const double reachSq = reach * reach;
+  alignas(32) double distances[HierarchyNode::kWidth];
+  while (size > 0) {
+    const std::uint32_t child = stack[--size];
+    if (child & HierarchyNode::kPacketBit) {
+      const std::uint32_t index = child & ~HierarchyNode::kPacketBit;
+      distancesSq(hierarchy.packet(index), query, distances);
+      const double least = leastOf(distances);
+      if (least > reachSq) continue;
+      if (out.size() == most) return false;
+      out.push_back({index, std::sqrt(least)});
+      continue;
+    }
+    const HierarchyNode& node = hierarchy.node(child);
+    distancesSq(node, query, distances);
+    for (int lane = 0; lane < HierarchyNode::kWidth; ++lane)
+      if (distances[lane] <= reachSq) stack[size++] = node.child[lane];
+  }
+  return true;
+}
+
+NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  NearestAmong result;
+  double best = kInfinity, second = kInfinity;
+  std::uint32_t nearest = 0;
+  alignas(32) double distances[TrianglePacket::kWidth];
+  for (const NearPacket& near : packets) {
+    const TrianglePacket& packet = hierarchy.packet(near.index);
+    distancesSq(packet, query, distances);
+    const double least = leastOf(distances);
+    if (least >= second) continue;
+    for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
+      const bool repeated = best < kInfinity && packet.triangle[lane] == nearest;  // in a free lane
+      if (repeated || distances[lane] >= second) continue;
+      second = distances[lane];
+      if (second >= best) continue;
+      std::swap(best, second);
+      nearest = packet.triangle[lane];
+      result.place = {near.index, lane};
+    }
+  }
+  result.distance = std::sqrt(best);
+  result.second = std::sqrt(second);
+  return result;
+}
+
 }  // namespace cairn::builder::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -131,8 +191,21 @@ namespace cairn::builder {
 
 HWY_EXPORT(nearest);
 
-TriangleHierarchy::Place nearestTriangle(const TriangleHierarchy& hierarchy, const Vec3d& query) {
-  return HWY_DYNAMIC_DISPATCH(nearest)(hierarchy, query);
+TriangleHierarchy::Place nearestTriangle(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMost) {
+  return HWY_DYNAMIC_DISPATCH(nearest)(hierarchy, query, atMost);
+}
+
+HWY_EXPORT(packetsWithin);
+
+bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, double reach, std::size_t most,
+                   std::vector<NearPacket>& out) {
+  return HWY_DYNAMIC_DISPATCH(packetsWithin)(hierarchy, query, reach, most, out);
+}
+
+HWY_EXPORT(nearestAmong);
+
+NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query) {
+  return HWY_DYNAMIC_DISPATCH(nearestAmong)(hierarchy, packets, query);
 }
 
 }  // namespace cairn::builder

@@ -6,7 +6,6 @@
 
 #include <cassert>
 
-#include "surface/nearest_triangle.h"
 #include "surface/pseudonormals.h"
 #include "surface/surface_distance.h"
 #include "surface/triangle_hierarchy.h"
@@ -37,7 +36,36 @@ const Bounds& SignedDistance::bounds() const {
 
 SignedDistance::Answer SignedDistance::query(const Vec3d& query) const {
   assert(isFinite(query));
-  const TriangleHierarchy::Place place = nearestTriangle(hierarchy_->triangles, query);
+  return answerAt(nearestTriangle(hierarchy_->triangles, query), query);
+}
+
+SignedDistance::Answer SignedDistance::query(const Vec3d& query, double atMost) const {
+  assert(isFinite(query));
+  // The rounding of the distance that the bound came from, of the one it is compared with, and twice that for boxes.
+  const double guarded = atMost * (1 + 0x1p-50) + 4 * roundingBound(query);
+  return answerAt(nearestTriangle(hierarchy_->triangles, query, guarded), query);
+}
+
+std::optional<double> SignedDistance::gather(const Vec3d& center, double distance, double reach, std::size_t most,
+                                             std::vector<NearPacket>& parts) const {
+  // A triangle farther from the centre than distance + 2 reach is farther from any point within reach of it than the
+  // one nearest to the centre. Four distances take part, each rounded; twice that covers the reach's own rounding.
+  const double guard = 8 * roundingBound(center + Vec3d{reach, reach, reach});
+  const double within = distance + 2 * reach + guard;
+  parts.clear();
+  if (!packetsWithin(hierarchy_->triangles, center, within, most, parts)) return std::nullopt;
+  return within;
+}
+
+SignedDistance::Answer SignedDistance::queryAmong(std::span<const NearPacket> parts, const Vec3d& point) const {
+  const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point);
+  // A search passes over a triangle for another only where their distances, and those of their boxes, are within
+  // rounding of each other: then it has to decide.
+  const bool decided = nearest.second - nearest.distance > 4 * roundingBound(point);
+  return decided ? answerAt(nearest.place, point) : query(point, nearest.distance);
+}
+
+SignedDistance::Answer SignedDistance::answerAt(TriangleHierarchy::Place place, const Vec3d& query) const {
   const TrianglePacket& packet = hierarchy_->triangles.packet(place.packet);
   const TrianglePacket::Nearest nearest = packet.nearest(place.lane, query);
   const std::uint32_t triangle = packet.triangle[place.lane];

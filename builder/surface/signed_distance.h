@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "cairn/builder/triangle_mesh.h"
+#include "surface/nearest_triangle.h"
 
 namespace cairn::builder {
 
@@ -40,6 +43,16 @@ class SignedDistance {
     double depth = 0;
   };
   Answer query(const Vec3d& query) const;
+  /// The same bits in less time, when the distance is known to be no more than `atMost` but for rounding.
+  Answer query(const Vec3d& query, double atMost) const;
+  /// Replaces `parts` by those of the surface that can be nearest to a point within `reach` of `center`, rounding
+  /// included; see `queryAmong`. Returns the distance from `center` up to which they were taken; nothing when they are
+  /// more than `most`. About the cost of a query. Precondition: `reach` >= 0, `distance` is that of `closest(center)`.
+  std::optional<double> gather(const Vec3d& center, double distance, double reach, std::size_t most,
+                               std::vector<NearPacket>& parts) const;
+  /// `query` of a point within the reach that `parts` were gathered for, to the bit, but without a search: linear in
+  /// the parts. For a smaller reach those farther than the returned distance less twice the difference may be left out.
+  Answer queryAmong(std::span<const NearPacket> parts, const Vec3d& point) const;
   /// `depth` of many points, in parallel; the result does not depend on the number of threads.
   void depths(std::span<const Vec3d> queries, std::span<double> out) const;
 
@@ -56,6 +69,7 @@ class SignedDistance {
 
  private:
   struct Hierarchy;
+  Answer answerAt(TriangleHierarchy::Place place, const Vec3d& query) const;
   std::unique_ptr<Hierarchy> hierarchy_;
 };
 

@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
                     SetTreatment{"thesisBalanced", Method::expandCover, Optimiser::thesis, constantExcess(0.05),
                                  "2772602583521267"},
                     SetTreatment{"unoptimised", Method::combined, Optimiser::none, {}, "2a5d7cf2b909893b"},
-                    SetTreatment{"hybrid", Method::hybrid, {}, {}, "6e8a20bade0c3940"},
+                    SetTreatment{"hybrid", Method::hybrid, {}, {}, "7b4a29952c1b030c"},
                     SetTreatment{"spawnByCairn", Method::spawn, Optimiser::cairn, {}, "5a5d160230fbbce5"}),
     [](const auto& treatment) { return std::string(treatment.param.name); });
 

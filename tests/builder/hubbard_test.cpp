@@ -14,6 +14,7 @@
 #include "medial/gap_crossing.h"
 #include "medial/hubbard_medial.h"
 #include "spheres/hubbard.h"
+#include "spheres/hubbard_error.h"
 #include "spheres/point_set.h"
 #include "spheres/ritter_ball.h"
 #include "surface/planar_clusters.h"

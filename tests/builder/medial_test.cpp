@@ -10,6 +10,7 @@
 #include "builder_meshes.h"
 #include "medial/medial_spheres.h"
 #include "medial/voronoi_diagram.h"
+#include "spheres/farthest_sample.h"
 #include "spheres/piece.h"
 
 namespace cairn::builder {

@@ -78,9 +78,8 @@ TEST_P(PartsOfABall, SharingHoldsEveryPartWithinItsPlaces) {
     ASSERT_TRUE(parents.size() == 1 || parents.size() == 2);
     for (const std::uint32_t k : parents) ++places[k];
     for (std::size_t p = 0; p < parts[i].size(); ++p)
-      EXPECT_TRUE(std::any_of(parents.begin(), parents.end(), [&](std::uint32_t k) {
-        return costOf(shared.parents[k], parts[i][p]) <= shared.limit;
-      }));
+      EXPECT_TRUE(std::any_of(parents.begin(), parents.end(),
+                              [&](std::uint32_t k) { return costOf(shared.parents[k], parts[i][p]) <= shared.limit; }));
   }
   for (const std::size_t count : places) EXPECT_LE(count, kBranching);
 }
@@ -108,7 +107,8 @@ TEST(Convexity, SeesTheDeepestDent) {
   for (Vec3d& v : dented.vertices)
     if (v.x > 0.99 && std::abs(v.y) < 0.01 && std::abs(v.z) < 0.01) v.x -= 0.1;
   EXPECT_FALSE(isConvex(dented, 0.02));
-  // A wall falls by 0.1 over half the face, along one edge or both: the far corner is at most 0.3 in front of its plane.
+  // A wall falls by 0.1 over half the face, along one edge or both: the far corner is at most 0.3 in front of its
+  // plane.
   EXPECT_TRUE(isConvex(dented, 0.3));
 }
 

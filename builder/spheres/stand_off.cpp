@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stand_off.h"
+
+#include <optional>
+#include <utility>
+
+namespace cairn::builder {
+
+namespace {
+
+/// With more parts than these a search of the field is as fast.
+constexpr std::size_t kMostParts = 64;
+/// What is kept is sorted out again when the reach has shrunk by this factor.
+constexpr double kNarrow = 0.6;
+/// Far above the rounding of a few distances, far below what it would add.
+constexpr double kRoundingRoom = 1e-9;
+
+Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
+  const Vec3d d = to - from;
+  const double norm = length(d);
+  return norm > 0 ? d / norm : Vec3d{};
+}
+
+StandOff::Value valueOf(const Vec3d& center, double radius, const Vec3d& farthest, const DepthField::Sample& sample) {
+  return {{center, radius, sample.depth}, directionFrom(farthest, center) - sample.rise};
+}
+
+}  // namespace
+
+StandOff::Value StandOff::at(const Vec3d& center) const {
+  const PointSet::Farthest farthest = points_.farthest(center);
+  return valueOf(center, farthest.distance, points_[farthest.index], solid_.at(center));
+}
+
+StandOff::Value StandOff::near(const Value& around, double reach, const Vec3d& center) {
+  if (!known_ || around.ball.center != around_) {
+    around_ = around.ball.center;
+    known_ = true;
+    reach_ = 0;
+  }
+  if (reach > reach_)
+    gather(around, reach);
+  else if (reach < kNarrow * reach_)
+    narrow(around, reach);
+  const PointSet::Farthest farthest = farPoints_.farthest(center);
+  return valueOf(center, farthest.distance, farPoints_[farthest.index],
+                 partsKept_ ? solid_.atAmong(parts_, center) : solid_.at(center));
+}
+
+void StandOff::gather(const Value& around, double reach) {
+  radius_ = around.ball.radius;
+  farDistances_.resize(points_.size());
+  points_.distances(around_, 0, farDistances_);
+  farPoints_.clear();
+  // A point nearer than this is nearer than the farthest one to any centre within reach.
+  const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (farDistances_[i] < nearest) continue;
+    farPoints_.push(points_[i]);
+    farDistances_[kept++] = farDistances_[i];
+  }
+  farDistances_.resize(kept);
+  gatherParts(around.ball.depth, reach);
+  reach_ = reach;
+}
+
+void StandOff::narrow(const Value& around, double reach) {
+  const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
+  PointSet points;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < farPoints_.size(); ++i) {
+    if (farDistances_[i] < nearest) continue;
+    points.push(farPoints_[i]);
+    farDistances_[kept++] = farDistances_[i];
+  }
+  farDistances_.resize(kept);
+  farPoints_ = std::move(points);
+  reach_ = reach;
+  if (!partsKept_) {
+    gatherParts(around.ball.depth, reach);
+    return;
+  }
+  const double within = decided_ + 2 * reach;
+  std::erase_if(parts_, [&](const DepthField::Part& part) { return part.distance > within; });
+}
+
+void StandOff::gatherParts(double depth, double reach) {
+  const std::optional<double> within = solid_.gather(around_, depth, reach, kMostParts, parts_);
+  partsKept_ = within.has_value();
+  decided_ = within.value_or(0) - 2 * reach;
+}
+
+}  // namespace cairn::builder

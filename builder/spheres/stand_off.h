@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "spheres/ball.h"
+#include "spheres/depth_field.h"
+#include "spheres/point_set.h"
+
+namespace cairn::builder {
+
+/// The stand-off max |p - c| - s(c) of the ball around a centre c that just holds some points, as the descent needs it:
+/// many times close to one centre. Then only points nearly as far as the farthest and parts of the surface nearly as
+/// near as the nearest can decide, so those are kept and the others not looked at. The bits are those of looking at
+/// all. Mesh frame and unit. For one thread.
+class StandOff {
+ public:
+  /// Keeps references. Precondition: `points` not empty.
+  StandOff(const PointSet& points, const DepthField& solid) : points_(points), solid_(solid) {}
+
+  struct Value {
+    Ball ball;
+    Vec3d gradient;  ///< one subgradient of the stand-off
+  };
+  /// One distance query and one pass over the points.
+  Value at(const Vec3d& center) const;
+
+  /// `at(center)`, of which it is known that it lies within `reach` of the centre of `around`, itself an earlier value.
+  /// The first call for one `around` costs about what `at` does, the later ones next to nothing, typically.
+  Value near(const Value& around, double reach, const Vec3d& center);
+
+ private:
+  void gather(const Value& around, double reach);
+  void narrow(const Value& around, double reach);
+  void gatherParts(double depth, double reach);
+
+  const PointSet& points_;
+  const DepthField& solid_;
+  Vec3d around_;        // the centre of the last `near`
+  bool known_ = false;  // whether there was one
+  double reach_ = 0;    // what is kept holds for centres within this; 0 when nothing is kept
+  bool partsKept_ = false;
+  double radius_ = 0;  // of the ball around `around_`
+  PointSet farPoints_;
+  std::vector<double> farDistances_;  // from `around_`
+  std::vector<DepthField::Part> parts_;
+  double decided_ = 0;  // farthest part that decides the depth at `around_` itself, with room for rounding
+};
+
+}  // namespace cairn::builder
