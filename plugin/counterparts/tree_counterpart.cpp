@@ -111,7 +111,7 @@ bool TreeCounterpart::isMuchLarger(const Sphere& large, const Sphere& small) con
 }
 
 // The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is
-// done. What is left covers all that may touch; the nearest of each direction stand for it.
+// done. What is left covers all that may touch.
 std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
   const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
   const bool splitsA = isMuchLarger(rootA, rootB);

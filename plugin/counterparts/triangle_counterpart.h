@@ -24,9 +24,8 @@ class TriangleCounterpart final : public Counterpart {
   Traversal& traversal() override { return traversal_; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// With the nearest of the triangles that were gathered, and with those it does not cover and that lie in other
-  /// directions, up to four, which alone are
-  /// counted as work. Linear in the triangles.
+  /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
+  /// up to four. Linear in the triangles; only what is appended is counted as work.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 

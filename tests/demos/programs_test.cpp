@@ -59,6 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                       WrongUsage{"rockfall", "--budget-us nan", "--budget-us"},
                       WrongUsage{"rockfall", "--budget-ops -5", "'-5' is not a whole number, 0 or more"},
                       WrongUsage{"rockfall", "--budget-ops 1e999", "'1e999' is not a whole number, 0 or more"},
+                      WrongUsage{"rockfall", "--budget-ops 99999999999999999999", "is not a whole number, 0 or more"},
+                      WrongUsage{"rockfall", "--budget-ops 0x10", "'0x10' is not a whole number, 0 or more"},
                       WrongUsage{"rockfall", "--seed -1", "'-1' is not a whole number"},
                       WrongUsage{"frame_budget", "--margin-fraction nan", "'nan' is not a fraction from 0 to 1"},
                       WrongUsage{"make_rock", "--seed -1 -o rock.obj", "'-1' is not a whole number"},
