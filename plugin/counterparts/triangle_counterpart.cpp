@@ -18,8 +18,14 @@ constexpr std::uint32_t kMaxWholes = 4;
 constexpr float kCoveredFraction = 0.01F;
 }  // namespace
 
+void TriangleCounterpart::reset() {
+  outran_ = false;
+  sides_.reset();
+}
+
 void TriangleCounterpart::place(const PairPlacement& placement) {
   placement_ = placement;
+  sides_.beginStep();
   placement.treeShape->getAabb(placement.other.inverse() * placement.treeBody, treeLower_, treeUpper_);
   const btScalar reach = btScalar(placement.reach);
   treeLower_ -= btVector3(reach, reach, reach);
@@ -32,6 +38,7 @@ void TriangleCounterpart::start(std::vector<NodePair>& known) {
   gather();
   rename(known);
   placeTriangles();
+  sides_.beginTraversal();
   traversal_.start(placement_.tree.tree(), placement_.tree.scale(), obstacle_);
 }
 
@@ -78,7 +85,7 @@ void TriangleCounterpart::placeTriangles() {
 
 void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   const std::size_t first = contacts.size();
-  contacts_.append(placement_.tree, placement_.treeMargin, placement_.reach, inPair_, pairs, contacts);
+  contacts_.append(placement_, inPair_, pairs, traversal_.done(), sides_, contacts);
   for (std::size_t i = first; i < contacts.size(); ++i) {
     const TriangleSoup::Source& source = soup_.triangles()[contacts[i].pair.b];
     const NodeId leaf = contacts[i].pair.a;
@@ -88,17 +95,16 @@ void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::v
 }
 
 Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
-  const Sphere sphere = placement_.tree.sphere(pair.a);
-  const Vec3 nearest = nearestOnTriangle(inPair_[pair.b], sphere.center).point;
-  const Vec3 out = sphere.center - nearest;
-  const float away = length(out);
+  const TriangleTouch touch = touchOf(placement_.tree, inPair_[pair.b], pair);
+  const auto side = static_cast<float>(sides_.ofBall(placement_.tree, touch));
   const TriangleSoup::Source& source = soup_.triangles()[pair.b];
   Contact contact;
   contact.ofSpheres = true;
   contact.pair = pair;
-  contact.normal = away > 0 ? out / away : inPair_[pair.b].normal();
-  contact.gap = away - sphere.radius - placement_.treeMargin;
-  contact.position = nearest + contact.normal * (0.5F * contact.gap);
+  contact.normal = side * (touch.distance > 0 ? (placement_.tree.sphere(pair.a).center - touch.nearest) / touch.distance
+                                              : touch.face);
+  contact.gap = side * touch.distance - placement_.tree.sphere(pair.a).radius - placement_.treeMargin;
+  contact.position = touch.nearest + contact.normal * (0.5F * contact.gap);
   contact.id = {static_cast<int>(placement_.tree.tree().level(pair.a)), static_cast<int>(pair.a), source.part,
                 source.index};
   return contact;
@@ -114,6 +120,7 @@ std::uint32_t TriangleCounterpart::appendWhole(std::vector<Contact>& contacts) {
     // The first of equals, as the order of the triangles is the shape's own.
     Contact nearest = *std::ranges::min_element(wholes_, {}, &Contact::gap);
     nearest.isWhole = true;
+    sides_.noteBall(touchOf(placement_.tree, inPair_[nearest.pair.b], nearest.pair), nearest.normal);
     contacts.push_back(nearest);
     std::erase_if(wholes_, [&](const Contact& c) {
       const bool isCovered = dot(nearest.normal, onTriangle(c) - onTriangle(nearest)) <= kCoveredFraction * root.radius;

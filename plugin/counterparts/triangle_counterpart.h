@@ -8,6 +8,7 @@
 #include "cairn/core/obstacle_traversal.h"
 #include "counterparts/counterpart.h"
 #include "counterparts/triangle_contacts.h"
+#include "counterparts/triangle_sides.h"
 #include "counterparts/triangle_soup.h"
 
 namespace cairn::bullet {
@@ -17,7 +18,7 @@ namespace cairn::bullet {
 /// position in the gathered soup.
 class TriangleCounterpart final : public Counterpart {
  public:
-  void reset() override { outran_ = false; }
+  void reset() override;
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known) override;
   bool resume() override;
@@ -43,6 +44,7 @@ class TriangleCounterpart final : public Counterpart {
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   SoupObstacle obstacle_;
   ObstacleTraversal traversal_;
+  TriangleSides sides_;
   TriangleContacts contacts_;
 };
 

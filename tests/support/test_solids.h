@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -93,6 +94,49 @@ inline Solid ball(double radius, int subdivisions) {
       }
   }
   return out.solid;
+}
+
+/// What the profile sweeps when it turns about z: points (distance from the axis, height), in the order that keeps the
+/// solid on the left; closed, or from axis to axis.
+inline Solid revolved(const std::vector<std::array<double, 2>>& profile, int segments) {
+  detail::SolidWriter out;
+  const auto at = [&](std::size_t i, int k) {
+    const double angle = 2 * 3.14159265358979 * (k % segments) / segments;
+    const auto& [r, z] = profile[i % profile.size()];
+    return Vec3d{r * std::cos(angle), r * std::sin(angle), z};
+  };
+  const bool isClosed = profile.front()[0] > 0;
+  for (std::size_t i = 0; i + (isClosed ? 0 : 1) < profile.size(); ++i)
+    for (int k = 0; k < segments; ++k) {
+      const bool fromAxis = profile[i][0] == 0, toAxis = profile[(i + 1) % profile.size()][0] == 0;
+      if (!fromAxis) out.triangle(at(i, k), at(i, k + 1), at(i + 1, k + 1));
+      if (!toAxis) out.triangle(at(i, k), at(i + 1, k + 1), at(i + 1, k));
+    }
+  return out.solid;
+}
+
+/// A ring in the plane z = 0.
+inline Solid torus(double ringRadius, double tubeRadius, int segments) {
+  std::vector<std::array<double, 2>> tube;
+  const int around = segments / 2;
+  for (int k = 0; k < around; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / around;
+    tube.push_back({ringRadius + tubeRadius * std::cos(angle), tubeRadius * std::sin(angle)});
+  }
+  return revolved(tube, segments);
+}
+
+/// Half of a hollow ball, open upwards, its rim at z = 0.
+inline Solid bowl(double outerRadius, double innerRadius, int segments) {
+  std::vector<std::array<double, 2>> profile;
+  const int quarter = segments / 4;
+  const auto add = [&](double radius, int k) {
+    const double angle = 0.5 * 3.14159265358979 * k / quarter;
+    profile.push_back({k == 0 ? 0 : radius * std::sin(angle), -radius * std::cos(angle)});
+  };
+  for (int k = 0; k <= quarter; ++k) add(outerRadius, k);
+  for (int k = quarter; k >= 0; --k) add(innerRadius, k);
+  return revolved(profile, segments);
 }
 
 }  // namespace cairn::test
