@@ -18,8 +18,9 @@ struct CoverLevel {
   double limit = 0;              ///< stand-off at which they cover everything: no descendant may need more of them
 };
 
-/// Balls below one parent, and back.
+/// The balls as children of one parent.
 std::vector<ChildBall> levelOf(const SphereSet& balls, std::uint32_t parent);
+/// The balls of all parents' children.
 SphereSet ballsOf(const std::vector<ChildBall>& level);
 
 /// The reach below no ball at all: every point.

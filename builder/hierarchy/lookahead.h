@@ -22,10 +22,9 @@ class Lookahead {
   double worstChild() const { return split_.worst(); }
   double worstGrandchild() const;
 
-  /// Makes one attempt to lower `worstGrandchild` while no child's error exceeds `limit` or what the split
-  /// allows (or what it was): first more
-  /// effort on the worst child's own division, then seams moved so that its siblings take over what they can hold as
-  /// well. False when there is nothing left to attempt. Costs a few divisions. Deterministic.
+  /// Makes one attempt to lower `worstGrandchild` while no child's error exceeds `limit` or what the split allows (or
+  /// what it was): first more effort on the worst child's own division, then seams moved so that its siblings take over
+  /// what they can hold as well. False when there is nothing left to attempt. Costs a few divisions. Deterministic.
   bool relieve(double limit, const SignedDistance& solid, const SplitSettings& settings);
 
   /// Hands over the children's divisions, in the order of `split().children`.

@@ -39,8 +39,8 @@ struct Split {
   SphereSet balls;           ///< one for each child; depths as the field they were fitted with sees them
   std::vector<double> bias;  ///< by ball, see `divide`
   double standOff = 0;       ///< at which the balls cover the region's pieces, seams included
-  std::vector<Region>
-      children;  ///< at most `branching`; none when the region fits its ball so well that they are pointless
+  /// At most `branching`; none when the region fits its ball so well that they are pointless.
+  std::vector<Region> children;
   double allowed = std::numeric_limits<double>::infinity();  ///< most the children's worst error may become
 
   /// Worst error of the children, 0 without any.

@@ -19,7 +19,7 @@ namespace cairn::builder {
 namespace {
 
 /// Of two pairs of levels the better has the smaller product of limits, the upper's to this power: a traversal stopped
-/// early sees the upper one, so what that gives up has to buy twice as much below.
+/// early sees the upper one, so what that gives up has to buy more than as much below.
 constexpr double kUpperWeight = 1.2;
 /// Sizes of the flat covers families are formed from, in parts of a full lower level: the fewer balls, the easier to
 /// group; families are filled up afterwards.

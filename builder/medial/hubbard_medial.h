@@ -4,17 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "cairn/builder/progress.h"
 #include "medial/relaxed_samples.h"
 #include "spheres/ball.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {
-
-/// Asked from any thread during long work; false once the caller wants it to end.
-using KeepGoing = std::function<bool()>;
 
 /// Hubbard's approximation of the medial axis of a whole solid (thesis 4.1 to 4.3): what all regions of a tree by his
 /// method are made from. Mesh frame.

@@ -17,12 +17,6 @@ constexpr std::size_t kPointsPerLeaf = 12;
 /// Far above the rounding of a few distances, far below what it would add to a search.
 constexpr double kRoundingRoom = 1e-9;
 
-Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
-  const Vec3d d = to - from;
-  const double norm = length(d);
-  return norm > 0 ? d / norm : Vec3d{};
-}
-
 /// What nanoflann wants to know about a set of points.
 struct PointAdaptor {
   std::vector<Vec3d> points;

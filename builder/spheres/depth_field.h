@@ -10,6 +10,13 @@
 
 namespace cairn::builder {
 
+/// Unit vector; zero where the points are the same.
+inline Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
+  const Vec3d d = to - from;
+  const double norm = length(d);
+  return norm > 0 ? d / norm : Vec3d{};
+}
+
 /// How deep a point lies in a solid, as the fitting of spheres sees it: a ball (c, R) stands off by R - depth(c). Mesh
 /// frame and unit. Safe to query from many threads.
 class DepthField {

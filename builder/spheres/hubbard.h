@@ -29,8 +29,8 @@ std::vector<HubbardGroup> mergeHubbard(
     const KeepGoing& keepGoing = [] { return true; });
 
 /// Gives every piece to the group with the medial sphere nearest to its centroid, |p - c| - r; part i of the result is
-/// what group i has to hold. On a tie the first
-/// group. A search of a tree for each piece, in parallel. Precondition: `groups` not empty.
+/// what group i has to hold. On a tie the first group. A search of a tree for each piece, in parallel. Precondition:
+/// `groups` not empty.
 std::vector<Pieces> divideByOwners(const HubbardMedial& medial, std::span<const HubbardGroup> groups,
                                    std::span<const Piece> pieces);
 

@@ -29,8 +29,8 @@ class SampleSet {
   /// The point marked as the worst; the first unless told otherwise.
   std::size_t worst() const { return worst_; }
   void setWorst(std::size_t i) { worst_ = i; }
-  /// What it has grown to, around the union's points, before the last pass, which widens it for rounding: same centre,
-  /// no larger radius. One pass over the points, without building the union.
+  /// `ritterBall` of the union without its last pass, which only widens the ball for rounding: same centre, no larger
+  /// radius. One pass over the points; the union is not built.
   friend EnclosingBall ritterBallOfBoth(const SampleSet& a, const SampleSet& b);
 
  private:

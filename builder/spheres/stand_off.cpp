@@ -15,12 +15,6 @@ constexpr double kNarrow = 0.6;
 /// Far above the rounding of a few distances, far below what it would add.
 constexpr double kRoundingRoom = 1e-9;
 
-Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
-  const Vec3d d = to - from;
-  const double norm = length(d);
-  return norm > 0 ? d / norm : Vec3d{};
-}
-
 StandOff::Value valueOf(const Vec3d& center, double radius, const Vec3d& farthest, const DepthField::Sample& sample) {
   return {{center, radius, sample.depth}, directionFrom(farthest, center) - sample.rise};
 }

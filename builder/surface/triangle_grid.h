@@ -17,8 +17,7 @@ class TriangleGrid {
   using Voxel = std::array<std::uint32_t, 3>;
 
   /// `perSide`: voxels along the longest side of the box, 1 to 256; 0 chooses about as many voxels with triangles as
-  /// there are triangles. Precondition: at least one triangle. O(n + voxels) for
-  /// triangles of like size.
+  /// there are triangles. Precondition: at least one triangle. O(n + voxels) for triangles of like size.
   explicit TriangleGrid(const TriangleMesh& mesh, std::uint32_t perSide = 0);
 
   const Bounds& bounds() const { return bounds_; }

@@ -7,6 +7,7 @@
 
 #include "cairn/builder/certify.h"
 #include "cairn/builder/evaluate.h"
+#include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
 #include "tool/command.h"
 #include "tool/interrupt.h"

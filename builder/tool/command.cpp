@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
 
 #include "cairn/builder/progress.h"
+#include "cairn/core/atomic_file.h"
 
 namespace cairn::tool {
 
@@ -54,20 +54,6 @@ Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<st
 
 CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& about) {
   return command.add_option("--seed", seed, about)->check(CLI::Validator(checkSeed, "", "seed"))->capture_default_str();
-}
-
-Status checkWritable(const std::string& path) {
-  if (path.empty()) return Error{"the output has no name; name a file"};
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    return Error{fmt::format("{}: it is a folder; name a file in it", path)};
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const std::filesystem::path folder = parent.empty() ? "." : parent;
-  if (!std::filesystem::is_directory(folder, ignored))
-    return Error{fmt::format("{}: the folder {} does not exist; create it first", path, folder.string())};
-  if (access(folder.c_str(), W_OK) != 0)
-    return Error{fmt::format("{}: the folder {} may not be written; choose another one", path, folder.string())};
-  return {};
 }
 
 void addThreadsOption(CLI::App& command, unsigned& threads) {

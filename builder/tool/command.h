@@ -30,10 +30,6 @@ void addBoundCommand(CLI::App& app, Action& action);
 /// exit code that belongs to the error.
 int refuse(const Error& error);
 
-/// Whether a file could be written at `path`, without touching it: its folder exists and may be written, and `path` is
-/// no folder. Asked before long work starts.
-Status checkWritable(const std::string& path);
-
 /// Whether every output could be written (empty names of inputs and outputs are passed over, as is "-") and is neither
 /// an input nor another output, whatever names they go by. Asked before any work starts.
 Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);

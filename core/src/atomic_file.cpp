@@ -117,6 +117,21 @@ Status writeFileAtomically(const fs::path& path, std::string_view text) {
   return writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+Status checkWritable(const fs::path& path) {
+  const auto refuse = [&](const std::string& why) { return Error{path.string() + ": " + why}; };
+  std::error_code ignored;
+  if (path.empty()) return Error{"the output has no name; name a file"};
+  if (fs::is_directory(path, ignored)) return refuse("it is a folder; name a file in it");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!fs::is_directory(folder, ignored))
+    return refuse("the folder " + folder.string() + " does not exist; create it first");
+#if defined(__unix__) || defined(__APPLE__)
+  if (access(folder.c_str(), W_OK) != 0)
+    return refuse("the folder " + folder.string() + " may not be written; choose another one");
+#endif
+  return {};
+}
+
 Result<std::vector<std::byte>> readFile(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return cannot("read", path, "it is a folder");

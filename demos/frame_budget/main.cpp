@@ -52,7 +52,7 @@ Status checkSpheresLevel(const Options& options, const SphereTree& tree) {
 Status measure(const Options& options) {
   for (const auto& output : {options.json, options.csv, options.picture})
     if (output)
-      if (Status writable = scenes::checkWritable(*output); !writable) return writable;
+      if (Status writable = checkWritable(*output); !writable) return writable;
   const auto source = obtainTree(options);
   if (!source) return source.error();
   if (Status level = checkSpheresLevel(options, *source.value().tree); !level) return level;

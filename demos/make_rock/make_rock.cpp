@@ -5,7 +5,6 @@
 
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
-#include "scenes/budget_options.h"
 #include "scenes/program.h"
 #include "scenes/rock.h"
 

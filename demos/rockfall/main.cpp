@@ -93,11 +93,11 @@ std::string summaryText(const Run& run, const Options& options) {
 // Before the work, so that nobody waits for what cannot be kept.
 Status prepareOutputs(const Options& options) {
   if (options.json)
-    if (Status writable = scenes::checkWritable(*options.json); !writable) return writable;
+    if (Status writable = checkWritable(*options.json); !writable) return writable;
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) return Error{fmt::format("cannot make the folder {}: {}", options.folder.string(), failure.message())};
-  return scenes::checkWritable(options.folder / "trajectories.csv");
+  return checkWritable(options.folder / "trajectories.csv");
 }
 
 Status writeResults(const Run& run, const Options& options) {

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <system_error>
 #include <utility>
@@ -43,16 +45,12 @@ int refuseUsage(std::string_view program, const Error& error) {
   return complain(program, error, kExitWrongUsage);
 }
 
-Status checkWritable(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    return Error{fmt::format("{}: it is a folder; name a file in it", path.string())};
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder, ignored))
-    return Error{fmt::format("{}: the folder {} does not exist; create it first", path.string(), folder.string())};
-  if (access(folder.c_str(), W_OK) != 0)
-    return Error{fmt::format("{}: the folder {} may not be written; choose another", path.string(), folder.string())};
-  return {};
+std::string refuseNoWholeNumber(const std::string& text) {
+  // CLI11's own conversion takes 0x10, and what is too large for the largest number.
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool isNumber = error == std::errc() && end == text.data() + text.size() && value >= 0;
+  return isNumber ? std::string() : "'" + text + "' is not a whole number, 0 or more";
 }
 
 void watchForInterrupt() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,8 +28,8 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
 int refuse(std::string_view program, const Error& error);
 int refuseUsage(std::string_view program, const Error& error);
 
-/// An error if a file of this name can certainly not be written: asked before the work whose result it is to hold.
-Status checkWritable(const std::filesystem::path& path);
+/// For `CLI::Option::check`: one sentence if the text is no whole number from 0 to 2^63 - 1, else empty.
+std::string refuseNoWholeNumber(const std::string& text);
 
 /// From now on the interrupt key (SIGINT) only sets a flag.
 void watchForInterrupt();

@@ -18,19 +18,16 @@ struct RelativeMotion {
     return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
   }
 
-  /// Velocity of the tree's body against the other one where they meet at `p`.
-  Vec3 velocityAt(const Vec3& p) const {
-    const Vec3 tree = treeLinear + cross(treeAngular, p - treeCenter);
-    const Vec3 other = otherLinear + cross(otherAngular, p - otherCenter);
-    return tree - other;
-  }
-
   /// Takes a point of the tree's body from where it is to where the last step found it, as seen from the other body
   /// where that is now. Exact for velocities that did not change within the step.
   Similarity backOneStep() const;
 
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
-  float closingSpeed(const Contact& c) const { return -dot(c.normal, velocityAt(c.position)); }
+  float closingSpeed(const Contact& c) const {
+    const Vec3 tree = treeLinear + cross(treeAngular, c.position - treeCenter);
+    const Vec3 other = otherLinear + cross(otherAngular, c.position - otherCenter);
+    return dot(c.normal, other - tree);
+  }
 };
 
 }  // namespace cairn::bullet

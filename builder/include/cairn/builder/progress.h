@@ -11,6 +11,9 @@ namespace cairn::builder {
 /// time.
 using ProgressCallback = std::function<bool(std::string_view stage, double fraction)>;
 
+/// Asked from any thread during long work; false once the caller wants it to end.
+using KeepGoing = std::function<bool()>;
+
 /// The message of the error a cancelled call returns.
 inline constexpr std::string_view kCancelled = "cancelled";
 

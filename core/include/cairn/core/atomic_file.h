@@ -24,6 +24,10 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view t
 Status writeFileAtomically(const std::filesystem::path& path,
                            const std::function<Status(const std::filesystem::path& temporary)>& write);
 
+/// Whether a file could be written at `path`, without touching it: it is named, its folder exists and may be written,
+/// and it is no folder itself. To be asked before the work whose result it is to hold.
+Status checkWritable(const std::filesystem::path& path);
+
 /// Whole content of a file, or an error that names it.
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path);
 
