@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -59,8 +60,9 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
 }
 
 Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest) {
+  assert(start.depth == solid.depth(start.center));
   StandOff standOff(points, solid);
-  StandOff::Value best = standOff.at(start.center);
+  StandOff::Value best = standOff.at(start.center, start.depth);
   Bundle bundle;
   bundle.restart(best.gradient);
   double step = coarsest;

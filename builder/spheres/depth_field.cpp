@@ -61,15 +61,16 @@ class OffsetSampling {
   std::vector<Vec3d> run() {
     double halfEdge = 0.5 * spacing_;
     while (halfEdge < reach_) halfEdge *= 2;
-    visit(center_, halfEdge);
+    visit(center_, halfEdge, std::numeric_limits<double>::infinity());
     return std::move(samples_);
   }
 
  private:
-  void visit(const Vec3d& center, double halfEdge) {
+  /// The centre is within `atMost` of the surface.
+  void visit(const Vec3d& center, double halfEdge, double atMost) {
     const double reach = kRootThree * halfEdge;
     if (distance(center, center_) > reach_ + reach) return;
-    const SignedDistance::Answer answer = solid_.query(center);
+    const SignedDistance::Answer answer = solid_.query(center, atMost);
     const double height = -answer.depth;
     const bool last = halfEdge <= 0.75 * spacing_;
     if (height + reach < scale_ || height - reach > scale_ + (last ? 0 : kRootThree * spacing_)) return;
@@ -80,8 +81,8 @@ class OffsetSampling {
     }
     const double half = 0.5 * halfEdge;
     for (int i = 0; i < 8; ++i)
-      visit(center + Vec3d((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half),
-            half);
+      visit(center + Vec3d((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half), half,
+            answer.nearest.distance + 0.5 * reach);
   }
 
   const SignedDistance& solid_;
@@ -106,13 +107,17 @@ DepthField::Sample SolidDepth::at(const Vec3d& point) const {
   return sampleOf(solid_.query(point), point);
 }
 
+DepthField::Sample SolidDepth::at(const Vec3d& point, double depth, double moved) const {
+  return sampleOf(solid_.query(point, std::abs(depth) + moved), point);
+}
+
 std::optional<double> SolidDepth::gather(const Vec3d& center, double depth, double reach, std::size_t most,
                                          std::vector<Part>& parts) const {
   return solid_.gather(center, std::abs(depth), reach, most, parts);
 }
 
-DepthField::Sample SolidDepth::atAmong(std::span<const Part> parts, const Vec3d& point) const {
-  return sampleOf(solid_.queryAmong(parts, point), point);
+DepthField::Sample SolidDepth::atAmong(std::span<const Part> parts, const Vec3d& point, double moved) const {
+  return sampleOf(solid_.queryAmong(parts, point, moved), point);
 }
 
 struct ClosedDepth::OffsetSurface {
@@ -136,12 +141,23 @@ bool ClosedDepth::usable() const {
 ClosedDepth::~ClosedDepth() = default;
 
 DepthField::Sample ClosedDepth::at(const Vec3d& point) const {
+  return nearestTo(point, std::numeric_limits<double>::infinity());
+}
+
+DepthField::Sample ClosedDepth::at(const Vec3d& point, double depth, double moved) const {
+  const double within = (depth + scale_ + moved) * (1 + kRoundingRoom) + kRoundingRoom * scale_;
+  return nearestTo(point, within * within);
+}
+
+/// Precondition: a sample of the offset surface is nearer than that.
+DepthField::Sample ClosedDepth::nearestTo(const Vec3d& point, double withinSq) const {
   assert(usable());
   const std::array<double, 3> query{point.x, point.y, point.z};
   std::size_t index = 0;
   double distanceSq = 0;
   nanoflann::KNNResultSet<double> result(1);
   result.init(&index, &distanceSq);
+  distanceSq = withinSq;  // the result set compares with what it is to overwrite
   offset_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
   return sampleFrom(index, distanceSq, point);
 }
@@ -163,16 +179,18 @@ std::optional<double> ClosedDepth::gather(const Vec3d& center, double depth, dou
   return within;
 }
 
-DepthField::Sample ClosedDepth::atAmong(std::span<const Part> parts, const Vec3d& point) const {
-  double leastSq = std::numeric_limits<double>::infinity();
+DepthField::Sample ClosedDepth::atAmong(std::span<const Part> parts, const Vec3d& point, double moved) const {
+  double leastSq = std::numeric_limits<double>::infinity(), reach = leastSq;
   std::size_t nearest = 0;
   bool tied = true;
   for (const Part& part : parts) {
+    if (part.distance > reach) continue;
     const double distanceSq = lengthSq(point - offset_->adaptor.points[part.index]);
     if (distanceSq > leastSq) continue;
     tied = distanceSq == leastSq;
     leastSq = distanceSq;
     nearest = part.index;
+    reach = (std::sqrt(leastSq) + moved) * (1 + kRoundingRoom);
   }
   return tied ? at(point) : sampleFrom(nearest, leastSq, point);
 }

@@ -27,6 +27,8 @@ class DepthField {
   };
   virtual ~DepthField() = default;
   virtual Sample at(const Vec3d& point) const = 0;
+  /// The same to the bit in less time, when the point is within `moved` of one of depth `depth`.
+  virtual Sample at(const Vec3d& point, double depth, double moved) const = 0;
   double depth(const Vec3d& point) const { return at(point).depth; }
 
   /// A part of what the field is measured from, named by the field, and its distance from some centre.
@@ -36,8 +38,9 @@ class DepthField {
   /// `most`. Precondition: `depth` is that of `center`.
   virtual std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
                                        std::vector<Part>& parts) const = 0;
-  /// `at` of a point within the reach that `parts` were gathered for, to the bit, without a search.
-  virtual Sample atAmong(std::span<const Part> parts, const Vec3d& point) const = 0;
+  /// `at` of a point within the reach that `parts` were gathered for, to the bit, without a search. `moved` is how far
+  /// it is from their centre, or more.
+  virtual Sample atAmong(std::span<const Part> parts, const Vec3d& point, double moved) const = 0;
 };
 
 /// The signed distance s(c) itself: R - s(c) is a bound of the protrusion for every R (thesis Eq. 5.1).
@@ -46,9 +49,10 @@ class SolidDepth final : public DepthField {
   /// Keeps a reference to `solid`, which must outlive this.
   explicit SolidDepth(const SignedDistance& solid) : solid_(solid) {}
   Sample at(const Vec3d& point) const override;
+  Sample at(const Vec3d& point, double depth, double moved) const override;
   std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
                                std::vector<Part>& parts) const override;
-  Sample atAmong(std::span<const Part> parts, const Vec3d& point) const override;
+  Sample atAmong(std::span<const Part> parts, const Vec3d& point, double moved) const override;
 
  private:
   const SignedDistance& solid_;
@@ -68,11 +72,13 @@ class ClosedDepth final : public DepthField {
   bool usable() const;
   ~ClosedDepth() override;
   Sample at(const Vec3d& point) const override;
+  Sample at(const Vec3d& point, double depth, double moved) const override;
   std::optional<double> gather(const Vec3d& center, double depth, double reach, std::size_t most,
                                std::vector<Part>& parts) const override;
-  Sample atAmong(std::span<const Part> parts, const Vec3d& point) const override;
+  Sample atAmong(std::span<const Part> parts, const Vec3d& point, double moved) const override;
 
  private:
+  Sample nearestTo(const Vec3d& point, double withinSq) const;
   Sample sampleFrom(std::size_t nearest, double distanceSq, const Vec3d& point) const;
 
   struct OffsetSurface;

@@ -65,8 +65,31 @@ struct Holder {
       secondCost = otherCost;
     }
   }
+  /// Ball `i` costs `changed` now. False when a third ball may be among the two cheapest, so that all have to be
+  /// offered.
+  bool update(std::size_t i, double changed) {
+    if (changed >= secondCost && (ball == i || second == i)) return false;
+    if (second == i && changed >= cost)
+      secondCost = changed;
+    else if (ball == i)
+      cost = changed;
+    else
+      offer(i, changed);
+    return true;
+  }
   /// What the cheapest ball but `i` costs.
   double without(std::size_t i) const { return ball == i ? secondCost : cost; }
+};
+
+/// Where a ball was left by a descent that found nothing lower, which it would not find again either.
+struct Stuck {
+  Vec3d center;
+  double goal = 0;
+  std::vector<std::uint32_t> duties;
+
+  bool at(const Vec3d& c, double g, const std::vector<std::uint32_t>& d) const {
+    return g == goal && c == center && d == duties;
+  }
 };
 
 class LevelOptimisation {
@@ -107,19 +130,19 @@ class LevelOptimisation {
     double worst = worstCost();
     double request = kFirstRequest;
     for (int round = 0; round < kMaxRounds && request >= problem_.worthARound && worst > problem_.enough; ++round) {
-      const auto saved = balls_;
-      const auto savedCosts = costs_;
-      const auto savedHolders = holders_;
+      auto saved = balls_;
+      auto savedCosts = costs_;
+      auto savedHolders = holders_;
       const double goal = std::max(problem_.enough, worst * (1 - request));
       double reached = worst;
       for (int s = 0; s < kSweepsPerRound && reached > goal; ++s) {
-        sweep(goal);
+        if (!sweep(goal)) break;
         reached = worstCost();
       }
       if (reached >= worst) {
-        balls_ = saved;
-        costs_ = savedCosts;
-        holders_ = savedHolders;
+        balls_ = std::move(saved);
+        costs_ = std::move(savedCosts);
+        holders_ = std::move(savedHolders);
       }
       if (reached > goal) request *= 0.5;
       worst = std::min(worst, reached);
@@ -144,19 +167,18 @@ class LevelOptimisation {
     const std::uint32_t parent = balls_[i].parent;
     family_[parent].push_back(i);
     costs_.resize(balls_.size());
+    stuck_.resize(balls_.size());
     costs_[i].assign(problem_.reach[parent].size(), kInfinity);
   }
 
   void updateCosts(std::size_t i) {
     const Ball& ball = balls_[i].ball;
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
-    reachPoints_[balls_[i].parent].distances(ball.center, ball.depth, costs_[i]);
+    const std::span<double> costs = costs_[i];
+    reachPoints_[balls_[i].parent].distances(ball.center, ball.depth, costs);
     for (std::size_t slot = 0; slot < reach.size(); ++slot) {
       Holder& holder = holders_[reach[slot]];
-      if (holder.ball == i || holder.second == i)
-        holder = holderOf(reach[slot]);
-      else
-        holder.offer(i, costs_[i][slot]);
+      if (!holder.update(i, costs[slot])) holder = holderOf(reach[slot]);
     }
   }
 
@@ -167,13 +189,14 @@ class LevelOptimisation {
     return holder;
   }
 
-  /// Points of the ball's reach that no other ball holds at the stand-off `goal`, or more cheaply.
-  PointSet dutiesOf(std::size_t i, double goal) const {
+  /// Slots of the ball's reach with points that no other ball holds at the stand-off `goal`, or more cheaply.
+  std::vector<std::uint32_t> dutiesOf(std::size_t i, double goal) const {
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
-    PointSet duties;
-    for (std::size_t slot = 0; slot < reach.size(); ++slot) {
+    const std::span<const double> costs = costs_[i];
+    std::vector<std::uint32_t> duties;
+    for (std::uint32_t slot = 0; slot < reach.size(); ++slot) {
       const double others = holders_[reach[slot]].without(i);
-      if (others > goal && others >= costs_[i][slot]) duties.push(problem_.points[reach[slot]]);
+      if (others > goal && others >= costs[slot]) duties.push_back(slot);
     }
     return duties;
   }
@@ -186,25 +209,38 @@ class LevelOptimisation {
     return load;
   }
 
-  void sweep(double goal) {
+  /// False when all balls stayed, as they would again.
+  bool sweep(double goal) {
     const std::vector<double> load = loads();
     std::vector<std::size_t> order(balls_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return load[a] > load[b]; });
-    for (const std::size_t i : order) move(i, goal);
+    bool moved = false;
+    for (const std::size_t i : order) moved = move(i, goal) || moved;
+    return moved;
   }
 
-  void move(std::size_t i, double goal) {
-    const PointSet duties = dutiesOf(i, goal);
+  /// False when the ball stays.
+  bool move(std::size_t i, double goal) {
+    std::vector<std::uint32_t> duties = dutiesOf(i, goal);
     if (duties.empty()) {
       joinWorst(i);
-      return;
+      return true;
     }
     Ball& ball = balls_[i].ball;
-    const Ball needed{ball.center, duties.farthest(ball.center).distance, ball.depth};
-    if (needed.standOff() <= kEase * goal) return;
-    ball = descend(needed, duties, problem_.solid, kCoarsestStep * goal, kFinestStep * goal);
+    if (stuck_[i].at(ball.center, goal, duties)) return false;
+    PointSet points;
+    points.assign(reachPoints_[balls_[i].parent], duties);
+    const Ball needed{ball.center, points.farthest(ball.center).distance, ball.depth};
+    if (needed.standOff() <= kEase * goal) return false;
+    const Ball lowest = descend(needed, points, problem_.solid, kCoarsestStep * goal, kFinestStep * goal);
+    if (lowest.center == ball.center && lowest.depth == ball.depth) {
+      stuck_[i] = {ball.center, goal, std::move(duties)};
+      return false;
+    }
+    ball = lowest;
     updateCosts(i);
+    return true;
   }
 
   /// An idle ball goes to the point of its parent's reach that is covered worst, where it will take over its share.
@@ -227,6 +263,7 @@ class LevelOptimisation {
   std::vector<std::vector<std::size_t>> family_;  // by parent: its balls
   std::vector<std::vector<double>> costs_;        // by ball, then by slot of its parent's reach
   std::vector<Holder> holders_;                   // by point
+  std::vector<Stuck> stuck_;                      // by ball: its last descent in vain, if any; its duties are not empty
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ namespace {
 /// Below this multiple of the wanted count every pair may merge (5.3.1: "2 or 3 times").
 constexpr double kAllPairsBelow = 2.5;
 
+/// Far above the rounding of a few distances, far below what it would add.
+constexpr double kRoundingRoom = 1e-9;
+
 struct Cluster {
   std::vector<Vec3d> points;
   Ball ball;
@@ -113,12 +116,19 @@ class Merging {
     std::vector<Vec3d> points = a.points;
     points.insert(points.end(), b.points.begin(), b.points.end());
     const EnclosingBall smallest = smallestEnclosingBall(points);
-    Ball best{smallest.center, smallest.radius, problem_.solid.depth(smallest.center)};
+    Ball best;
+    Ball known;  // the one whose depth says most about that of the smallest ball: none changes faster than its point
+                 // moves
+    double moved = std::numeric_limits<double>::infinity();
     for (const Cluster* old : {&a, &b}) {
       const Ball around{old->ball.center, farthestOf(old->ball.center, a, b), old->ball.depth};
-      if (around.standOff() < best.standOff()) best = around;
+      if (old == &a || around.standOff() < best.standOff()) best = around;
+      const double way = distance(around.center, smallest.center);
+      if (way < moved) known = around, moved = way;
     }
-    return best;
+    if (smallest.radius - (known.depth + moved) > best.standOff() + kRoundingRoom * smallest.radius) return best;
+    const Ball around{smallest.center, smallest.radius, problem_.solid.at(smallest.center, known.depth, moved).depth};
+    return best.standOff() < around.standOff() ? best : around;
   }
 
   /// Artificial neighbours for a cluster that has none: those its ball overlaps, or else all.

@@ -1,12 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. Products
+// and sums stay separate (no fused multiply-add) and in one order, so that every target gives the same bits.
 #include "point_set.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "spheres/point_set.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::builder::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, 4>;
+using V = hn::Vec<Lanes>;
+
+/// Squared distances of a center to as many points as there are lanes.
+struct DistanceSq {
+  const double *HWY_RESTRICT x, *HWY_RESTRICT y, *HWY_RESTRICT z;
+  Vec3d center;
+
+  HWY_INLINE V operator()(std::size_t i) const {
+    const Lanes d;
+    const V dx = hn::Sub(hn::LoadU(d, x + i), hn::Set(d, center.x));
+    const V dy = hn::Sub(hn::LoadU(d, y + i), hn::Set(d, center.y));
+    const V dz = hn::Sub(hn::LoadU(d, z + i), hn::Set(d, center.z));
+    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+  }
+  HWY_INLINE double one(std::size_t i) const {
+    const double dx = x[i] - center.x, dy = y[i] - center.y, dz = z[i] - center.z;
+    return dx * dx + dy * dy + dz * dz;
+  }
+};
+
+/// The greatest squared distance and the first point at it.
+PointSet::Farthest farthest(const double* x, const double* y, const double* z, std::size_t size, const Vec3d& center) {
+  const Lanes d;
+  const std::size_t lanes = hn::Lanes(d);
+  const DistanceSq distanceSq{x, y, z, center};
+  // Two running maxima hide the latency of the comparison; the second pass finds the index.
+  V first = hn::Set(d, -1.0), second = first;
+  std::size_t i = 0;
+  for (; i + 2 * lanes <= size; i += 2 * lanes) {
+    first = hn::Max(first, distanceSq(i));
+    second = hn::Max(second, distanceSq(i + lanes));
+  }
+  double most = hn::GetLane(hn::MaxOfLanes(d, hn::Max(first, second)));
+  for (; i < size; ++i) most = std::max(most, distanceSq.one(i));
+  const V wanted = hn::Set(d, most);
+  for (i = 0; i + lanes <= size; i += lanes) {
+    const auto at = hn::FindFirstTrue(d, hn::Eq(distanceSq(i), wanted));
+    if (at >= 0) return {most, i + static_cast<std::size_t>(at)};
+  }
+  while (distanceSq.one(i) != most) ++i;
+  return {most, i};
+}
+
+void distances(const double* x, const double* y, const double* z, std::size_t size, const Vec3d& center, double offset,
+               double* HWY_RESTRICT out) {
+  const Lanes d;
+  const DistanceSq distanceSq{x, y, z, center};
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= size; i += hn::Lanes(d))
+    hn::StoreU(hn::Sub(hn::Sqrt(distanceSq(i)), hn::Set(d, offset)), d, out + i);
+  for (; i < size; ++i) out[i] = std::sqrt(distanceSq.one(i)) - offset;
+}
+
+}  // namespace cairn::builder::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace cairn::builder {
+
+HWY_EXPORT(farthest);
+HWY_EXPORT(distances);
 
 PointSet::PointSet(std::span<const Vec3d> points) {
   for (const Vec3d& p : points) push(p);
@@ -24,25 +101,19 @@ void PointSet::push(const Vec3d& point) {
   z_.push_back(point.z);
 }
 
+void PointSet::assign(const PointSet& from, std::span<const std::uint32_t> which) {
+  for (std::vector<double> PointSet::*const axis : {&PointSet::x_, &PointSet::y_, &PointSet::z_}) {
+    std::vector<double>& to = this->*axis;
+    if (&from != this) to.resize(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) to[k] = (from.*axis)[which[k]];
+    to.resize(which.size());
+  }
+}
+
 PointSet::Farthest PointSet::farthest(const Vec3d& center) const {
   assert(!empty());
-  // Four running maxima hide the latency of the comparison; the second pass finds the index.
-  double best[4] = {-1, -1, -1, -1};
-  const auto distanceSq = [&](std::size_t i) {
-    const double dx = x_[i] - center.x, dy = y_[i] - center.y, dz = z_[i] - center.z;
-    return dx * dx + dy * dy + dz * dz;
-  };
-  std::size_t i = 0;
-  for (; i + 4 <= size(); i += 4)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double d = distanceSq(i + k);
-      best[k] = d > best[k] ? d : best[k];
-    }
-  for (; i < size(); ++i) best[0] = std::max(best[0], distanceSq(i));
-  const double farthestSq = std::max(std::max(best[0], best[1]), std::max(best[2], best[3]));
-  std::size_t index = 0;
-  while (distanceSq(index) != farthestSq) ++index;
-  return {std::sqrt(farthestSq), index};
+  const Farthest squared = HWY_DYNAMIC_DISPATCH(farthest)(x_.data(), y_.data(), z_.data(), size(), center);
+  return {std::sqrt(squared.distance), squared.index};
 }
 
 bool PointSet::anyWithin(const Vec3d& center, double reach) const {
@@ -60,20 +131,59 @@ bool PointSet::anyWithin(const Vec3d& center, double reach) const {
 
 void PointSet::distances(const Vec3d& center, double offset, std::span<double> out) const {
   assert(out.size() == size());
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double dx = x_[i] - center.x, dy = y_[i] - center.y, dz = z_[i] - center.z;
-    out[i] = std::sqrt(dx * dx + dy * dy + dz * dz) - offset;
-  }
+  HWY_DYNAMIC_DISPATCH(distances)(x_.data(), y_.data(), z_.data(), size(), center, offset, out.data());
 }
 
+namespace {
+
+/// A list of points without repetitions. Of zeros of either sign the first counts.
+class DistinctPoints {
+ public:
+  explicit DistinctPoints(std::size_t most)
+      : shift_(64 - std::bit_width(2 * most)), slots_(std::size_t{1} << (64 - shift_), kFree) {
+    points_.reserve(most);
+  }
+
+  void add(const Vec3d& point) {
+    std::size_t slot = hashOf(point) >> shift_;
+    while (slots_[slot] != kFree) {
+      if (points_[slots_[slot]] == point) return;
+      slot = (slot + 1) & (slots_.size() - 1);
+    }
+    slots_[slot] = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(point);
+  }
+
+  std::vector<Vec3d> take() { return std::move(points_); }
+
+ private:
+  static constexpr std::uint32_t kFree = ~std::uint32_t{0};
+
+  static std::uint64_t hashOf(const Vec3d& point) {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      hash =
+          (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(point[axis] + 0.0)) * 0x9e3779b97f4a7c15;  // 2^64 / phi
+    return hash;
+  }
+
+  int shift_;
+  std::vector<std::uint32_t> slots_;  // at most half of them are taken
+  std::vector<Vec3d> points_;
+};
+
+}  // namespace
+
 std::vector<Vec3d> cornersOf(std::span<const Piece> pieces) {
-  std::vector<Vec3d> corners;
-  corners.reserve(pieces.size() * 3);
-  for (const Piece& piece : pieces) corners.insert(corners.end(), piece.corners.begin(), piece.corners.end());
+  // Most corners belong to several pieces: leaving out the repetitions first saves most of the sorting.
+  DistinctPoints distinct(3 * pieces.size() + 1);
+  for (const Piece& piece : pieces)
+    for (const Vec3d& corner : piece.corners) distinct.add(corner);
+  std::vector<Vec3d> corners = distinct.take();
   std::sort(corners.begin(), corners.end(),
             [](const Vec3d& a, const Vec3d& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
 }  // namespace cairn::builder
+#endif

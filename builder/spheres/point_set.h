@@ -22,6 +22,8 @@ class PointSet {
   Vec3d operator[](std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
   void clear();
   void push(const Vec3d& point);
+  /// Becomes the points of `from`, which may be this set itself, at the ascending indices `which`.
+  void assign(const PointSet& from, std::span<const std::uint32_t> which);
 
   struct Farthest {
     double distance = 0;

@@ -9,7 +9,7 @@ namespace cairn::builder {
 namespace {
 
 /// With more parts than these a search of the field is as fast.
-constexpr std::size_t kMostParts = 64;
+constexpr std::size_t kMostParts = 256;
 /// What is kept is sorted out again when the reach has shrunk by this factor.
 constexpr double kNarrow = 0.6;
 /// Far above the rounding of a few distances, far below what it would add.
@@ -21,9 +21,9 @@ StandOff::Value valueOf(const Vec3d& center, double radius, const Vec3d& farthes
 
 }  // namespace
 
-StandOff::Value StandOff::at(const Vec3d& center) const {
+StandOff::Value StandOff::at(const Vec3d& center, double depth) const {
   const PointSet::Farthest farthest = points_.farthest(center);
-  return valueOf(center, farthest.distance, points_[farthest.index], solid_.at(center));
+  return valueOf(center, farthest.distance, points_[farthest.index], solid_.at(center, depth, 0));
 }
 
 StandOff::Value StandOff::near(const Value& around, double reach, const Vec3d& center) {
@@ -37,39 +37,22 @@ StandOff::Value StandOff::near(const Value& around, double reach, const Vec3d& c
   else if (reach < kNarrow * reach_)
     narrow(around, reach);
   const PointSet::Farthest farthest = farPoints_.farthest(center);
+  const double moved = distance(center, around_);
   return valueOf(center, farthest.distance, farPoints_[farthest.index],
-                 partsKept_ ? solid_.atAmong(parts_, center) : solid_.at(center));
+                 partsKept_ ? solid_.atAmong(parts_, center, moved) : solid_.at(center, around.ball.depth, moved));
 }
 
 void StandOff::gather(const Value& around, double reach) {
   radius_ = around.ball.radius;
   farDistances_.resize(points_.size());
   points_.distances(around_, 0, farDistances_);
-  farPoints_.clear();
-  // A point nearer than this is nearer than the farthest one to any centre within reach.
-  const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (farDistances_[i] < nearest) continue;
-    farPoints_.push(points_[i]);
-    farDistances_[kept++] = farDistances_[i];
-  }
-  farDistances_.resize(kept);
+  keepFar(points_, reach);
   gatherParts(around.ball.depth, reach);
   reach_ = reach;
 }
 
 void StandOff::narrow(const Value& around, double reach) {
-  const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
-  PointSet points;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < farPoints_.size(); ++i) {
-    if (farDistances_[i] < nearest) continue;
-    points.push(farPoints_[i]);
-    farDistances_[kept++] = farDistances_[i];
-  }
-  farDistances_.resize(kept);
-  farPoints_ = std::move(points);
+  keepFar(farPoints_, reach);
   reach_ = reach;
   if (!partsKept_) {
     gatherParts(around.ball.depth, reach);
@@ -77,6 +60,19 @@ void StandOff::narrow(const Value& around, double reach) {
   }
   const double within = decided_ + 2 * reach;
   std::erase_if(parts_, [&](const DepthField::Part& part) { return part.distance > within; });
+}
+
+void StandOff::keepFar(const PointSet& points, double reach) {
+  // A point nearer than this is nearer than the farthest one to any centre within reach.
+  const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
+  kept_.clear();
+  for (std::uint32_t i = 0; i < farDistances_.size(); ++i) {
+    if (farDistances_[i] < nearest) continue;
+    farDistances_[kept_.size()] = farDistances_[i];
+    kept_.push_back(i);
+  }
+  farDistances_.resize(kept_.size());
+  farPoints_.assign(points, kept_);
 }
 
 void StandOff::gatherParts(double depth, double reach) {

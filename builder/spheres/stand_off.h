@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "spheres/ball.h"
@@ -22,16 +23,19 @@ class StandOff {
     Ball ball;
     Vec3d gradient;  ///< one subgradient of the stand-off
   };
-  /// One distance query and one pass over the points.
-  Value at(const Vec3d& center) const;
+  /// One distance query and one pass over the points. Precondition: `depth` is that of `center`.
+  Value at(const Vec3d& center, double depth) const;
 
-  /// `at(center)`, of which it is known that it lies within `reach` of the centre of `around`, itself an earlier value.
-  /// The first call for one `around` costs about what `at` does, the later ones next to nothing, typically.
+  /// The value at `center`, of which it is known that it lies within `reach` of the centre of `around`, itself an
+  /// earlier value. The first call for one `around` costs about what `at` does, the later ones next to nothing,
+  /// typically.
   Value near(const Value& around, double reach, const Vec3d& center);
 
  private:
   void gather(const Value& around, double reach);
   void narrow(const Value& around, double reach);
+  /// Keeps those of `points`, which `farDistances_` belongs to, that can be farthest within `reach`.
+  void keepFar(const PointSet& points, double reach);
   void gatherParts(double depth, double reach);
 
   const PointSet& points_;
@@ -43,6 +47,7 @@ class StandOff {
   double radius_ = 0;  // of the ball around `around_`
   PointSet farPoints_;
   std::vector<double> farDistances_;  // from `around_`
+  std::vector<std::uint32_t> kept_;   // for `keepFar` alone
   std::vector<DepthField::Part> parts_;
   double decided_ = 0;  // farthest part that decides the depth at `around_` itself, with room for rounding
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -36,6 +37,21 @@ HWY_INLINE void distancesSq(const HierarchyNode& node, const Vec3d& query, doubl
       sum = hn::Add(sum, hn::Mul(gap, gap));
     }
     hn::Store(sum, d, out + i);
+  }
+}
+
+/// What each of four children is at least from the query, squared: the greater of `boxes` and its distance to the slab.
+HWY_INLINE void slabBoundsSq(const HierarchyNode& node, const Vec3d& query, const double* boxes, double* out) {
+  const Lanes d;
+  for (std::size_t i = 0; i < HierarchyNode::kWidth; i += hn::Lanes(d)) {
+    const V x = hn::Mul(hn::Set(d, query.x), hn::Load(d, node.normal[0] + i));
+    const V y = hn::Mul(hn::Set(d, query.y), hn::Load(d, node.normal[1] + i));
+    const V z = hn::Mul(hn::Set(d, query.z), hn::Load(d, node.normal[2] + i));
+    const V along = hn::Add(hn::Add(x, y), z);
+    const V below = hn::Sub(hn::Load(d, node.slabLower + i), along);
+    const V above = hn::Sub(along, hn::Load(d, node.slabUpper + i));
+    const V gap = hn::Mul(hn::Max(hn::Max(below, above), hn::Zero(d)), hn::Set(d, 1 - HierarchyNode::kSlabShare));
+    hn::Store(hn::Max(hn::Mul(gap, gap), hn::Load(d, boxes + i)), d, out + i);
   }
 }
 
@@ -90,42 +106,56 @@ HWY_INLINE void distancesSq(const TrianglePacket& t, const Vec3d& query, double*
   }
 }
 
+/// Bit i is set when value i is less than `limit`.
+HWY_INLINE unsigned lessBits(const double* HWY_RESTRICT values, double limit) {
+  const Lanes d;
+  unsigned all = 0;
+  for (std::size_t i = 0; i < HierarchyNode::kWidth; i += hn::Lanes(d)) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Lt(hn::Load(d, values + i), hn::Set(d, limit)), bits);
+    all |= unsigned{bits[0]} << i;
+  }
+  return all;
+}
+
 HWY_INLINE double leastOf(const double* distances) {
   return std::min(std::min(distances[0], distances[1]), std::min(distances[2], distances[3]));
 }
 
 TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMost) {
   struct Entry {
-    double distanceSq;
+    double boundSq;  // no triangle of the child is nearer
+    double boxSq;
     std::uint32_t child;
   };
   std::array<Entry, TriangleHierarchy::kStackSize> stack;
   std::size_t size = 0;
-  stack[size++] = {0, 0};
+  stack[size++] = {0, 0, 0};
   double best = atMost * atMost;
   TriangleHierarchy::Place place;
-  alignas(32) double distances[HierarchyNode::kWidth];
+  alignas(32) double distances[HierarchyNode::kWidth], bounds[HierarchyNode::kWidth];
   while (size > 0) {
     const Entry entry = stack[--size];
-    if (entry.distanceSq >= best) continue;
+    if (entry.boundSq >= best) continue;
     if (entry.child & HierarchyNode::kPacketBit) {
       const std::uint32_t index = entry.child & ~HierarchyNode::kPacketBit;
       distancesSq(hierarchy.packet(index), query, distances);
-      if (leastOf(distances) >= best) continue;
-      for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
+      for (unsigned nearer = lessBits(distances, best); nearer != 0; nearer &= nearer - 1) {
+        const int lane = std::countr_zero(nearer);
         if (distances[lane] < best) best = distances[lane], place = {index, lane};
       }
       continue;
     }
     const HierarchyNode& node = hierarchy.node(entry.child);
     distancesSq(node, query, distances);
+    slabBoundsSq(node, query, distances, bounds);
     const std::size_t bottom = size;
-    for (int lane = 0; lane < HierarchyNode::kWidth; ++lane) {
-      if (!(distances[lane] < best)) continue;
-      // Insertion by descending distance: the nearest child is on top of the stack.
+    for (unsigned nearer = lessBits(bounds, best); nearer != 0; nearer &= nearer - 1) {
+      const int lane = std::countr_zero(nearer);
+      // Insertion by descending distance: the child with the nearest box is on top of the stack.
       std::size_t at = size++;
-      for (; at > bottom && stack[at - 1].distanceSq < distances[lane]; --at) stack[at] = stack[at - 1];
-      stack[at] = {distances[lane], node.child[lane]};
+      for (; at > bottom && stack[at - 1].boxSq < distances[lane]; --at) stack[at] = stack[at - 1];
+      stack[at] = {bounds[lane], distances[lane], node.child[lane]};
     }
   }
   return place;
@@ -151,19 +181,23 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
     }
     const HierarchyNode& node = hierarchy.node(child);
     distancesSq(node, query, distances);
+    slabBoundsSq(node, query, distances, distances);
     for (int lane = 0; lane < HierarchyNode::kWidth; ++lane)
       if (distances[lane] <= reachSq) stack[size++] = node.child[lane];
   }
   return true;
 }
 
-NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query) {
+NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
+                          double moved) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   NearestAmong result;
-  double best = kInfinity, second = kInfinity;
+  double best = kInfinity, second = kInfinity,
+         reach = kInfinity;  // a packet beyond it, as seen from the centre, is not
   std::uint32_t nearest = 0;
   alignas(32) double distances[TrianglePacket::kWidth];
   for (const NearPacket& near : packets) {
+    if (near.distance > reach) continue;
     const TrianglePacket& packet = hierarchy.packet(near.index);
     distancesSq(packet, query, distances);
     const double least = leastOf(distances);
@@ -177,6 +211,7 @@ NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const Ne
       nearest = packet.triangle[lane];
       result.place = {near.index, lane};
     }
+    reach = std::sqrt(second) + moved;
   }
   result.distance = std::sqrt(best);
   result.second = std::sqrt(second);
@@ -204,8 +239,9 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
 
 HWY_EXPORT(nearestAmong);
 
-NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query) {
-  return HWY_DYNAMIC_DISPATCH(nearestAmong)(hierarchy, packets, query);
+NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
+                          double moved) {
+  return HWY_DYNAMIC_DISPATCH(nearestAmong)(hierarchy, packets, query, moved);
 }
 
 }  // namespace cairn::builder

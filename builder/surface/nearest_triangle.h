@@ -29,11 +29,14 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
                    std::vector<NearPacket>& out);
 
 /// The triangle nearest to `query` of those in the packets, its distance and that of the next one; infinite when there
-/// is none. Where the two differ by no more than rounding `nearestTriangle` may name the other.
+/// is none. Where the two differ by no more than rounding `nearestTriangle` may name the other. `moved` is how far the
+/// query is from the centre of the packets' distances, or more: a packet that much nearer than its own is not looked at
+/// when it cannot be among the two. It has to cover their rounding.
 struct NearestAmong {
   TriangleHierarchy::Place place;
   double distance = 0, second = 0;
 };
-NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query);
+NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
+                          double moved);
 
 }  // namespace cairn::builder

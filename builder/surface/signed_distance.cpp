@@ -57,8 +57,12 @@ std::optional<double> SignedDistance::gather(const Vec3d& center, double distanc
   return within;
 }
 
-SignedDistance::Answer SignedDistance::queryAmong(std::span<const NearPacket> parts, const Vec3d& point) const {
-  const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point);
+SignedDistance::Answer SignedDistance::queryAmong(std::span<const NearPacket> parts, const Vec3d& point,
+                                                  double moved) const {
+  // The rounding of the packets' distances from the centre and of the one compared with; the same again for what
+  // decides.
+  const double guarded = moved * (1 + 0x1p-50) + 8 * roundingBound(point);
+  const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point, guarded);
   // A search passes over a triangle for another only where their distances, and those of their boxes, are within
   // rounding of each other: then it has to decide.
   const bool decided = nearest.second - nearest.distance > 4 * roundingBound(point);

@@ -52,7 +52,8 @@ class SignedDistance {
                                std::vector<NearPacket>& parts) const;
   /// `query` of a point within the reach that `parts` were gathered for, to the bit, but without a search: linear in
   /// the parts. For a smaller reach those farther than the returned distance less twice the difference may be left out.
-  Answer queryAmong(std::span<const NearPacket> parts, const Vec3d& point) const;
+  /// `moved` is how far the point is from the centre they were gathered around, or more.
+  Answer queryAmong(std::span<const NearPacket> parts, const Vec3d& point, double moved) const;
   /// `depth` of many points, in parallel; the result does not depend on the number of threads.
   void depths(std::span<const Vec3d> queries, std::span<double> out) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 
 namespace cairn::builder {
@@ -50,6 +51,8 @@ class TriangleHierarchy::Builder {
       for (const Vec3d& corner : mesh.corners(t)) box.add(corner);
       boxes_.push_back(box);
       centers_.push_back((box.lower + box.upper) * 0.5);
+      for (int axis = 0; axis < 3; ++axis)
+        largest_ = std::max({largest_, std::abs(box.lower[axis]), std::abs(box.upper[axis])});
     }
     buildNode({0, count}, 0);
   }
@@ -73,11 +76,34 @@ class TriangleHierarchy::Builder {
         nodes_[index].lower[axis][lane] = box.lower[axis];
         nodes_[index].upper[axis][lane] = box.upper[axis];
       }
+      setSlab(nodes_[index], lane, parts[lane]);
       const bool leaf = parts[lane].count() <= TrianglePacket::kWidth;
       const std::uint32_t child = leaf ? buildLeaf(parts[lane]) : buildNode(parts[lane], depth + 1);
       nodes_[index].child[lane] = child;  // after the recursion, which may move the nodes
     }
     return index;
+  }
+
+  /// Across the mean normal of the range's triangles, by area.
+  void setSlab(HierarchyNode& node, int lane, Range range) const {
+    Vec3d sum;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      const auto& [a, b, c] = mesh_.corners(order_[i]);
+      sum += cross(b - a, c - a);
+    }
+    const double norm = length(sum);
+    if (!(norm > 0)) return;  // it is closed, or its area is below what can be told
+    const Vec3d normal = sum / norm;
+    double lower = kInfinity, upper = -kInfinity;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      for (const Vec3d& corner : mesh_.corners(order_[i])) {
+        lower = std::min(lower, dot(normal, corner));
+        upper = std::max(upper, dot(normal, corner));
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis) node.normal[axis][lane] = normal[axis];
+    node.slabLower[lane] = lower - HierarchyNode::kSlabShare * largest_;
+    node.slabUpper[lane] = upper + HierarchyNode::kSlabShare * largest_;
   }
 
   /// Splits the part that costs most until there are four or all fit a leaf. Returns the number of parts.
@@ -187,6 +213,7 @@ class TriangleHierarchy::Builder {
   std::vector<std::uint32_t> order_;
   std::vector<Box> boxes_;
   std::vector<Vec3d> centers_;
+  double largest_ = 0;  // coordinate
 };
 
 TriangleHierarchy::TriangleHierarchy(const TriangleMesh& mesh) {

@@ -10,14 +10,23 @@
 
 namespace cairn::builder {
 
-/// The boxes of four children, structure of arrays. A dead lane is an inverted box at infinity, which no query reaches.
+/// The boxes of four children, structure of arrays, and a slab around each: the space between two parallel planes.
+/// Where the surface is oblique to the axes, or round and seen from deep inside, a slab across its mean normal is far
+/// thinner than its box. A dead lane is an inverted box at infinity, which no query reaches.
 struct alignas(64) HierarchyNode {
   static constexpr int kWidth = 4;
   static constexpr std::uint32_t kPacketBit = 1U << 31;
   static constexpr double kInf = std::numeric_limits<double>::infinity();
+  /// Slabs are moved apart by this part of the largest coordinate, and a distance to one counts for this part less. It
+  /// is a thousand times the rounding of the products on both sides, so a triangle is never as near, as computed, as a
+  /// query's distance to its slab says it cannot be.
+  static constexpr double kSlabShare = 0x1p-40;
 
   double lower[3][kWidth] = {{kInf, kInf, kInf, kInf}, {kInf, kInf, kInf, kInf}, {kInf, kInf, kInf, kInf}};
   double upper[3][kWidth] = {{-kInf, -kInf, -kInf, -kInf}, {-kInf, -kInf, -kInf, -kInf}, {-kInf, -kInf, -kInf, -kInf}};
+  double normal[3][kWidth] = {};  ///< of the slab, of unit length but for rounding; zero for none
+  /// Least and greatest dot product of the normal and a point of the child, moved apart for rounding: see `kSlabShare`.
+  double slabLower[kWidth] = {}, slabUpper[kWidth] = {};
   std::uint32_t child[kWidth] = {};  ///< a node, or a packet when kPacketBit is set
 };
 

@@ -5,6 +5,7 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -89,7 +90,7 @@ void compareHeldSets(std::mt19937_64& engine) {
   ASSERT_EQ(sets.size(), 0U);
 }
 
-class HeldSetsOnEveryTarget : public testing::Test {
+class FastPathsOnEveryTarget : public testing::Test {
  protected:
   void TearDown() override {
     hwy::SetSupportedTargetsForTest(0);
@@ -97,13 +98,59 @@ class HeldSetsOnEveryTarget : public testing::Test {
   }
 };
 
-TEST_F(HeldSetsOnEveryTarget, CountsAndSubsets_AreThoseOfFlags) {
+template <class Check>
+void onEveryTarget(const Check& check) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     SCOPED_TRACE(hwy::TargetName(target));
     std::mt19937_64 engine(kSeed);
-    for (int round = 0; round < 30; ++round) ASSERT_NO_FATAL_FAILURE(compareHeldSets(engine)) << "seed " << kSeed;
+    for (int round = 0; round < 30; ++round) ASSERT_NO_FATAL_FAILURE(check(engine)) << "seed " << kSeed;
+  }
+}
+
+TEST_F(FastPathsOnEveryTarget, CountsAndSubsets_AreThoseOfFlags) {
+  onEveryTarget(compareHeldSets);
+}
+
+void compareDistances(std::mt19937_64& engine) {
+  std::vector<Vec3d> list(1 + engine() % 70);
+  for (Vec3d& p : list) p = randomPoint(engine);
+  list.push_back(list[engine() % list.size()]);  // so that some tie
+  const PointSet points(list);
+  const Vec3d center = randomPoint(engine);
+  const double offset = uniform(engine);
+  std::vector<double> measured(list.size());
+  points.distances(center, offset, measured);
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    ASSERT_EQ(measured[i], distance(list[i], center) - offset) << "point " << i;
+    if (lengthSq(list[i] - center) > lengthSq(list[farthest] - center)) farthest = i;
+  }
+  ASSERT_EQ(points.farthest(center).index, farthest);
+  ASSERT_EQ(points.farthest(center).distance, distance(list[farthest], center));
+}
+
+TEST_F(FastPathsOnEveryTarget, DistancesOfPoints_AreThoseOfEachAlone) {
+  onEveryTarget(compareDistances);
+}
+
+TEST(CornersOf, ListsEachPositionOnce_InOrder) {
+  std::mt19937_64 engine(kSeed);
+  // Coordinates of -1, -0, 0 and 1, so that most corners repeat.
+  const double values[] = {-1, -0.0, 0, 1};
+  const auto corner = [&] { return Vec3d{values[engine() % 4], values[engine() % 4], values[engine() % 4]}; };
+  for (std::size_t count = 0; count < 40; ++count) {
+    Pieces pieces(count);
+    std::vector<std::array<double, 3>> all;
+    for (Piece& piece : pieces)
+      for (Vec3d& c : piece.corners) all.push_back({(c = corner()).x, c.y, c.z});
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    const std::vector<Vec3d> corners = cornersOf(pieces);
+    ASSERT_EQ(corners.size(), all.size()) << "seed " << kSeed;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      ASSERT_EQ(corners[i], Vec3d(all[i][0], all[i][1], all[i][2])) << "seed " << kSeed << ", corner " << i;
   }
 }
 
@@ -113,18 +160,28 @@ std::vector<Vec3d> pointsOf(const TriangleMesh& mesh) {
   return cornersOf(pieces);
 }
 
+/// The stand-off of the ball around a center, by a search of all the points and of the whole field.
+StandOff::Value wholeStandOff(const PointSet& points, const DepthField& field, const Vec3d& center) {
+  const PointSet::Farthest farthest = points.farthest(center);
+  const DepthField::Sample sample = field.at(center);
+  const Vec3d away = center - points[farthest.index];
+  return {{center, farthest.distance, sample.depth}, away / length(away) - sample.rise};
+}
+
 /// Walks about as a descent does: some steps from one centre, then on to the last.
 void expectSameNear(const PointSet& points, const DepthField& field, double size) {
   std::mt19937_64 engine(kSeed);
   for (int walk = 0; walk < 40; ++walk) {
     StandOff standOff(points, field);
-    StandOff::Value around = standOff.at(randomPoint(engine) * (0.5 * size));
+    const Vec3d start = randomPoint(engine) * (0.5 * size);
+    StandOff::Value around = standOff.at(start, field.depth(start));
+    ASSERT_EQ(around.ball.depth, field.depth(start)) << "seed " << kSeed << ", walk " << walk;
     double reach = size * std::pow(10.0, uniform(engine, -4, -0.5));
     for (int step = 0; step < 60; ++step) {
       if (step % 13 == 0) reach *= uniform(engine, 0.3, 1.6);
       const Vec3d direction = normalized(randomPoint(engine));
       const Vec3d center = around.ball.center + direction * (step % 3 == 0 ? reach : reach * uniform(engine));
-      const StandOff::Value near = standOff.near(around, reach, center), whole = standOff.at(center);
+      const StandOff::Value near = standOff.near(around, reach, center), whole = wholeStandOff(points, field, center);
       ASSERT_EQ(near.ball.radius, whole.ball.radius) << "seed " << kSeed << ", walk " << walk << ", step " << step;
       ASSERT_EQ(near.ball.depth, whole.ball.depth) << "seed " << kSeed << ", walk " << walk << ", step " << step;
       ASSERT_EQ(near.gradient, whole.gradient) << "seed " << kSeed << ", walk " << walk << ", step " << step;
@@ -140,6 +197,23 @@ TEST(StandOff, NearACentre_IsWhatLookingAtEverythingGives) {
     expectSameNear(points, SolidDepth(solid), boundsOf(mesh).diagonal());
     expectSameNear(points, ClosedDepth(solid, 0.1, 0.05, boundsOf(mesh).center(), boundsOf(mesh).diagonal()),
                    boundsOf(mesh).diagonal());
+  }
+}
+
+TEST(SignedDistance, DeepInARoundBody_NoTriangleIsNearerThanTheAnswer) {
+  for (const double far : {0.0, 1e6}) {
+    // Slabs leave out most of a body whose triangles are all nearly as near.
+    TriangleMesh mesh = test::meshOf(test::ball(1, 3));
+    for (Vec3d& v : mesh.vertices) v = Vec3d(v.x, 0.9 * v.y, 0.8 * v.z) + Vec3d(far, -far, far);
+    const SignedDistance solid(mesh);
+    std::mt19937_64 engine(kSeed);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3d q = boundsOf(mesh).center() + randomPoint(engine) * std::pow(10.0, uniform(engine, -8, 1));
+      double least = std::numeric_limits<double>::infinity();
+      for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) least = std::min(least, solid.distanceToTriangle(t, q));
+      // Boxes may be passed over when they are as far but for rounding.
+      ASSERT_LE(solid.closest(q).distance, least + 2 * solid.roundingBound(q)) << "seed " << kSeed << ", case " << i;
+    }
   }
 }
 

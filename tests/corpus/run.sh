@@ -47,8 +47,9 @@ attempt() {
   local file=$1 way=$2 code=0 option=()
   [[ $way == plain ]] || option=("--$way")
   rm -f "$work/tree.cairn"
-  # No mesh of these needs as much memory; a runaway must not take the machine with it.
-  (ulimit -v 8388608; exec timeout -k 5 "$seconds" "$tool" build "$file" -o "$work/tree.cairn" \
+  # No mesh of these needs as much memory; a runaway must not take the machine with it. In the foreground, so that Ctrl-C
+  # reaches the program too.
+  (ulimit -v 8388608; exec timeout --foreground -k 5 "$seconds" "$tool" build "$file" -o "$work/tree.cairn" \
     "${option[@]}" "${build_options[@]}") > "$work/out" 2> "$work/err" < /dev/null || code=$?
   message=$(grep -v ': left out ' "$work/err" | tail -n 1 | tr -cd '[:print:]' || true)
   case $code in
