@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "builder_meshes.h"
@@ -98,6 +101,31 @@ TEST(BodyFrame, AdaptiveLevelsAreTheSameHoweverTheMeshLies) {
     for (std::uint32_t level = 1; level <= 2; ++level)
       EXPECT_NEAR(there.value().levelError(level) / scale, as.value().levelError(level), tolerance)
           << "level " << level << " at scale " << scale;
+  }
+}
+
+/// What the level's error may change by when every coordinate moves by up to 1e-5.
+constexpr double kJitterEffect = 0.05;
+
+TEST(BodyFrame, JitterHardlyChangesTheFirstAdaptiveLevel) {
+  BuildOptions options;
+  options.method = Method::adaptive;
+  options.depth = 1;
+  const TriangleMesh mesh = test::lumpyBall(2, 5);
+  const auto as = buildTree(mesh, options);
+  ASSERT_TRUE(as);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const auto jitter = [&] { return test::uniform(random, -1e-5, 1e-5); };
+    const auto jittered = buildTree(test::moved(mesh,
+                                                [&](Vec3d p) {
+                                                  for (int axis = 0; axis < 3; ++axis) p[axis] += jitter();
+                                                  return p;
+                                                }),
+                                    options);
+    ASSERT_TRUE(jittered);
+    EXPECT_NEAR(jittered.value().levelError(1), as.value().levelError(1), kJitterEffect * as.value().levelError(1));
   }
 }
 
