@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hierarchy/body_frame.h"
+#include "hierarchy/complete_level.h"
 #include "hierarchy/divide_among_leaves.h"
 #include "hierarchy/two_levels.h"
 #include "spheres/ball_fit.h"
@@ -21,12 +23,12 @@ constexpr std::size_t kPointsPerBall = 100, kMinPoints = 1500;
 /// Points of one family's first fit, and swaps tried to improve it.
 constexpr std::size_t kFamilyPoints = 400;
 constexpr int kFamilySwapRounds = 1;
-/// How often a level is fitted, each time to more of the points that cost most.
-constexpr int kSeamRounds = 3;
+/// Attempts of each relief of a level.
+constexpr std::size_t kReliefAttempts = 60;
 
-/// Corners of the region's pieces, cut finely enough for a level of `balls` balls.
-PointSet pointsFor(const Region& root, double balls) {
-  Pieces pieces = root.pieces;
+/// Points of the surface, close enough for a level of `balls` balls.
+PointSet pointsFor(const TriangleMesh& mesh, double balls) {
+  Pieces pieces = piecesOf(mesh);
   const auto points = static_cast<std::size_t>(kPointsPerBall * balls);
   refinePieces(pieces, 2 * std::max(points, kMinPoints));  // a closed surface has twice as many triangles as corners
   return PointSet(cornersOf(pieces));
@@ -56,24 +58,46 @@ std::vector<ChildBall> fitFamilies(const Reach& owned, const PointSet& points, c
   return level;
 }
 
-/// The level below `levels`: each family for itself first, then all at once, then also for what lies between the
-/// points. Its limit holds for the dense points.
+/// The level below `levels`: each family for itself first, then all at once, then where it is worst and for what lies
+/// between the points. Its limit holds for the dense points.
 CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const PointSet& dense,
                      const SignedDistance& solid, const SplitSettings& settings) {
   const SolidDepth field(solid);
   const Reach owned = ownedBy(levels.back(), points, reachThrough(levels.first(levels.size() - 1), points));
-  const Reach denseReach = reachThrough(levels, dense);
-  CoverLevel level{fitFamilies(owned, points, field, settings), 0};
-  for (int round = 0; round < kSeamRounds; ++round) {
-    const Reach reach = reachThrough(levels, points);
-    const LevelProblem problem{points, field, reach, settings.branching, settings.negligible};
-    level.balls = optimiseLevel(problem, std::move(level.balls));
-    level.limit = coverStandOff(problem, level.balls);
-    if (round + 1 == kSeamRounds || level.limit <= settings.negligible) break;
-    for (const Vec3d& p : nearlyWorst(level, dense, denseReach)) points.push(p);
+  const Reach reach = reachThrough(levels, points);
+  CoverLevel level;
+  level.balls = optimiseLevel({points, field, reach, settings.branching, settings.negligible},
+                              fitFamilies(owned, points, field, settings));
+  return completeLevel({points, dense, levels, field, settings.branching, settings.negligible}, std::move(level),
+                       kReliefAttempts);
+}
+
+/// All levels, fitted in the frame of `solid`. Empty when `progress` cancelled.
+std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
+                                  const LevelProgress& progress) {
+  const auto ballsOf = [&](std::uint32_t level) { return std::pow(static_cast<double>(settings.branching), level); };
+  PointSet points = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U)));
+  PointSet dense = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U) + 1));
+  const TwoLevelProblem upper{points, dense, solid, settings.branching, settings.seed, settings.negligible};
+  std::vector<CoverLevel> levels = depth == 1 ? std::vector{coverOneLevel(upper)} : coverTwoLevels(upper);
+  while (levels.size() < depth) {
+    const auto done = static_cast<std::uint32_t>(levels.size());
+    if (!progress(done - 1, 1, 1)) return {};
+    points = std::move(dense);
+    dense = pointsFor(solid.mesh(), ballsOf(done + 2));
+    widenLimits(levels, dense);
+    levels.push_back(nextLevel(levels, points, dense, solid, settings));
   }
-  level.limit = std::max(standOffOf(level, dense, denseReach), settings.negligible);
-  return level;
+  return levels;
+}
+
+/// The levels in the mesh frame; limits allow for the rounding of the body's mesh.
+void moveOut(std::vector<CoverLevel>& levels, const BodyFrame& frame) {
+  for (CoverLevel& level : levels) {
+    level.limit = (level.limit + 2 * kBodyRounding) * frame.unit();
+    for (ChildBall& child : level.balls)
+      child.ball = {frame.outOf(child.ball.center), child.ball.radius * frame.unit(), child.ball.depth * frame.unit()};
+  }
 }
 
 }  // namespace
@@ -81,20 +105,13 @@ CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const 
 RegionTree growLevels(Region root, std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                       const LevelProgress& progress) {
   if (root.ball.standOff() <= settings.negligible) return {{std::move(root), 0, 0, 0}};
-  const auto ballsOf = [&](std::uint32_t level) { return std::pow(static_cast<double>(settings.branching), level); };
-  PointSet points = pointsFor(root, ballsOf(std::min(depth, 2U)));
-  PointSet dense = pointsFor(root, ballsOf(std::min(depth, 2U) + 1));
-  const TwoLevelProblem upper{points, dense, solid, settings.branching, settings.seed, settings.negligible};
-  std::vector<CoverLevel> levels = depth == 1 ? std::vector{coverOneLevel(upper)} : coverTwoLevels(upper);
-  while (levels.size() < depth) {
-    const auto done = static_cast<std::uint32_t>(levels.size());
-    if (!progress(done - 1, 1, 1)) return {};
-    points = std::move(dense);
-    dense = pointsFor(root, ballsOf(done + 2));
-    widenLimits(levels, dense);
-    levels.push_back(nextLevel(levels, points, dense, solid, settings));
-  }
-  if (!progress(depth - 1, 1, 1)) return {};
+  const BodyFrame frame(solid.mesh());
+  const TriangleMesh body = bodyMesh(solid.mesh(), frame);
+  SplitSettings inBody = settings;
+  inBody.negligible = settings.negligible / boundsOf(solid.mesh()).diagonal() * boundsOf(body).diagonal();
+  std::vector<CoverLevel> levels = fitLevels(depth, SignedDistance(body), inBody, progress);
+  if (levels.empty() || !progress(depth - 1, 1, 1)) return {};
+  moveOut(levels, frame);
   return divideAmongLeaves(std::move(root), levels, solid);
 }
 

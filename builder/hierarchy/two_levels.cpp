@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "hierarchy/complete_level.h"
 #include "hierarchy/group_parts.h"
 #include "hierarchy/level_field.h"
 #include "hierarchy/share_parts.h"
@@ -19,26 +20,20 @@ namespace cairn::builder {
 namespace {
 
 /// Of two pairs of levels the better has the smaller product of limits, the upper's to this power: a traversal stopped
-/// early sees the upper one, so what that gives up has to buy more than as much below.
-constexpr double kUpperWeight = 1.2;
+/// early sees the upper one, so what that gives up has to buy twice as much below. Upper levels within `kAsGood` of
+/// the best are all as good: which one is found is chance, and the level below should decide.
+constexpr double kUpperWeight = 2, kAsGood = 1.03;
 /// Sizes of the flat covers families are formed from, in parts of a full lower level: the fewer balls, the easier to
 /// group; families are filled up afterwards.
-constexpr std::array kFlatShares{0.5, 0.625, 0.75, 0.8125, 0.875};
+constexpr std::array kFlatShares{0.625, 0.75, 0.8125, 0.875};
 /// The upper level's limit on its way down: this factor a step, to this part of what it needs for itself at least.
 constexpr double kTightening = 0.975, kTightest = 1.02;
-/// Pairs that are completed between the points, and how often each is fitted to what costs most there.
-constexpr std::size_t kCompleted = 3;
-constexpr int kSeamRounds = 3;
+/// Pairs that are completed between the points, and attempts of each relief of their lower levels.
+constexpr std::size_t kCompleted = 2, kReliefAttempts = 25;
 
 struct TwoLevels {
   CoverLevel upper, lower;
-
-  double score() const { return std::pow(upper.limit, kUpperWeight) * lower.limit; }
 };
-
-bool better(const TwoLevels& x, const TwoLevels& y) {
-  return x.score() < y.score();
-}
 
 class Search {
  public:
@@ -58,6 +53,7 @@ class Search {
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
       found[i] = i < covers ? lowerBelow(uppers_.covers[i], {}) : fromFlat(kFlatShares[i - covers]);
     });
+    const auto better = [&](const TwoLevels& x, const TwoLevels& y) { return scoreOf(x) < scoreOf(y); };
     std::stable_sort(found.begin(), found.end(), better);
     const std::size_t count = std::min(kCompleted, found.size());
     for (std::size_t i = 0; i < count; ++i) found[i] = completed(std::move(found[i]));
@@ -72,6 +68,9 @@ class Search {
     return coverStandOff(level(plain_, reach, 1), balls);
   }
   double tightest() const { return uppers_.covers[0].limit; }
+  double scoreOf(const TwoLevels& levels) const {
+    return std::pow(std::max(levels.upper.limit, kAsGood * tightest()), kUpperWeight) * levels.lower.limit;
+  }
 
   std::vector<ChildBall> fitFlat(const DepthField& field, std::size_t count, std::vector<ChildBall> start) const {
     for (ChildBall& child : start) child.ball.depth = field.depth(child.ball.center);
@@ -133,28 +132,22 @@ class Search {
       const bool kept = next.balls.size() == levels.upper.balls.size();
       if (!kept || coverStandOff(problem, next.balls) > next.limit) break;
       levels = lowerBelow(std::move(next), std::move(levels.lower.balls));
-      if (better(levels, best)) best = levels;
+      if (scoreOf(levels) < scoreOf(best)) best = levels;
     }
     return best;
   }
 
-  /// Takes in what lies between the points: the lower level is fitted to the worst of the dense points as well, a few
-  /// times. The upper level stays, or families would fall apart; its limit is raised to what the dense points need.
+  /// Takes in what lies between the points, and lowers the lower level where it is worst. The upper level stays, or
+  /// families would fall apart; its limit is raised to what the dense points need.
   TwoLevels completed(TwoLevels levels) {
     const Reach dense = reachOfAll(problem_.dense.size());
     levels.upper.limit = std::max(standOffOf(levels.upper, problem_.dense, dense), levels.upper.limit);
     const Reach reach = reachOf(levels.upper, problem_.dense, dense);
-    TwoLevels best;
-    for (int round = 0; round <= kSeamRounds; ++round) {
-      TwoLevels whole = levels;
-      whole.lower.limit = std::max(standOffOf(levels.lower, problem_.dense, reach), problem_.negligible);
-      if (round == 0 || better(whole, best)) best = std::move(whole);
-      if (round == kSeamRounds) break;
-      for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points_.push(p);
-      all_ = reachOfAll(points_.size());
-      levels = lowerBelow(std::move(levels.upper), std::move(levels.lower.balls));
-    }
-    return best;
+    for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points_.push(p);
+    const LevelSurface surface{points_,      problem_.dense,     std::span(&levels.upper, 1),
+                               *lowerField_, problem_.branching, problem_.negligible};
+    levels.lower = completeLevel(surface, std::move(levels.lower), kReliefAttempts);
+    return levels;
   }
 
   const TwoLevelProblem& problem_;

@@ -20,7 +20,7 @@ struct TwoLevelProblem {
 };
 
 /// Covers the surface with at most `branching` balls, and those with at most `branching` each, giving up a little of
-/// the upper level's fit (`kUpperSlack`) for the lower level's: families are formed from a cover of the whole surface
+/// the upper level's fit (`kAsGood`) for the lower level's: families are formed from a cover of the whole surface
 /// by the lower level's balls alone, because the best upper level taken for itself leaves some families with far more
 /// than their share of what is difficult. See docs/algorithms/adaptive.md. Deterministic, parallel inside.
 std::vector<CoverLevel> coverTwoLevels(const TwoLevelProblem& problem);

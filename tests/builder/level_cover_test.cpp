@@ -13,6 +13,7 @@
 #include "cairn/builder/build.h"
 #include "cairn/builder/certify.h"
 #include "hierarchy/cover_level.h"
+#include "hierarchy/relieve_level.h"
 #include "spheres/capacity_assignment.h"
 
 namespace cairn::builder {
@@ -118,6 +119,51 @@ TEST_P(LevelOfABall, OptimisingNeverMakesItWorse) {
     start.push_back({{center, 0, depth.depth(center)}, parent});
   }
   EXPECT_LE(coverStandOff(problem, optimiseLevel(problem, start)), coverStandOff(problem, start));
+}
+
+TEST_P(LevelOfABall, RelievingNeverMakesItWorse_AndKeepsFamiliesSmall) {
+  const LevelProblem problem{points, depth, reach, 3};
+  std::vector<ChildBall> start;
+  for (std::uint32_t parent = 0; parent < reach.size(); ++parent) {
+    const Vec3d center = points[reach[parent].front()];
+    start.push_back({{center, 0, depth.depth(center)}, parent});
+  }
+  double last = coverStandOff(problem, start);
+  for (const std::size_t attempts : {1U, 5U, 50U}) {
+    const std::vector<ChildBall> level = relieveLevel(problem, start, attempts);
+    std::vector<std::size_t> members(reach.size(), 0);
+    for (const ChildBall& child : level) ++members[child.parent];
+    for (const std::size_t count : members) EXPECT_LE(count, 3U);
+    // Worst by brute force: over the points, the cheapest ball whose parent reaches the point. More attempts begin with
+    // the same ones.
+    double worst = 0;
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const ChildBall& child : level)
+        if (std::ranges::binary_search(reach[child.parent], p)) least = std::min(least, costOf(child.ball, points[p]));
+      worst = std::max(worst, least);
+    }
+    EXPECT_LE(worst, last);
+    last = worst;
+  }
+}
+
+/// Where optimising ends, second chances still find something on most bodies.
+TEST(RelieveLevel, LowersWhatOptimisingLeaves) {
+  int lowered = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const TriangleMesh mesh = test::lumpyBall(2, seed);
+    const SignedDistance solid(mesh);
+    const SolidDepth depth(solid);
+    Pieces pieces = piecesOf(mesh);
+    refinePieces(pieces, 1500);
+    const PointSet points(cornersOf(pieces));
+    const Reach all = reachOfAll(points.size());
+    const LevelProblem problem{points, depth, all, 8};
+    const std::vector<ChildBall> level = optimiseLevel(problem, {});
+    if (coverStandOff(problem, relieveLevel(problem, level, 20)) < coverStandOff(problem, level)) ++lowered;
+  }
+  EXPECT_GE(lowered, 3);
 }
 
 TEST(Adaptive, RefusesMoreSpheresThanItCanFitAtOnce) {

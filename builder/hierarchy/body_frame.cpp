@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "body_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace cairn::builder {
+
+namespace {
+
+/// A vertex this near to the farthest one counts as that far.
+constexpr double kAboutAsFar = 0.999;
+/// Grid of the rounded vertices: half a step along each axis is less than `kBodyRounding`.
+constexpr double kGrid = kBodyRounding;
+/// Triangles whose least altitude is below this many steps of the grid are too narrow to round their corners.
+constexpr double kNarrow = 16;
+
+struct Farthest {
+  std::size_t vertex = 0;
+  double distance = 0;
+};
+
+/// The first vertex about as far as the farthest.
+Farthest firstFarthest(const TriangleMesh& mesh, const std::function<double(const Vec3d&)>& distanceOf) {
+  double most = 0;
+  for (const Vec3d& v : mesh.vertices) most = std::max(most, distanceOf(v));
+  std::size_t first = 0;
+  while (distanceOf(mesh.vertices[first]) < kAboutAsFar * most) ++first;
+  return {first, most};
+}
+
+Vec3d meanOf(const std::vector<Vec3d>& points) {
+  Vec3d sum;  // of differences, or a mesh far from the origin would lose digits
+  for (const Vec3d& p : points) sum += p - points[0];
+  return points[0] + sum / static_cast<double>(points.size());
+}
+
+Vec3d across(const Vec3d& v, const Vec3d& axis) {
+  return v - axis * dot(v, axis);
+}
+
+double leastAltitude(const std::array<Vec3d, 3>& c) {
+  const double longest = std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
+  return length(cross(c[1] - c[0], c[2] - c[0])) / longest;
+}
+
+bool canBeRounded(const TriangleMesh& mesh) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!(leastAltitude(mesh.corners(t)) >= kNarrow * kGrid)) return false;
+  return true;
+}
+
+Vec3d rounded(const Vec3d& p) {
+  return Vec3d(std::nearbyint(p.x / kGrid), std::nearbyint(p.y / kGrid), std::nearbyint(p.z / kGrid)) * kGrid;
+}
+
+}  // namespace
+
+BodyFrame::BodyFrame(const TriangleMesh& mesh) : origin_(meanOf(mesh.vertices)) {
+  const Farthest far = firstFarthest(mesh, [&](const Vec3d& v) { return distance(v, origin_); });
+  unit_ = far.distance;
+  axes_[0] = normalized(mesh.vertices[far.vertex] - origin_);
+  const Farthest side =
+      firstFarthest(mesh, [&](const Vec3d& v) { return length(across(v - origin_, axes_[0])) / unit_; });
+  axes_[1] = normalized(across((mesh.vertices[side.vertex] - origin_) / unit_, axes_[0]));
+  axes_[2] = cross(axes_[0], axes_[1]);
+}
+
+Vec3d BodyFrame::into(const Vec3d& point) const {
+  const Vec3d p = (point - origin_) / unit_;
+  return {dot(p, axes_[0]), dot(p, axes_[1]), dot(p, axes_[2])};
+}
+
+Vec3d BodyFrame::outOf(const Vec3d& point) const {
+  return origin_ + (axes_[0] * point.x + axes_[1] * point.y + axes_[2] * point.z) * unit_;
+}
+
+TriangleMesh bodyMesh(const TriangleMesh& mesh, const BodyFrame& frame) {
+  TriangleMesh body = mesh;
+  std::transform(body.vertices.begin(), body.vertices.end(), body.vertices.begin(),
+                 [&](const Vec3d& v) { return frame.into(v); });
+  if (canBeRounded(body)) std::transform(body.vertices.begin(), body.vertices.end(), body.vertices.begin(), rounded);
+  return body;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "complete_level.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hierarchy/relieve_level.h"
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr int kRounds = 8;
+/// Within this factor of what the points need, the dense points have nothing to add.
+constexpr double kComplete = 1.01;
+
+}  // namespace
+
+CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, std::size_t attempts) {
+  const Reach denseReach = reachThrough(surface.above, surface.dense);
+  CoverLevel best;
+  double settled = surface.negligible;  // what the first relief ended at: the next ones repair, they do not try again
+  for (int round = 0; round < kRounds; ++round) {
+    const Reach reach = reachThrough(surface.above, surface.points);
+    const LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};
+    level.balls = relieveLevel(problem, level.balls, attempts);
+    level.limit = std::max(coverStandOff(problem, level.balls), surface.negligible);
+    settled = std::max(settled, round == 0 ? level.limit : 0);
+    CoverLevel whole = level;
+    whole.limit = std::max(standOffOf(level, surface.dense, denseReach), surface.negligible);
+    const bool complete = whole.limit <= kComplete * level.limit;
+    if (round == 0 || whole.limit < best.limit) best = std::move(whole);
+    if (complete) break;
+    for (const Vec3d& p : nearlyWorst(level, surface.dense, denseReach)) surface.points.push(p);
+  }
+  return best;
+}
+
+}  // namespace cairn::builder

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is computed in a body's own frame is the same however the mesh lies in its own: adaptive levels are.
+#include "hierarchy/body_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "builder_meshes.h"
+#include "cairn/builder/build.h"
+
+namespace cairn::builder {
+namespace {
+
+/// A turn about each axis in turn, then a scale, then a shift that rounds some more.
+Vec3d placed(Vec3d p, double scale) {
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  p = {p.x * c - p.y * s, p.x * s + p.y * c, p.z};
+  p = {p.x, p.y * c - p.z * s, p.y * s + p.z * c};
+  p = {p.x * c - p.z * s, p.y, p.x * s + p.z * c};
+  return (p + Vec3d(1, -2, 3)) * scale;
+}
+
+TriangleMesh placedMesh(const TriangleMesh& mesh, double scale) {
+  return test::moved(mesh, [&](const Vec3d& p) { return placed(p, scale); });
+}
+
+struct Body {
+  const char* name;
+  TriangleMesh mesh;
+};
+
+std::vector<Body> bodies() {
+  return {{"lumpy ball", test::lumpyBall(3, 5)},
+          {"cube, all corners equally far", test::meshOf(test::cuboid({1, 1, 1}, 3))},
+          {"ball, all vertices equally far", test::meshOf(test::ball(1, 2))},
+          {"cylinder, the farthest vertices on circles", test::cylinder(0.5, 2, 24)},
+          {"torus", test::torus(1, 0.4, 24, 12)}};
+}
+
+TEST(BodyFrame, TakesThereAndBack) {
+  const TriangleMesh mesh = placedMesh(test::lumpyBall(2, 1), 7);
+  const BodyFrame frame(mesh);
+  for (const Vec3d& v : mesh.vertices) {
+    const Vec3d inside = frame.into(v);
+    EXPECT_LE(length(inside), 1 + 1e-12);
+    // A few roundings of lengths up to 30.
+    EXPECT_LE(distance(frame.outOf(inside), v), 30 * 0x1p-48);
+  }
+}
+
+TEST(BodyFrame, MeshIsTheSameBitsHoweverItLies) {
+  for (const Body& body : bodies()) {
+    SCOPED_TRACE(body.name);
+    const TriangleMesh as = bodyMesh(body.mesh, BodyFrame(body.mesh));
+    for (const double scale : {1.0, 1e-6, 1e6}) {
+      const TriangleMesh mesh = placedMesh(body.mesh, scale);
+      const TriangleMesh same = bodyMesh(mesh, BodyFrame(mesh));
+      EXPECT_EQ(same.vertices, as.vertices) << "at scale " << scale;
+    }
+  }
+}
+
+TEST(BodyFrame, RoundsVerticesByLessThanItSays_AndNarrowTrianglesNotAtAll) {
+  TriangleMesh mesh = test::lumpyBall(2, 3);
+  const auto farthestMove = [&] {
+    const BodyFrame frame(mesh);
+    const TriangleMesh body = bodyMesh(mesh, frame);
+    double most = 0;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+      most = std::max(most, distance(body.vertices[v], frame.into(mesh.vertices[v])));
+    return most;
+  };
+  EXPECT_GT(farthestMove(), 0);
+  EXPECT_LE(farthestMove(), kBodyRounding);
+  const Triangle t = mesh.triangles[0];
+  mesh.vertices[t[0]] = (mesh.vertices[t[1]] + mesh.vertices[t[2]]) * (0.5 + 1e-9);
+  EXPECT_EQ(farthestMove(), 0);
+}
+
+/// Balls are the same but for rounding; what is left is where seams end up, and the certificate's own tolerance, a
+/// ten-thousandth of the diagonal.
+constexpr double kCertificate = 1e-4;
+
+TEST(BodyFrame, AdaptiveLevelsAreTheSameHoweverTheMeshLies) {
+  BuildOptions options;
+  options.method = Method::adaptive;
+  options.depth = 2;
+  options.branching = 3;  // quick: nine leaves
+  const TriangleMesh mesh = test::lumpyBall(2, 5);
+  const auto as = buildTree(mesh, options);
+  ASSERT_TRUE(as);
+  const double tolerance = kCertificate * boundsOf(mesh).diagonal();
+  for (const double scale : {1e-6, 1e6}) {
+    const auto there = buildTree(placedMesh(mesh, scale), options);
+    ASSERT_TRUE(there);
+    for (std::uint32_t level = 1; level <= 2; ++level)
+      EXPECT_NEAR(there.value().levelError(level) / scale, as.value().levelError(level), tolerance)
+          << "level " << level << " at scale " << scale;
+  }
+}
+
+/// What the level's error may change by when every coordinate moves by up to 1e-5.
+constexpr double kJitterEffect = 0.05;
+
+TEST(BodyFrame, JitterHardlyChangesTheFirstAdaptiveLevel) {
+  BuildOptions options;
+  options.method = Method::adaptive;
+  options.depth = 1;
+  const TriangleMesh mesh = test::lumpyBall(2, 5);
+  const auto as = buildTree(mesh, options);
+  ASSERT_TRUE(as);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const auto jitter = [&] { return test::uniform(random, -1e-5, 1e-5); };
+    const auto jittered = buildTree(test::moved(mesh,
+                                                [&](Vec3d p) {
+                                                  for (int axis = 0; axis < 3; ++axis) p[axis] += jitter();
+                                                  return p;
+                                                }),
+                                    options);
+    ASSERT_TRUE(jittered);
+    EXPECT_NEAR(jittered.value().levelError(1), as.value().levelError(1), kJitterEffect * as.value().levelError(1));
+  }
+}
+
+}  // namespace
+}  // namespace cairn::builder
