@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include "cairn/core/pose.h"
 #include "contacts/contact.h"
 
 namespace cairn::bullet {
@@ -17,10 +16,6 @@ struct RelativeMotion {
   float greatestSpeed() const {
     return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
   }
-
-  /// Takes a point of the tree's body from where it is to where the last step found it, as seen from the other body
-  /// where that is now. Exact for velocities that did not change within the step.
-  Similarity backOneStep() const;
 
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
   float closingSpeed(const Contact& c) const {

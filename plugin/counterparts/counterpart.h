@@ -10,7 +10,6 @@
 
 #include "cairn/core/traversal.h"
 #include "contacts/contact.h"
-#include "contacts/relative_motion.h"
 #include "counterparts/placed_tree.h"
 
 class btCollisionShape;
@@ -29,7 +28,6 @@ struct PairPlacement {
   btTransform other;                             ///< the other body, its origin relative to the pair frame's
   float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
   float travel = 0;                              ///< bound on how far the bodies move against each other in a step
-  RelativeMotion motion;
 };
 
 /// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows

@@ -22,7 +22,7 @@ float overhang(std::span<const Triangle> triangles, const auto& touches, const V
 }  // namespace
 
 // A region touches what it faces; one that faces along the normal belongs to the far side of the body.
-TriangleContacts::Touch TriangleContacts::facing(const PlacedTree& tree, const TriangleTouch& touch, int side) {
+TriangleContacts::Touch TriangleContacts::onSide(const PlacedTree& tree, const TriangleTouch& touch, int side) {
   const auto sign = static_cast<float>(side);
   Touch t{touch, sign * touch.line, sign * touch.face};
   if (tree.facesAlong(touch.pair.a, t.normal)) t.normal = t.faceNormal = {};
@@ -43,10 +43,10 @@ void TriangleContacts::append(const PairPlacement& placement, std::span<const Tr
     if (x.distance != y.distance) return x.distance < y.distance;
     return x.pair.b < y.pair.b;
   });
-  const std::span<const int> settled = sides.settle(placement, triangles, all_, isComplete);
+  const std::span<const int> settled = sides.settle(placement.tree, triangles, all_, isComplete);
   touches_.clear();
   for (std::size_t i = 0; i < all_.size(); ++i)
-    if (settled[i] != 0) touches_.push_back(facing(placement.tree, all_[i], settled[i]));
+    if (settled[i] != 0) touches_.push_back(onSide(placement.tree, all_[i], settled[i]));
   for (auto first = touches_.begin(); first != touches_.end();) {
     const auto last = std::find_if(first, touches_.end(), [&](const Touch& t) { return t.pair.a != first->pair.a; });
     appendLeaf(placement, {first, last}, triangles, contacts);

@@ -39,7 +39,7 @@ class TriangleContacts {
     Vec3 onTree;
   };
 
-  static Touch facing(const PlacedTree& tree, const TriangleTouch& touch, int side);
+  static Touch onSide(const PlacedTree& tree, const TriangleTouch& touch, int side);
   void appendLeaf(const PairPlacement& placement, std::span<const Touch> touches, std::span<const Triangle> triangles,
                   std::vector<Contact>& contacts);
   void group(const PlacedTree& tree, std::span<const Touch> touches);

@@ -25,7 +25,7 @@ void TriangleCounterpart::reset() {
 
 void TriangleCounterpart::place(const PairPlacement& placement) {
   placement_ = placement;
-  sides_.beginStep();
+  sides_.beginStep(placement);
   placement.treeShape->getAabb(placement.other.inverse() * placement.treeBody, treeLower_, treeUpper_);
   const btScalar reach = btScalar(placement.reach);
   treeLower_ -= btVector3(reach, reach, reach);
@@ -101,8 +101,7 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   Contact contact;
   contact.ofSpheres = true;
   contact.pair = pair;
-  contact.normal = side * (touch.distance > 0 ? (placement_.tree.sphere(pair.a).center - touch.nearest) / touch.distance
-                                              : touch.face);
+  contact.normal = side * touch.line;
   contact.gap = side * touch.distance - placement_.tree.sphere(pair.a).radius - placement_.treeMargin;
   contact.position = touch.nearest + contact.normal * (0.5F * contact.gap);
   contact.id = {static_cast<int>(placement_.tree.tree().level(pair.a)), static_cast<int>(pair.a), source.part,

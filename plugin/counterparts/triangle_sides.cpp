@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "counterparts/triangle_sides.h"
 
+#include "shape/bullet_math.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -8,9 +10,10 @@ namespace {
 // How much of a region (share of its thickness across a triangle) may be through the triangle while the region still
 // counts as on the side its centre is on.
 constexpr float kMaySinkFraction = 0.25F;
-
-// How far (in radii of the sphere that asks) the planes of triangles may be apart that tell each other's side.
-constexpr float kOnePlaneFraction = 0.5F;
+// How far apart (in radii of the sphere that asks) planes may be that are taken for one surface.
+constexpr float kOneSurfaceFraction = 0.05F;
+// How much farther than its speed explains (in radii of the root) a tree may move in a step by itself.
+constexpr btScalar kOwnMotionFraction = btScalar(0.5);
 
 float massHeight(const PlacedTree& tree, const TriangleTouch& touch) {
   return dot(touch.face, tree.toPair().translation - touch.nearest);
@@ -18,28 +21,52 @@ float massHeight(const PlacedTree& tree, const TriangleTouch& touch) {
 
 }  // namespace
 
-std::span<const int> TriangleSides::settle(const PairPlacement& placement, std::span<const Triangle> triangles,
-                                           std::span<const TriangleTouch> touches, bool isComplete) {
+void TriangleSides::reset() {
+  seen_.reset();
+  hasPast_ = false;
+}
+
+void TriangleSides::beginStep(const PairPlacement& placement) {
   const PlacedTree& tree = placement.tree;
-  back_ = placement.motion.backOneStep();
+  const btTransform carry = placement.other * other_.inverse();
+  back_ = carry * treeBody_ * placement.treeBody.inverse();
+  treeBody_ = placement.treeBody;
+  other_ = placement.other;
+  const btScalar moved = back_.getOrigin().length();  // of the tree's body, which is at the pair frame's origin
+  const btScalar own = btScalar(placement.travel) + kOwnMotionFraction * btScalar(tree.sphere(kRootNode).radius);
+  if (hasPast_ && moved > own) reset();
+  if (!hasPast_) back_.setIdentity();
+  hasPast_ = true;
+  seen_.beginStep([&](SurfaceSide& side) {
+    side.point = toVec3(carry * toBtVector3(side.point));
+    side.normal = toVec3(carry.getBasis() * toBtVector3(side.normal));
+  });
+}
+
+std::span<const int> TriangleSides::settle(const PlacedTree& tree, std::span<const Triangle> triangles,
+                                           std::span<const TriangleTouch> touches, bool isComplete) {
   sides_.clear();
   for (const TriangleTouch& touch : touches) sides_.push_back(touch.isOver() ? 0 : 1);
-  settle(touches, [&](const TriangleTouch& t) { return seen_.ofNode(t.pair.a, t.face); });
-  settle(touches, [&](const TriangleTouch& t) { return byPath(tree, triangles[t.pair.b], t); });
-  settle(touches, [&](const TriangleTouch& t) { return byFacing(tree, t); });
-  settle(touches, [&](const TriangleTouch& t) { return byBody(tree, t); });
+  settleBy(tree, touches, [&](const TriangleTouch& t) { return ofNode(tree, t); });
+  settleBy(tree, touches, [&](const TriangleTouch& t) { return byPath(tree, triangles[t.pair.b], t); });
+  settleBy(tree, touches, [&](const TriangleTouch& t) { return byFacing(tree, t); });
+  settleBy(tree, touches, [&](const TriangleTouch& t) { return byBody(tree, t); });
   if (!isComplete) dropUncovered(tree, touches);
   return sides_;
 }
 
-// What has sunk beside a triangle would be pushed away along the surface; the one it has sunk through covers that.
+// Off a triangle's face, whether something has sunk through it or gone around its border, and what stands beside a
+// triangle but behind another, is for the nearest triangle to say.
 void TriangleSides::dropUncovered(const PlacedTree& tree, std::span<const TriangleTouch> touches) {
-  for (std::size_t i = 0; i < touches.size(); ++i)
-    if (!touches[i].isOver() && ofTree(tree, touches[i]) < 0) sides_[i] = 0;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const TriangleTouch& touch = touches[i];
+    const bool isBehind = !touch.isOver() && seen_.isBehind(touch.pair.a, tree.sphere(touch.pair.a).center);
+    if (!touch.onFace && (sides_[i] < 0 || isBehind)) sides_[i] = 0;
+  }
 }
 
 // What one way of telling has settled is seen by the next.
-void TriangleSides::settle(std::span<const TriangleTouch> touches, const auto& sideOf) {
+void TriangleSides::settleBy(const PlacedTree& tree, std::span<const TriangleTouch> touches, const auto& sideOf) {
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const TriangleTouch& touch = touches[i];
@@ -47,23 +74,31 @@ void TriangleSides::settle(std::span<const TriangleTouch> touches, const auto& s
     if (sides_[i] != 0) continue;
     // What is in front of the nearest triangle went around the borders of the others, not through them.
     const bool isAround = !touch.onFace && i != nearest && sides_[nearest] == 1 && touches[nearest].isOver();
-    sides_[i] = isAround ? 1 : sideOf(touch);
-    const bool isTelling = sides_[i] != 0 && (touch.onFace || i == nearest);
-    if (isTelling) seen_.note(touch.pair.a, static_cast<float>(sides_[i]) * touch.face, touch.nearest);
+    int side = isAround ? 1 : sideOf(touch);
+    if (side == 0) continue;
+    const auto direction = [&] { return static_cast<float>(side) * touch.face; };
+    if (static_cast<float>(side) * massHeight(tree, touch) < 0 && seen_.isOutvoted(direction())) side = -side;
+    sides_[i] = side;
+    if (touch.onFace || i == nearest) seen_.note(touch.pair.a, {touch.nearest, direction()});
   }
   seen_.endNotes();
 }
 
 int TriangleSides::ofTree(const PlacedTree& tree, const TriangleTouch& touch) const {
-  return seen_.ofTree(touch.face, touch.nearest, kOnePlaneFraction * tree.sphere(touch.pair.a).radius);
+  return seen_.ofTree({touch.nearest, touch.face}, kOneSurfaceFraction * tree.sphere(touch.pair.a).radius);
 }
 
-bool TriangleSides::hasPassed(const PlacedTree& tree, const TriangleTouch& touch) const {
-  return dot(touch.face, back_ * tree.sphere(touch.pair.a).center - touch.nearest) < 0;
+int TriangleSides::ofNode(const PlacedTree& tree, const TriangleTouch& touch) const {
+  const NodeId node = touch.pair.a;
+  return seen_.ofNode(node, {touch.nearest, touch.face}, kOneSurfaceFraction * tree.sphere(node).radius);
+}
+
+Vec3 TriangleSides::centerBefore(const PlacedTree& tree, NodeId node) const {
+  return toVec3(back_ * toBtVector3(tree.sphere(node).center));
 }
 
 int TriangleSides::byPath(const PlacedTree& tree, const Triangle& triangle, const TriangleTouch& touch) const {
-  const Vec3 center = tree.sphere(touch.pair.a).center, last = back_ * center;
+  const Vec3 center = tree.sphere(touch.pair.a).center, last = centerBefore(tree, touch.pair.a);
   const float now = dot(touch.face, center - touch.nearest), before = dot(touch.face, last - touch.nearest);
   if (before >= 0) return 0;
   const Vec3 crossing = center + (last - center) * (now / (now - before));
@@ -74,7 +109,8 @@ int TriangleSides::byPath(const PlacedTree& tree, const Triangle& triangle, cons
 
 int TriangleSides::byFacing(const PlacedTree& tree, const TriangleTouch& touch) const {
   const int treeSide = ofTree(tree, touch);
-  if (treeSide < 0 && hasPassed(tree, touch)) return -1;
+  const bool hasPassed = dot(touch.face, centerBefore(tree, touch.pair.a) - touch.nearest) < 0;
+  if (treeSide < 0 && hasPassed) return -1;
   if (static_cast<float>(treeSide) * massHeight(tree, touch) > 0) return treeSide;
   return tree.facesAlong(touch.pair.a, -touch.face) ? 1 : 0;
 }
@@ -90,15 +126,13 @@ int TriangleSides::byBody(const PlacedTree& tree, const TriangleTouch& touch) co
   return tree.facesAlong(leaf, touch.face) || below > kMaySinkFraction * (below + above) ? -1 : 1;
 }
 
+// A ring may swing through a sheet as far as its ball's centre goes; its centre of mass tells that from sinking.
 int TriangleSides::ofBall(const PlacedTree& tree, const TriangleTouch& touch) const {
-  if (!touch.isOver()) return 1;
-  if (const int side = seen_.ofNode(touch.pair.a, touch.face); side != 0) return side;
-  return ofTree(tree, touch) < 0 ? -1 : 1;
+  return touch.isOver() && massHeight(tree, touch) < 0 && ofNode(tree, touch) < 0 ? -1 : 1;
 }
 
-void TriangleSides::noteBall(const TriangleTouch& touch, const Vec3& direction) {
-  if (touch.isOver()) seen_.note(touch.pair.a, direction, touch.nearest);
-  seen_.endNotes();
+void TriangleSides::noteBall(const TriangleTouch& touch, const Vec3& normal) {
+  if (touch.isOver()) seen_.noteAlone(touch.pair.a, {touch.nearest, normal});
 }
 
 }  // namespace cairn::bullet

@@ -76,7 +76,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
   counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, placement_.motion, budget);
+  contacts_.begin(*counterpart_, motion_, budget);
   return true;
 }
 
@@ -130,18 +130,17 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
                          btScalar timeStep) {
   const btCollisionObject& tree = *treeBody.getCollisionObject();
   const btCollisionObject& other = *otherBody.getCollisionObject();
-  RelativeMotion& motion = placement_.motion;
-  motion.treeLinear = linearVelocity(tree);
-  motion.treeAngular = angularVelocity(tree);
-  motion.treeCenter = toVec3(tree.getWorldTransform().getOrigin() - origin_);
-  motion.otherLinear = linearVelocity(other);
-  motion.otherAngular = angularVelocity(other);
-  motion.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
+  motion_.treeLinear = linearVelocity(tree);
+  motion_.treeAngular = angularVelocity(tree);
+  motion_.treeCenter = toVec3(tree.getWorldTransform().getOrigin() - origin_);
+  motion_.otherLinear = linearVelocity(other);
+  motion_.otherAngular = angularVelocity(other);
+  motion_.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
   const float disc = static_cast<float>(placement_.treeShape->getAngularMotionDisc());
   closingSpeed_ =
-      length(motion.treeLinear - motion.otherLinear) + length(motion.treeAngular - motion.otherAngular) * disc;
-  motion.timeStep = static_cast<float>(timeStep);
-  motion.smallerSize = smallerSize_;
+      length(motion_.treeLinear - motion_.otherLinear) + length(motion_.treeAngular - motion_.otherAngular) * disc;
+  motion_.timeStep = static_cast<float>(timeStep);
+  motion_.smallerSize = smallerSize_;
   placement_.travel = closingSpeed_ * static_cast<float>(timeStep);
 }
 
@@ -180,7 +179,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy, placement_.motion, placement_.reach, budget, scratch);
+  contacts_.finish(*counterpart_, policy, motion_, placement_.reach, budget, scratch);
   for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, scratch, report);
   if (mayBeInterrupted) contacts_.rememberDeepest(scratch);
   return report;

@@ -106,6 +106,7 @@ class TreePair {
   btVector3 origin_{0, 0, 0};
   bool treeIsBody0_ = true;
   PairPlacement placement_;
+  RelativeMotion motion_;
   float smallerSize_ = 0;
   float speculative_ = 0;
   float closingSpeed_ = 0;

@@ -20,6 +20,10 @@ btVector3 toBullet(const BasicVec3<T>& v) {
   return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
 }
 
+inline btVector3 toBtVector3(const Vec3& v) {
+  return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
+}
+
 inline Mat3d toMat3d(const btMatrix3x3& m) {
   return {{toVec3d(m[0]), toVec3d(m[1]), toVec3d(m[2])}};
 }

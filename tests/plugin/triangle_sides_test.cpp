@@ -3,12 +3,9 @@
 // the rest of it is.
 #include <gtest/gtest.h>
 
-#include <LinearMath/btTransformUtil.h>
-
 #include <random>
 
 #include "bullet_world.h"
-#include "contacts/relative_motion.h"
 #include "counterparts/touched_sides.h"
 #include "counterparts/triangle_sides.h"
 #include "shape/bullet_math.h"
@@ -17,7 +14,6 @@
 namespace cairn::test {
 namespace {
 
-using bullet::RelativeMotion;
 using bullet::TouchedSides;
 
 class Random {
@@ -173,101 +169,191 @@ TEST(OnAFineMesh, AHollowBodyStaysAboveAtSmallBudgets) {
     }
 }
 
-// The guard of a whole body, whose centre has gone through the ground since, still pushes up.
-TEST(TriangleSides, ABallIsWhereItWasSeen) {
-  const auto tree = plainTree(cuboid({1, 1, 1}, 1), 100);
-  const bullet::Triangle ground{{-5, -5, 0}, {5, -5, 0}, {0, 5, 0}};
-  bullet::TriangleSides sides;
-  const auto touchAt = [&](double height) {
-    const bullet::PlacedTree placed(*tree, {Mat3d(), {0, 0, height}, 1});
-    return std::pair(placed, bullet::touchOf(placed, ground, {kRootNode, 0}));
-  };
-  sides.beginTraversal();
-  const auto [below, fromBelow] = touchAt(-0.1);
-  EXPECT_EQ(sides.ofBall(below, fromBelow), 1) << "nothing is known";
-  const auto [above, fromAbove] = touchAt(0.1);
-  sides.noteBall(fromAbove, fromAbove.line);
-  EXPECT_EQ(sides.ofBall(above, fromAbove), 1);
-  EXPECT_EQ(sides.ofBall(below, fromBelow), -1);
-  sides.beginStep();
-  sides.beginTraversal();
-  EXPECT_EQ(sides.ofBall(below, fromBelow), -1);
-  sides.reset();
-  sides.beginTraversal();
-  EXPECT_EQ(sides.ofBall(below, fromBelow), 1) << "forgotten";
+// A cube of 1 m over or under a large triangle at height 0, met step by step.
+class TriangleSidesStep : public testing::Test {
+ protected:
+  void step(double height, double speed = 0) {
+    placement_.tree = bullet::PlacedTree(*tree_, {Mat3d(), {}, 1});
+    placement_.treeBody = btTransform::getIdentity();
+    placement_.other = btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(-height)));
+    placement_.travel = float(speed / 60);
+    const auto down = float(-height);
+    ground_ = {{-5, -5, down}, {5, -5, down}, {0, 5, down}};
+    sides_.beginStep(placement_);
+    sides_.beginTraversal();
+  }
+  int side() {
+    const std::vector touches{touchOf(placement_.tree, ground_, {kRootNode, 0})};
+    return sides_.settle(placement_.tree, std::span(&ground_, 1), touches, true)[0];
+  }
+  int ballSide() { return sides_.ofBall(placement_.tree, touchOf(placement_.tree, ground_, {kRootNode, 0})); }
+  void noteBall() {
+    const bullet::TriangleTouch touch = touchOf(placement_.tree, ground_, {kRootNode, 0});
+    sides_.noteBall(touch, touch.line);
+  }
+
+  bullet::TriangleSides sides_;
+
+ private:
+  std::shared_ptr<const SphereTree> tree_ = plainTree(cuboid({1, 1, 1}, 1), 100);
+  bullet::PairPlacement placement_;
+  bullet::Triangle ground_;
+};
+
+TEST_F(TriangleSidesStep, WhatWasSeenAboveHasSunk) {
+  step(0.1);
+  EXPECT_EQ(side(), 1);
+  step(-0.05);
+  EXPECT_EQ(side(), -1);
+  step(-0.1);
+  EXPECT_EQ(side(), -1);
+  step(0.1);
+  EXPECT_EQ(side(), 1);
 }
+
+TEST_F(TriangleSidesStep, WhatWentThroughSinceTheLastStepHasSunk) {
+  step(0.6);  // not near enough to be asked about
+  step(-0.1, 42);
+  EXPECT_EQ(side(), -1);
+}
+
+TEST_F(TriangleSidesStep, WhatWasSetDownElsewhereHasNoPast) {
+  step(0.5);
+  EXPECT_EQ(side(), 1);
+  step(-0.5);  // at rest, and twice half its radius farther
+  EXPECT_EQ(side(), 1);
+  // However fast it is said to move there: it has never been on the other side.
+  step(2);
+  step(0.1, 30);
+  EXPECT_EQ(side(), 1);
+}
+
+TEST_F(TriangleSidesStep, ABallIsWhereItWasSeen) {
+  step(-0.1);
+  EXPECT_EQ(ballSide(), 1) << "nothing is known";
+  step(0.1);
+  noteBall();
+  EXPECT_EQ(ballSide(), 1);
+  step(-0.1);
+  EXPECT_EQ(ballSide(), 1) << "the centre of mass has gone through with it";
+}
+
+// The guard of a whole cup turned over, whose ball's centre has gone through the ground, still pushes up.
+TEST(TriangleSides, ABallIsWhereItWasNotedWithTheCenterOfMass) {
+  const auto tree = plainTree(revolved({{0, -0.5}, {0.3, -0.5}, {0.3, 0}, {0.25, 0}, {0.25, -0.3}, {0, -0.3}}, 24));
+  const float toBall = tree->sphere(kRootNode).center.z;  // from the centre of mass, towards the rim
+  ASSERT_GT(toBall, 0.02F);
+  bullet::PairPlacement placement;
+  placement.treeBody = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_PI));
+  placement.travel = 0.1F;
+  bullet::TriangleSides sides;
+  const auto ballSide = [&](float height, bool isNoted) {
+    placement.tree = bullet::PlacedTree(*tree, {bullet::toMat3d(placement.treeBody.getBasis()), {}, 1});
+    const float ground = -toBall - height;  // the ball's centre is this high above it
+    placement.other = btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(ground)));
+    const bullet::Triangle triangle{{-5, -5, ground}, {5, -5, ground}, {0, 5, ground}};
+    sides.beginStep(placement);
+    sides.beginTraversal();
+    const bullet::TriangleTouch touch = touchOf(placement.tree, triangle, {kRootNode, 0});
+    if (isNoted) sides.noteBall(touch, touch.line);
+    return sides.ofBall(placement.tree, touch);
+  };
+  EXPECT_EQ(ballSide(-0.01F, false), 1) << "nothing is known";
+  EXPECT_EQ(ballSide(0.01F, true), 1);
+  EXPECT_EQ(ballSide(-0.01F, false), -1);
+  EXPECT_EQ(ballSide(-toBall - 0.01F, false), 1) << "the centre of mass has gone through as well";
+}
+
+constexpr Vec3 kUp{0, 0, 1};
+constexpr float kTolerance = 0.02F;
 
 TEST(TouchedSides, ASideHoldsForOneTraversalAndIsReplaced) {
   TouchedSides sides;
-  const Vec3 up{0, 0, 1}, at;
+  const auto sideOf = [&](NodeId node, const Vec3& normal) { return sides.ofNode(node, {{}, normal}, kTolerance); };
   sides.beginTraversal();
   EXPECT_TRUE(sides.isFirst());
-  sides.note(7, up, at);
-  EXPECT_EQ(sides.ofNode(7, up), 0) << "before endNotes";
+  sides.note(7, {{}, kUp});
+  EXPECT_EQ(sideOf(7, kUp), 0) << "before endNotes";
   sides.endNotes();
-  EXPECT_EQ(sides.ofNode(7, up), 1);
-  EXPECT_EQ(sides.ofNode(7, {0, 0.6F, -0.8F}), -1);
-  EXPECT_EQ(sides.ofNode(7, {1, 0, 0}), 0);
-  EXPECT_EQ(sides.ofNode(8, up), 0);
+  EXPECT_EQ(sideOf(7, kUp), 1);
+  EXPECT_EQ(sideOf(7, {0, 0.6F, -0.8F}), -1);
+  EXPECT_EQ(sideOf(7, {1, 0, 0}), 0);
+  EXPECT_EQ(sideOf(8, kUp), 0);
   sides.beginTraversal();
   EXPECT_FALSE(sides.isFirst());
-  EXPECT_EQ(sides.ofNode(7, up), 1);
-  sides.note(7, {0, 0.8F, 0.6F}, at);  // the same side, turned
+  EXPECT_EQ(sideOf(7, kUp), 1);
+  sides.note(7, {{}, {0, 0.8F, 0.6F}});  // the same side, turned
   sides.endNotes();
-  EXPECT_EQ(sides.ofNode(7, {0, 0.8F, -0.6F}), 0);
-  EXPECT_EQ(sides.ofNode(7, {0, 0.8F, 0.6F}), 1);
+  EXPECT_EQ(sideOf(7, {0, 0.8F, -0.6F}), 0);
+  EXPECT_EQ(sideOf(7, {0, 0.8F, 0.6F}), 1);
+  EXPECT_TRUE(sides.isBehind(7, {0, -0.1F, 0}));
+  EXPECT_FALSE(sides.isBehind(7, {0, 0.1F, 0}));
+  EXPECT_FALSE(sides.isBehind(8, {0, -0.1F, 0}));
   sides.beginTraversal();
   sides.beginTraversal();
-  EXPECT_EQ(sides.ofNode(7, {0, 0.8F, 0.6F}), 0) << "not seen for a traversal";
+  EXPECT_EQ(sideOf(7, {0, 0.8F, 0.6F}), 0) << "not seen for a traversal";
+}
+
+TEST(TouchedSides, AFloorBelowACeilingIsAnotherSurface) {
+  TouchedSides sides;
+  sides.beginTraversal();
+  sides.note(7, {{0, 0, 0.1F}, -kUp});
+  sides.endNotes();
+  EXPECT_EQ(sides.ofNode(7, {{0, 0, 0}, kUp}, kTolerance), 0);
+  EXPECT_EQ(sides.ofNode(7, {{0, 0, 0.09F}, kUp}, kTolerance), -1) << "the ceiling itself, from above";
+  EXPECT_EQ(sides.ofNode(7, {{0.3F, 0, 0.05F}, kUp}, kTolerance), -1) << "the ceiling itself, aside and bent";
+  EXPECT_EQ(sides.ofNode(7, {{0, 0, 0.3F}, kUp}, kTolerance), -1) << "the top of what the ceiling is the bottom of";
+}
+
+TEST(TouchedSides, SidesMoveWithTheSurface) {
+  TouchedSides sides;
+  sides.beginTraversal();
+  sides.note(7, {{0, 0, 0.1F}, -kUp});
+  sides.endNotes();
+  sides.beginStep([](bullet::SurfaceSide& s) {
+    s.point = {s.point.z, s.point.y, -s.point.x};  // a quarter turn about y
+    s.normal = {s.normal.z, s.normal.y, -s.normal.x};
+  });
+  EXPECT_EQ(sides.ofNode(7, {{0.1F, 0, 0}, {-1, 0, 0}}, kTolerance), 1);
+  EXPECT_EQ(sides.ofNode(7, {{0.1F, 0, 0}, kUp}, kTolerance), 0);
 }
 
 TEST(TouchedSides, WhatOneNodeSawHoldsForAllInThatPlane) {
   TouchedSides sides;
-  const Vec3 up{0, 0, 1};
+  const auto still = [](bullet::SurfaceSide&) {};
+  const auto sideOf = [&](const Vec3& normal, const Vec3& at) { return sides.ofTree({at, normal}, kTolerance); };
   sides.beginTraversal();
-  sides.note(7, up, {0, 0, 0});
+  sides.note(7, {{}, kUp});
   sides.endNotes();
-  EXPECT_EQ(sides.ofTree(up, {5, 3, 0.01F}, 0.02F), 1);
-  EXPECT_EQ(sides.ofTree(-up, {5, 3, 0.01F}, 0.02F), -1);
-  EXPECT_EQ(sides.ofTree(up, {5, 3, 0.1F}, 0.02F), 0) << "another plane: the far side of something thin";
-  EXPECT_EQ(sides.ofTree({0, 0.6F, 0.8F}, {0, 0, 0}, 0.02F), 0) << "37 degrees off";
-  sides.note(9, -up, {1, 0, 0});
+  EXPECT_EQ(sideOf(kUp, {5, 3, 0.01F}), 1);
+  EXPECT_EQ(sideOf(-kUp, {5, 3, 0.01F}), -1);
+  EXPECT_EQ(sideOf(kUp, {5, 3, 0.1F}), 0) << "another plane: the far side of something thin";
+  EXPECT_EQ(sideOf({0, 0.6F, 0.8F}, {}), 0) << "37 degrees off";
+  sides.note(9, {{1, 0, 0}, -kUp});
   sides.endNotes();
-  EXPECT_EQ(sides.ofTree(up, {5, 3, 0}, 0.02F), 0) << "seen on both sides";
-  sides.beginStep();
-  sides.note(9, -up, {1, 0, 0});
+  EXPECT_EQ(sideOf(kUp, {5, 3, 0}), 0) << "seen on both sides";
+  sides.beginStep(still);
+  EXPECT_EQ(sideOf(kUp, {5, 3, 0}), 0) << "nothing seen in this step";
+  sides.note(9, {{1, 0, 0}, -kUp});
   sides.endNotes();
-  EXPECT_EQ(sides.ofTree(up, {5, 3, 0}, 0.02F), -1);
+  EXPECT_EQ(sideOf(kUp, {5, 3, 0}), -1);
 }
 
-// Against Bullet's own integration of both bodies.
-TEST(RelativeMotion, GoesBackToWhereTheLastStepWas) {
-  const btScalar dt = btScalar(1) / 60;
-  for (unsigned seed = 1; seed <= 50; ++seed) {
-    Random random(seed);
-    btTransform before[2], now[2];
-    btVector3 linear[2], angular[2];
-    for (int i = 0; i < 2; ++i) {
-      before[i] = btTransform(random.turn(), random.vector(1));
-      linear[i] = random.vector(20);
-      angular[i] = random.vector(15);
-      btTransformUtil::integrateTransform(before[i], linear[i], angular[i], dt, now[i]);
-    }
-    const auto vec = [](const btVector3& v) { return bullet::toVec3(v); };
-    const RelativeMotion motion{vec(linear[0]),
-                                vec(angular[0]),
-                                vec(now[0].getOrigin()),
-                                vec(linear[1]),
-                                vec(angular[1]),
-                                vec(now[1].getOrigin()),
-                                float(dt),
-                                1};
-    const btVector3 inTree = random.vector(1);
-    // Seen from the other body, then back into where that is now.
-    const btVector3 expected = now[1] * (before[1].inverse() * (before[0] * inTree));
-    const Vec3 found = motion.backOneStep() * vec(now[0] * inTree);
-    EXPECT_LT(length(found - vec(expected)), 1e-5F) << "seed " << seed;  // single precision at lengths of a few metres
-  }
+TEST(TouchedSides, AThirdIsOutvoted) {
+  TouchedSides sides;
+  const auto still = [](bullet::SurfaceSide&) {};
+  sides.beginTraversal();
+  EXPECT_FALSE(sides.isOutvoted(kUp)) << "nothing was seen";
+  for (NodeId node = 0; node < 4; ++node) sides.note(node, {{}, node == 0 ? -kUp : kUp});
+  sides.endNotes();
+  EXPECT_FALSE(sides.isOutvoted(-kUp)) << "not in the step in which it is seen";
+  sides.beginStep(still);
+  EXPECT_TRUE(sides.isOutvoted(-kUp));
+  EXPECT_FALSE(sides.isOutvoted(kUp));
+  sides.note(1, {{}, -kUp});  // a node on both sides
+  sides.endNotes();
+  sides.beginStep(still);
+  EXPECT_FALSE(sides.isOutvoted(-kUp)) << "three against two";
 }
 
 }  // namespace
