@@ -8,8 +8,8 @@ namespace cairn::builder {
 
 namespace {
 
-/// Beyond some 30,000 spheres a level's matrices of costs need gigabytes.
-constexpr double kMostAdaptiveLeaves = 32768;
+/// A level of 4096 spheres takes a gigabyte: its matrices of costs, and eight times as many points between its own.
+constexpr double kMostAdaptiveLeaves = 4096;
 
 Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
   if (value >= least && value <= most) return {};

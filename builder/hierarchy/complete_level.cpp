@@ -22,7 +22,9 @@ CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, std::siz
   double settled = surface.negligible;  // what the first relief ended at: the next ones repair, they do not try again
   for (int round = 0; round < kRounds; ++round) {
     const Reach reach = reachThrough(surface.above, surface.points);
-    const LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};
+    LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};
+    problem.keepGoing = surface.keepGoing;
+    if (!problem.goesOn()) return level;
     level.balls = relieveLevel(problem, level.balls, attempts);
     level.limit = std::max(coverStandOff(problem, level.balls), surface.negligible);
     settled = std::max(settled, round == 0 ? level.limit : 0);

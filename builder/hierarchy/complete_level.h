@@ -15,7 +15,8 @@ struct LevelSurface {
   std::span<const CoverLevel> above;  ///< its ancestors, top level first
   const DepthField& field;            ///< the level's balls have their depths of
   std::size_t branching = 8;
-  double negligible = 0;  ///< stand-off not worth lowering, > 0
+  double negligible = 0;                 ///< stand-off not worth lowering, > 0
+  const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 
 /// Lowers the level's worst (`relieveLevel`), then what lies between its points: those of the dense points that cost

@@ -50,7 +50,7 @@ std::vector<ChildBall> fitFamilies(const Reach& owned, const PointSet& points, c
                                    const SplitSettings& settings) {
   std::vector<SphereSet> families(owned.size());
   tbb::parallel_for(std::size_t{0}, owned.size(), [&](std::size_t i) {
-    if (!owned[i].empty()) families[i] = fitFamily(owned[i], points, field, settings);
+    if (!owned[i].empty() && settings.keepGoing()) families[i] = fitFamily(owned[i], points, field, settings);
   });
   std::vector<ChildBall> level;
   for (std::uint32_t parent = 0; parent < families.size(); ++parent)
@@ -66,10 +66,12 @@ CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const 
   const Reach owned = ownedBy(levels.back(), points, reachThrough(levels.first(levels.size() - 1), points));
   const Reach reach = reachThrough(levels, points);
   CoverLevel level;
-  level.balls = optimiseLevel({points, field, reach, settings.branching, settings.negligible},
-                              fitFamilies(owned, points, field, settings));
-  return completeLevel({points, dense, levels, field, settings.branching, settings.negligible}, std::move(level),
-                       kReliefAttempts);
+  LevelProblem problem{points, field, reach, settings.branching, settings.negligible};
+  problem.keepGoing = &settings.keepGoing;
+  level.balls = optimiseLevel(problem, fitFamilies(owned, points, field, settings));
+  const LevelSurface surface{
+      points, dense, levels, field, settings.branching, settings.negligible, &settings.keepGoing};
+  return completeLevel(surface, std::move(level), kReliefAttempts);
 }
 
 /// All levels, fitted in the frame of `solid`. Empty when `progress` cancelled.
@@ -78,8 +80,10 @@ std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& sol
   const auto ballsOf = [&](std::uint32_t level) { return std::pow(static_cast<double>(settings.branching), level); };
   PointSet points = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U)));
   PointSet dense = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U) + 1));
-  const TwoLevelProblem upper{points, dense, solid, settings.branching, settings.seed, settings.negligible};
+  const TwoLevelProblem upper{
+      points, dense, solid, settings.branching, settings.seed, settings.negligible, &settings.keepGoing};
   std::vector<CoverLevel> levels = depth == 1 ? std::vector{coverOneLevel(upper)} : coverTwoLevels(upper);
+  if (!settings.keepGoing()) return {};
   while (levels.size() < depth) {
     const auto done = static_cast<std::uint32_t>(levels.size());
     if (!progress(done - 1, 1, 1)) return {};

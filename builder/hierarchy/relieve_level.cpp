@@ -74,7 +74,7 @@ class Relief {
 
   void run(std::size_t attempts) {
     attempts_ = attempts;
-    while (attempts_ > 0) {
+    while (attempts_ > 0 && problem_.goesOn()) {
       const std::vector<double> least = leastCosts({});
       const auto worst = std::max_element(least.begin(), least.end());
       if (*worst <= problem_.enough || !relieve(static_cast<std::uint32_t>(worst - least.begin()), *worst)) return;
@@ -165,7 +165,7 @@ class Relief {
     const Part part = partOf(parentsAround(point), goal);
     std::optional<std::vector<ChildBall>> found = better(part, part.balls, goal, worst);
     const std::vector<std::size_t> order = mostDispensableFirst(part);
-    for (std::size_t n = 0; n < std::min(kSwaps, order.size()) && !found && attempts_ > 0; ++n) {
+    for (std::size_t n = 0; n < std::min(kSwaps, order.size()) && !found && attempts_ > 0 && problem_.goesOn(); ++n) {
       std::vector<ChildBall> fewer = part.balls;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(order[n]));
       found = better(part, std::move(fewer), goal, worst);
@@ -181,7 +181,8 @@ class Relief {
   std::optional<std::vector<ChildBall>> better(const Part& part, std::vector<ChildBall> start, double goal,
                                                double worst) {
     --attempts_;
-    const LevelProblem local{part.points, problem_.solid, part.reach, problem_.branching, goal, problem_.worthARound};
+    const LevelProblem local{part.points, problem_.solid,       part.reach,        problem_.branching,
+                             goal,        problem_.worthARound, problem_.keepGoing};
     std::vector<ChildBall> trial = optimiseLevel(local, std::move(start));
     if (coverStandOff(local, trial) >= worst * (1 - kWorthAStep)) return std::nullopt;
     return trial;

@@ -62,7 +62,9 @@ class Search {
 
  private:
   LevelProblem level(const DepthField& field, const Reach& reach, std::size_t branching, double enough = 0) const {
-    return {points_, field, reach, branching, std::max(enough, problem_.negligible)};
+    LevelProblem level{points_, field, reach, branching, std::max(enough, problem_.negligible)};
+    level.keepGoing = problem_.keepGoing;
+    return level;
   }
   double standOffIn(const Reach& reach, std::span<const ChildBall> balls) const {
     return coverStandOff(level(plain_, reach, 1), balls);
@@ -144,8 +146,9 @@ class Search {
     levels.upper.limit = std::max(standOffOf(levels.upper, problem_.dense, dense), levels.upper.limit);
     const Reach reach = reachOf(levels.upper, problem_.dense, dense);
     for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points_.push(p);
-    const LevelSurface surface{points_,      problem_.dense,     std::span(&levels.upper, 1),
-                               *lowerField_, problem_.branching, problem_.negligible};
+    const LevelSurface surface{points_,           problem_.dense,     std::span(&levels.upper, 1),
+                               *lowerField_,      problem_.branching, problem_.negligible,
+                               problem_.keepGoing};
     levels.lower = completeLevel(surface, std::move(levels.lower), kReliefAttempts);
     return levels;
   }

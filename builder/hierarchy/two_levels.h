@@ -16,7 +16,8 @@ struct TwoLevelProblem {
   const SignedDistance& solid;
   std::size_t branching = 8;
   std::uint64_t seed = 1;
-  double negligible = 0;  ///< stand-off not worth lowering, > 0
+  double negligible = 0;                 ///< stand-off not worth lowering, > 0
+  const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 
 /// Covers the surface with at most `branching` balls, and those with at most `branching` each, giving up a little of

@@ -75,7 +75,8 @@ class UpperSearch {
     const Reach dense = reachOfAll(problem_.dense.size());
     for (int round = 0; round <= kSeamRounds; ++round) {
       const Reach all = reachOfAll(result_.points.size());
-      const LevelProblem level{result_.points, *result_.field, all, problem_.branching, problem_.negligible};
+      LevelProblem level{result_.points, *result_.field, all, problem_.branching, problem_.negligible};
+      level.keepGoing = problem_.keepGoing;
       cover.balls = optimiseLevel(level, std::move(cover.balls));
       cover.limit = coverStandOff(level, cover.balls);
       if (round == kSeamRounds) break;

@@ -60,7 +60,7 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
 }
 
 Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest) {
-  assert(start.depth == solid.depth(start.center));
+  assert(start.depth == solid.depth(start.center) && finest > 0);
   StandOff standOff(points, solid);
   StandOff::Value best = standOff.at(start.center, start.depth);
   Bundle bundle;
@@ -98,6 +98,7 @@ Ball fitBall(const Vec3d& center, const PointSet& points, const DepthField& soli
   const Ball smallest = ballAround(smallestEnclosingBall(list).center, points, solid);
   const Ball around = ballAround(center, points, solid);
   const Ball& start = smallest.standOff() < around.standOff() ? smallest : around;
+  if (start.radius == 0) return start;  // around a single point, which no step improves
   return descend(start, points, solid, 0.2 * start.radius, 1e-4 * start.radius);
 }
 

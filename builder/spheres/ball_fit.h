@@ -16,7 +16,7 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
 /// The function is not smooth (it has a kink wherever the farthest point or the nearest face changes), so each step
 /// goes along the shortest vector of the hull of the gradients seen near the current centre, which is a descent
 /// direction of all of them (bundle method; Lemarechal 1975). Typically 20 to 60 evaluations of one distance query and
-/// one pass over the points each.
+/// one pass over the points each. Preconditions: `start.depth` is that of its centre; 0 < `finest` <= `coarsest`.
 Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest);
 
 /// The tightest of the ball around `center` and the smallest enclosing ball (thesis 5.3.2), then `descend`.

@@ -130,12 +130,13 @@ class LevelOptimisation {
     double worst = worstCost();
     double request = kFirstRequest;
     for (int round = 0; round < kMaxRounds && request >= problem_.worthARound && worst > problem_.enough; ++round) {
+      if (!problem_.goesOn()) return;
       auto saved = balls_;
       auto savedCosts = costs_;
       auto savedHolders = holders_;
       const double goal = std::max(problem_.enough, worst * (1 - request));
       double reached = worst;
-      for (int s = 0; s < kSweepsPerRound && reached > goal; ++s) {
+      for (int s = 0; s < kSweepsPerRound && reached > goal && problem_.goesOn(); ++s) {
         if (!sweep(goal)) break;
         reached = worstCost();
       }

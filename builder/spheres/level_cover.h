@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/builder/progress.h"
 #include "spheres/sphere_set.h"
 
 namespace cairn::builder {
@@ -27,6 +28,10 @@ struct LevelProblem {
   std::size_t branching = 8;  ///< most children of a parent, at least 1
   double enough = 0;          ///< stand-off below which nothing is improved any further
   double worthARound = 0.01;  ///< rounds end when not even this part of the worst stand-off can be saved
+  /// Asked between sweeps, if there; once it says no, what is found is not to be used.
+  const KeepGoing* keepGoing = nullptr;
+
+  bool goesOn() const { return keepGoing == nullptr || (*keepGoing)(); }
 };
 
 /// Worst over the points of the least cost over the balls that may hold them.

@@ -62,7 +62,7 @@ PointSet::Farthest farthest(const double* x, const double* y, const double* z, s
     const auto at = hn::FindFirstTrue(d, hn::Eq(distanceSq(i), wanted));
     if (at >= 0) return {most, i + static_cast<std::size_t>(at)};
   }
-  while (distanceSq.one(i) != most) ++i;
+  while (i + 1 < size && distanceSq.one(i) != most) ++i;
   return {most, i};
 }
 

@@ -28,7 +28,7 @@ class StandOff {
 
   /// The value at `center`, of which it is known that it lies within `reach` of the centre of `around`, itself an
   /// earlier value. The first call for one `around` costs about what `at` does, the later ones next to nothing,
-  /// typically.
+  /// typically. Precondition: `reach` > 0.
   Value near(const Value& around, double reach, const Vec3d& center);
 
  private:

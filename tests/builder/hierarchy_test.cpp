@@ -256,6 +256,25 @@ TEST(Build, CancelledAtAnyReport_SaysSo) {
   }
 }
 
+// Levels of many spheres take minutes; they are to end soon when told to.
+TEST(Build, AdaptiveAsksWithinItsLevels) {
+  const TriangleMesh mesh = test::lumpyBall(1, 1);
+  BuildOptions options;
+  options.method = Method::adaptive;
+  options.depth = 2;
+  options.branching = 3;
+  int reports = 0;
+  ASSERT_TRUE(buildTree(mesh, options, [&](std::string_view, double) { return ++reports > 0; }));
+  EXPECT_GT(reports, 100) << "once a sweep, not once a level";
+  for (const int stop : {10, reports / 2}) {
+    int seen = 0;
+    const Result<SphereTree> tree = buildTree(mesh, options, [&](std::string_view, double) { return ++seen < stop; });
+    ASSERT_FALSE(tree) << "stopped at report " << stop;
+    EXPECT_EQ(tree.error().message, kCancelled);
+    EXPECT_EQ(seen, stop) << "not asked again";
+  }
+}
+
 TEST(Method, NamesRoundTrip) {
   for (const Method method : everyMethod()) {
     const Result<Method> parsed = parseMethod(methodName(method));

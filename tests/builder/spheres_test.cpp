@@ -99,6 +99,17 @@ TEST(PointSet, Farthest_MatchesExhaustiveSearch) {
   }
 }
 
+TEST(BallFit, APointAloneOrSeveralTimes_IsABallOfNoRadius) {
+  const Fixture f(test::lumpyBall(1, 4));
+  for (const int times : {1, 3}) {
+    PointSet points;
+    for (int i = 0; i < times; ++i) points.push(f.points[0]);
+    const Ball ball = fitBall(points[0], points, f.depth);
+    EXPECT_EQ(ball.radius, 0);
+    EXPECT_EQ(ball.center, points[0]);
+  }
+}
+
 TEST(BallFit, Descent_IsNeverWorseAndAsGoodAsAGridSearch) {
   const Fixture f(test::lumpyBall(2, 4));
   PointSet cap;
