@@ -112,19 +112,11 @@ HWY_INLINE void prepareLanes(const StaircaseBody& a, const StaircaseBody& b, con
   std::uint8_t intoABits[8] = {};
   hn::StoreMaskBits(ids, intoA, intoABits);
 
-  Columns sphere;
-  const std::uint32_t all = (1U << hn::Lanes(d)) - 1;
-  if (intoABits[0] == all) {
-    sphere = moved(a, loadColumns(nodeB, 0));
-  } else {
-    sphere = moved(b, loadColumns(nodeA, 0));
-    if (intoABits[0] != 0) {
-      const Columns inA = moved(a, loadColumns(nodeB, 0));
-      const auto choose = hn::RebindMask(d, intoA);
-      sphere = {hn::IfThenElse(choose, inA.x, sphere.x), hn::IfThenElse(choose, inA.y, sphere.y),
-                hn::IfThenElse(choose, inA.z, sphere.z), hn::IfThenElse(choose, inA.w, sphere.w)};
-    }
-  }
+  // Both ways, always: which one counts is as good as random, and a wrong guess would cost more.
+  const Columns inA = moved(a, loadColumns(nodeB, 0)), inB = moved(b, loadColumns(nodeA, 0));
+  const auto choose = hn::RebindMask(d, intoA);
+  const Columns sphere{hn::IfThenElse(choose, inA.x, inB.x), hn::IfThenElse(choose, inA.y, inB.y),
+                       hn::IfThenElse(choose, inA.z, inB.z), hn::IfThenElse(choose, inA.w, inB.w)};
   hn::Store(sphere.x, d, batch.x + first);
   hn::Store(sphere.y, d, batch.y + first);
   hn::Store(sphere.z, d, batch.z + first);
@@ -158,9 +150,8 @@ HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, bool intoA, st
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
   const auto base = hn::Set(d, std::bit_cast<std::uint64_t>(first));
   for (std::uint32_t i = 0; i < kFamilyWidth; i += hn::Lanes(d)) {
-    auto lanes = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, kHitLanes.lanes[hits] + i)));
-    if (!intoA) lanes = hn::ShiftLeft<32>(lanes);
-    hn::StoreU(hn::Add(base, lanes), d, reinterpret_cast<std::uint64_t*>(end + i));
+    const auto lanes = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, kHitLanes.lanes[hits] + i)));
+    hn::StoreU(hn::Add(base, hn::ShiftLeftSame(lanes, intoA ? 0 : 32)), d, reinterpret_cast<std::uint64_t*>(end + i));
   }
   return end + std::popcount(hits);
 }

@@ -35,6 +35,8 @@ HWY_INLINE std::uint32_t chargeSteps(const StaircaseBatch& batch, std::uint32_t 
   return charged;
 }
 
+/// Takes the first `count` steps and writes their hits down. Into which tree a step goes and whether it ends at leaves
+/// is as good as random, so neither is a branch; that a family holds both leaves and others is rare in most trees.
 HWY_INLINE void takeSteps(const StaircaseBody& a, const StaircaseBody& b, const StaircaseBatch& batch,
                           std::uint32_t count, PairList& queue, PairList& leafPairs) {
   constexpr std::size_t kMostHits = std::size_t{StaircaseBatch::kSize} * kFamilyWidth;
@@ -47,10 +49,14 @@ HWY_INLINE void takeSteps(const StaircaseBody& a, const StaircaseBody& b, const 
     const SphereLanes sphere{hn::Set(d, batch.x[i]), hn::Set(d, batch.y[i]), hn::Set(d, batch.z[i]),
                              hn::Set(d, batch.radius[i])};
     const std::uint32_t living = TraversalNode::living(batch.lanes[i]), leaves = TraversalNode::leaves(batch.lanes[i]);
-    const std::uint32_t hits = overlapLanes(families[intoA ? 1 : 0][batch.family[i]], sphere) & living;
-    // Neither branch depends on what is hit: breadth-first, whole generations take the same way.
-    if (leaves != living) found = append(found, batch.firstChild[i], intoA, hits & ~leaves);
-    if (leaves != 0) resolved = append(resolved, batch.firstChild[i], intoA, hits & leaves);
+    std::uint32_t hits = overlapLanes(families[intoA ? 1 : 0][batch.family[i]], sphere) & living;
+    if (leaves != 0 && leaves != living) {
+      found = append(found, batch.firstChild[i], intoA, hits & ~leaves);
+      hits &= leaves;
+    }
+    NodePair* const end = append(leaves != 0 ? resolved : found, batch.firstChild[i], intoA, hits);
+    found = leaves != 0 ? found : end;
+    resolved = leaves != 0 ? end : resolved;
   }
   queue.extendTo(found);
   leafPairs.extendTo(resolved);
