@@ -14,6 +14,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
   ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
+  ./cairn.sh bench traversal [TREE] [OPTIONS] sphere tests per second of whole traversals (default of generated trees),
+                             beside the same blocks merely streamed, on every instruction set
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
                              (tests/bench/builder.sh --help lists the options)
@@ -159,11 +161,17 @@ bench_builder() {
   tests/bench/builder.sh "$@"
 }
 
+bench_traversal() {
+  need "${everything[@]}" tests
+  configure_and_build release --target traversal_bench
+  build/release/bin/traversal_bench "$@"
+}
+
 bench() {
-  if [[ ${1:-} == builder ]]; then
-    bench_builder "${@:2}"
-    return
-  fi
+  case ${1:-} in
+    builder) bench_builder "${@:2}"; return ;;
+    traversal) bench_traversal "${@:2}"; return ;;
+  esac
   build release
   local mesh
   mkdir -p out/bench

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Zlib
 //
-// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. Products
-// and sums stay separate (no fused multiply-add) and in one order, so that every target and the scalar twin give the
-// same bits.
+// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs.
 #include "cairn/core/family.h"
+
+// Vectors are kept in structures here, which those of scalable length cannot be.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "family.cpp"
@@ -11,30 +12,13 @@
 
 #include <hwy/highway.h>
 
+#include "family-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace cairn::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-std::uint32_t overlapLanes(const Family& family, const Sphere& s) {
-  const hn::CappedTag<float, kFamilyWidth> d;
-  const auto x = hn::Set(d, s.center.x);
-  const auto y = hn::Set(d, s.center.y);
-  const auto z = hn::Set(d, s.center.z);
-  const auto radius = hn::Set(d, s.radius);
-
-  std::uint32_t bits = 0;
-  for (std::uint32_t lane = 0; lane < kFamilyWidth; lane += hn::Lanes(d)) {
-    const auto dx = hn::Sub(hn::Load(d, family.x + lane), x);
-    const auto dy = hn::Sub(hn::Load(d, family.y + lane), y);
-    const auto dz = hn::Sub(hn::Load(d, family.z + lane), z);
-    const auto reach = hn::Add(hn::Load(d, family.radius + lane), radius);
-    const auto distanceSq = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    std::uint8_t mask[8] = {};
-    hn::StoreMaskBits(d, hn::Le(distanceSq, hn::Mul(reach, reach)), mask);
-    bits |= static_cast<std::uint32_t>(mask[0]) << lane;
-  }
-  return bits;
+std::uint32_t overlapOnce(const Family& family, const Sphere& s) {
+  return overlapLanes(family, inAllLanes(s));
 }
 
 std::uint32_t supportLanes(const SupportBlock& block, const Vec3& direction) {
@@ -68,12 +52,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace cairn {
 
-HWY_EXPORT(overlapLanes);
+HWY_EXPORT(overlapOnce);
 HWY_EXPORT(supportLanes);
 HWY_EXPORT(targetName);
 
 std::uint32_t overlap(const Family& family, const Sphere& s) {
-  return HWY_DYNAMIC_DISPATCH(overlapLanes)(family, s);
+  return HWY_DYNAMIC_DISPATCH(overlapOnce)(family, s);
 }
 
 std::uint32_t supportLane(const SupportBlock& block, const Vec3& direction) {

@@ -10,14 +10,14 @@ void ObstacleTraversal::start(const SphereTree& tree, float scale, const Obstacl
   tree_ = &tree;
   obstacle_ = &obstacle;
   scale_ = scale;
-  std::vector<NodePair>& list = tree.isLeaf(kRootNode) ? leafPairs_ : queue_;
+  PairList& list = tree.isLeaf(kRootNode) ? leafPairs_ : queue_;
   for (std::uint32_t element = 0; element < obstacle.elementCount(); ++element)
     if ((obstacle.touches(tree.family(0), 1, element) & 1U) != 0) list.push_back({kRootNode, element});
 }
 
 Progress ObstacleTraversal::refine(Budget& budget) {
   while (head_ < queue_.size()) {
-    const NodePair pair = queue_[head_];
+    const NodePair pair = queue_.data()[head_];
     const std::uint32_t family = tree_->childFamily(pair.a);
     const std::uint32_t size = tree_->familySize(family);
     if (!budget.charge(kSphereUpdateCost + size * kOverlapTestCost)) return Progress::budgetSpent;

@@ -38,13 +38,12 @@ Result<SphereTree> SphereTree::create(SphereTreeData data) {
 SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   linkFamilies();
   const std::size_t slots = families_.size() * kFamilyWidth;
-  childFamily_.resize(slots, 0);
-  error_.resize(slots, 0);
-  innerRadius_.resize(slots, 0);
+  traversalNodes_.resize(slots);
   support_.resize(slots);
   recordIndex_.resize(slots, kNoRecord);
   level_.resize(slots, 0);
   for (std::uint32_t record = 0; record < nodeCount(); ++record) packNode(record);
+  for (const NodeId id : nodeAt_) packChildLanes(id);
 }
 
 // Names every node: the children of the k-th inner node, breadth-first, are family k + 1.
@@ -66,18 +65,26 @@ void SphereTree::packNode(std::uint32_t record) {
   const NodeData& n = data_.nodes[record];
   const NodeId id = nodeAt_[record];
   families_[id / kFamilyWidth].set(id % kFamilyWidth, {n.center, n.radius});
-  error_[id] = n.error;
-  innerRadius_[id] = n.innerRadius;
+  traversalNodes_[id] = {n.center, n.radius, 0, n.error, 0, n.innerRadius};
   recordIndex_[id] = record;
   support_[id] = packSupport(supportPoints(id));
   reach_ = std::max(reach_, length(n.center));
   ++leafCount_;
   if (record == 0) return;
   const NodeId parent = nodeAt_[n.parent];
-  leafCount_ -= childFamily_[parent] == 0;  // counted as a leaf until its first child came
-  childFamily_[parent] = id / kFamilyWidth;
+  leafCount_ -= isLeaf(parent);  // counted as a leaf until its first child came
+  traversalNodes_[parent].childFamily = id / kFamilyWidth;
   level_[id] = static_cast<std::uint8_t>(level_[parent] + 1);
   depth_ = std::max<std::uint32_t>(depth_, level_[id]);
+}
+
+void SphereTree::packChildLanes(NodeId id) {
+  if (isLeaf(id)) return;
+  TraversalNode& node = traversalNodes_[id];
+  const std::uint32_t size = familySize(node.childFamily);
+  node.childLanes = livingLanes(node.childFamily) | size << TraversalNode::kCountShift;
+  for (std::uint32_t lane = 0; lane < size; ++lane)
+    if (isLeaf(node.childFamily * kFamilyWidth + lane)) node.childLanes |= 1U << (TraversalNode::kLeafShift + lane);
 }
 
 std::span<const Vec3> SphereTree::supportPoints(NodeId id) const {
@@ -104,15 +111,15 @@ std::vector<NodeId> SphereTree::levelCut(std::uint32_t level) const {
 
 float SphereTree::levelError(std::uint32_t level) const {
   float worst = 0;
-  for (const NodeId id : levelCut(level)) worst = std::max(worst, error_[id]);
+  for (const NodeId id : levelCut(level)) worst = std::max(worst, error(id));
   return worst;
 }
 
 std::size_t SphereTree::memoryBytes() const {
   return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
-         bytesOf(childFamily_) + bytesOf(error_) + bytesOf(innerRadius_) + bytesOf(support_) + bytesOf(recordIndex_) +
-         bytesOf(level_) + bytesOf(familySize_) + bytesOf(nodeAt_);
+         bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) + bytesOf(familySize_) +
+         bytesOf(nodeAt_);
 }
 
 }  // namespace cairn

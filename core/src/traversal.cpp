@@ -14,7 +14,7 @@ float worstOf(std::span<const NodePair> pairs, const Traversal& traversal) {
 }  // namespace
 
 float Traversal::worstError() const {
-  return std::max(worstOf(front(), *this), worstOf(leafPairs_, *this));
+  return std::max(worstOf(front(), *this), worstOf(leafPairs(), *this));
 }
 
 float Traversal::worstFrontError() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "cairn/core/family.h"
@@ -48,6 +49,23 @@ struct NodeData {
   friend bool operator==(const NodeData&, const NodeData&) = default;
 };
 
+/// What a traversal reads of a node it may split or move: half a cache line.
+struct alignas(32) TraversalNode {
+  Vec3 center;
+  float radius = 0;
+  std::uint32_t childFamily = 0;  ///< 0 for a leaf (family 0 is the root's own)
+  float error = 0;
+  std::uint32_t childLanes = 0;  ///< of the child family, packed: see the functions below
+  float innerRadius = 0;
+
+  static constexpr std::uint32_t kLaneMask = 0xFF, kLeafShift = 8, kCountShift = 16;
+  /// One bit per child, and per child that is a leaf.
+  static constexpr std::uint32_t living(std::uint32_t childLanes) { return childLanes & kLaneMask; }
+  static constexpr std::uint32_t leaves(std::uint32_t childLanes) { return childLanes >> kLeafShift & kLaneMask; }
+  static constexpr std::uint32_t count(std::uint32_t childLanes) { return childLanes >> kCountShift; }
+};
+static_assert(sizeof(TraversalNode) == 32 && std::is_trivially_copyable_v<TraversalNode>);
+
 /// How a tree came to be, for reports; nothing at run time depends on it.
 struct BuildInfo {
   std::string meshName;    ///< file name without folder
@@ -76,9 +94,9 @@ struct SphereTreeData {
 
 /// The certified sphere-tree: immutable, shared by all bodies of one shape, safe to read from any thread.
 ///
-/// Hot data (centres, radii, child links) is one cache-aligned block per family of up to eight siblings; what only
-/// contacts or reports need is kept apart. Invariant, proved by the builder: every point of every source triangle lies
-/// in a leaf all of whose ancestors contain it too; that is what makes pruning at a parent safe.
+/// Hot data is one cache-aligned block of centres and radii per family of up to eight siblings, and half a cache line
+/// per node; what only contacts or reports need is kept apart. Invariant, proved by the builder: every point of every
+/// source triangle lies in a leaf all of whose ancestors contain it too; that is what makes pruning at a parent safe.
 class SphereTree {
  public:
   /// Checks everything a traversal relies on (order, links, finiteness, ranges) but not the cover, which needs the
@@ -93,17 +111,19 @@ class SphereTree {
   std::span<const Family> families() const { return families_; }
   const Family& family(std::uint32_t index) const { return families_[index]; }
   /// The family of the node's children, 0 for a leaf (family 0 is the root's own).
-  std::uint32_t childFamily(NodeId node) const { return childFamily_[node]; }
-  std::uint32_t childCount(NodeId node) const { return familySize_[childFamily_[node]] * (childFamily_[node] != 0); }
+  std::uint32_t childFamily(NodeId node) const { return traversalNodes_[node].childFamily; }
+  std::uint32_t childCount(NodeId node) const { return TraversalNode::count(traversalNodes_[node].childLanes); }
   std::uint32_t familySize(std::uint32_t family) const { return familySize_[family]; }
   /// One bit per living lane of a family: what overlap bits are masked with, because between bodies at absurd distances
   /// even the lanes at infinity overlap.
   std::uint32_t livingLanes(std::uint32_t family) const { return (1U << familySize_[family]) - 1; }
-  bool isLeaf(NodeId node) const { return childFamily_[node] == 0; }
+  bool isLeaf(NodeId node) const { return childFamily(node) == 0; }
 
-  Sphere sphere(NodeId node) const { return families_[node / kFamilyWidth].sphere(node % kFamilyWidth); }
-  float error(NodeId node) const { return error_[node]; }
-  float innerRadius(NodeId node) const { return innerRadius_[node]; }
+  /// By NodeId; those of dead lanes are never to be read.
+  std::span<const TraversalNode> traversalNodes() const { return traversalNodes_; }
+  Sphere sphere(NodeId node) const { return {traversalNodes_[node].center, traversalNodes_[node].radius}; }
+  float error(NodeId node) const { return traversalNodes_[node].error; }
+  float innerRadius(NodeId node) const { return traversalNodes_[node].innerRadius; }
   /// The node's extreme points in structure-of-arrays form, repeated to fill all lanes.
   const SupportBlock& support(NodeId node) const { return support_[node]; }
 
@@ -137,12 +157,11 @@ class SphereTree {
   explicit SphereTree(SphereTreeData data);
   void linkFamilies();
   void packNode(std::uint32_t record);
+  void packChildLanes(NodeId node);
 
   SphereTreeData data_;
   std::vector<Family> families_;
-  std::vector<std::uint32_t> childFamily_;  // by NodeId, as are the arrays below it
-  std::vector<float> error_;
-  std::vector<float> innerRadius_;
+  std::vector<TraversalNode> traversalNodes_;  // by NodeId, as are the arrays below it
   std::vector<SupportBlock> support_;
   std::vector<std::uint32_t> recordIndex_;
   std::vector<std::uint8_t> level_;

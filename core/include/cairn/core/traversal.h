@@ -3,20 +3,12 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cairn/core/budget.h"
+#include "cairn/core/pair_list.h"
 #include "cairn/core/sphere_tree.h"
 
 namespace cairn {
-
-/// Two things a traversal found overlapping: a node of tree A, and a node of tree B or an element of an obstacle.
-struct NodePair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-
-  friend constexpr bool operator==(const NodePair&, const NodePair&) = default;
-};
 
 enum class Progress : std::uint8_t { done, budgetSpent };
 
@@ -33,9 +25,9 @@ class Traversal {
 
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
-  std::span<const NodePair> front() const { return std::span(queue_).subspan(head_); }
+  std::span<const NodePair> front() const { return queue_.pairs().subspan(head_); }
   /// Fully resolved pairs, in the order they were found.
-  std::span<const NodePair> leafPairs() const { return leafPairs_; }
+  std::span<const NodePair> leafPairs() const { return leafPairs_.pairs(); }
 
   /// Certified bound, in world length, on how far apart the two surfaces of a pair can be although the pair is
   /// reported.
@@ -54,9 +46,9 @@ class Traversal {
 
   void clear();
 
-  std::vector<NodePair> queue_;  // [0, head_) has been refined
+  PairList queue_;  // [0, head_) has been refined
   std::size_t head_ = 0;
-  std::vector<NodePair> leafPairs_;
+  PairList leafPairs_;
 };
 
 }  // namespace cairn

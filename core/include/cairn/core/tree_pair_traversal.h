@@ -22,15 +22,16 @@ class TreePairTraversal final : public Traversal {
   float pairError(const NodePair& pair) const override;
 
  private:
-  bool splitsA(const NodePair& pair) const;
-  void splitA(const NodePair& pair);
-  void splitB(const NodePair& pair);
+  /// A tree and where it stands relative to the other.
+  struct Side {
+    const SphereTree* tree = nullptr;
+    Similarity fromOther;
+    float scale = 1;   // world length per tree unit
+    float margin = 0;  // in tree units, with the rounding slack
+  };
+  void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) const;
 
-  const SphereTree* a_ = nullptr;
-  const SphereTree* b_ = nullptr;
-  Similarity aFromB_, bFromA_;
-  float scaleA_ = 1, scaleB_ = 1;
-  float marginInA_ = 0, marginInB_ = 0;  // in tree units, with the rounding slack
+  Side a_, b_;
   float margin_ = 0;
 };
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Zlib
+//
+// How eight steps of a staircase traversal are prepared and how their hits are written down, once per instruction set.
+// Without vectors (Highway's scalar target) both are said one step and one lane after the other.
+#if defined(CAIRN_STAIRCASE_INL_H) == defined(HWY_TARGET_TOGGLE)  // Highway's include guard, once per target
+#ifdef CAIRN_STAIRCASE_INL_H
+#undef CAIRN_STAIRCASE_INL_H
+#else
+#define CAIRN_STAIRCASE_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "family-inl.h"
+#include "staircase_batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const NodePair* pairs, StaircaseBatch& batch) {
+  batch.splitsA = 0;
+  for (std::uint32_t i = 0; i < StaircaseBatch::kSize; ++i) {
+    const TraversalNode &nodeA = a.nodes[pairs[i].a], &nodeB = b.nodes[pairs[i].b];
+    const bool isLeafA = nodeA.childFamily == 0, isLeafB = nodeB.childFamily == 0;
+    const bool intoA = !isLeafA && (isLeafB || nodeA.error * a.scale >= nodeB.error * b.scale);
+    const StaircaseBody& body = intoA ? a : b;
+    const TraversalNode &split = intoA ? nodeA : nodeB, &other = intoA ? nodeB : nodeA;
+    const Vec3 center = body.fromOther * other.center;
+    batch.x[i] = center.x;
+    batch.y[i] = center.y;
+    batch.z[i] = center.z;
+    batch.radius[i] = other.radius * body.fromOther.scale + body.margin;
+    batch.family[i] = split.childFamily;
+    const std::uint32_t leaves = TraversalNode::kLaneMask << TraversalNode::kLeafShift;
+    batch.lanes[i] = (intoA ? isLeafB : isLeafA) ? split.childLanes : split.childLanes & ~leaves;
+    const std::uint32_t child = split.childFamily * kFamilyWidth;
+    batch.firstChild[i] = intoA ? NodePair{child, pairs[i].b} : NodePair{pairs[i].a, child};
+    batch.splitsA |= static_cast<std::uint32_t>(intoA) << i;
+  }
+}
+
+HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, bool intoA, std::uint32_t hits) {
+  for (; hits != 0; hits &= hits - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
+    *end++ = intoA ? NodePair{first.a + lane, first.b} : NodePair{first.a, first.b + lane};
+  }
+  return end;
+}
+
+#else
+
+using StepTag = FamilyTag;  // a step per lane
+using StepIds = hn::RebindToUnsigned<StepTag>;
+
+struct Columns {
+  FamilyVec x, y, z, w;
+};
+
+/// Four numbers of each of as many nodes as there are lanes, in columns. `offset` is 0 for the sphere, 4 for the rest.
+template <class NodeOfStep>
+HWY_INLINE Columns loadColumns(NodeOfStep nodeOfStep, std::size_t offset) {
+  const StepTag d;
+  const auto row = [&](std::uint32_t i) HWY_ATTR {
+    const auto numbers = [&](std::uint32_t step)
+                             HWY_ATTR { return reinterpret_cast<const float*>(nodeOfStep(step)) + offset; };
+#if HWY_TARGET <= HWY_AVX2
+    const hn::Half<StepTag> half;
+    return hn::Combine(d, hn::Load(half, numbers(i + 4)), hn::Load(half, numbers(i)));
+#else
+    return hn::Load(d, numbers(i));
+#endif
+  };
+  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+  const auto lower02 = hn::InterleaveLower(d, row0, row2), lower13 = hn::InterleaveLower(d, row1, row3);
+  const auto upper02 = hn::InterleaveUpper(d, row0, row2), upper13 = hn::InterleaveUpper(d, row1, row3);
+  return {hn::InterleaveLower(d, lower02, lower13), hn::InterleaveUpper(d, lower02, lower13),
+          hn::InterleaveLower(d, upper02, upper13), hn::InterleaveUpper(d, upper02, upper13)};
+}
+
+/// The same products and sums in the same order as `Similarity`'s.
+HWY_INLINE Columns moved(const StaircaseBody& to, const Columns& s) {
+  const StepTag d;
+  const auto coordinate = [&](int row, float translation) HWY_ATTR {
+    const Vec3& m = to.fromOther.linear.rows[static_cast<std::size_t>(row)];
+    const auto linear =
+        hn::Add(hn::Add(hn::Mul(hn::Set(d, m.x), s.x), hn::Mul(hn::Set(d, m.y), s.y)), hn::Mul(hn::Set(d, m.z), s.z));
+    return hn::Add(linear, hn::Set(d, translation));
+  };
+  const Vec3& t = to.fromOther.translation;
+  return {coordinate(0, t.x), coordinate(1, t.y), coordinate(2, t.z),
+          hn::Add(hn::Mul(s.w, hn::Set(d, to.fromOther.scale)), hn::Set(d, to.margin))};
+}
+
+/// As many steps as there are lanes, from `first` on.
+HWY_INLINE void prepareLanes(const StaircaseBody& a, const StaircaseBody& b, const NodePair* pairs,
+                             StaircaseBatch& batch, std::uint32_t first) {
+  const StepTag d;
+  const StepIds ids;
+  const auto nodeA = [&](std::uint32_t i) HWY_ATTR { return a.nodes + pairs[first + i].a; };
+  const auto nodeB = [&](std::uint32_t i) HWY_ATTR { return b.nodes + pairs[first + i].b; };
+
+  const Columns linkA = loadColumns(nodeA, 4), linkB = loadColumns(nodeB, 4);
+  const auto familyA = hn::BitCast(ids, linkA.x), familyB = hn::BitCast(ids, linkB.x);
+  const auto isLeafA = hn::Eq(familyA, hn::Zero(ids)), isLeafB = hn::Eq(familyB, hn::Zero(ids));
+  const auto isWorseA =
+      hn::RebindMask(ids, hn::Ge(hn::Mul(linkA.y, hn::Set(d, a.scale)), hn::Mul(linkB.y, hn::Set(d, b.scale))));
+  const auto intoA = hn::AndNot(isLeafA, hn::Or(isLeafB, isWorseA));
+  std::uint8_t intoABits[8] = {};
+  hn::StoreMaskBits(ids, intoA, intoABits);
+
+  // Both ways, always: which one counts is as good as random, and a wrong guess would cost more.
+  const Columns inA = moved(a, loadColumns(nodeB, 0)), inB = moved(b, loadColumns(nodeA, 0));
+  const auto choose = hn::RebindMask(d, intoA);
+  const Columns sphere{hn::IfThenElse(choose, inA.x, inB.x), hn::IfThenElse(choose, inA.y, inB.y),
+                       hn::IfThenElse(choose, inA.z, inB.z), hn::IfThenElse(choose, inA.w, inB.w)};
+  hn::Store(sphere.x, d, batch.x + first);
+  hn::Store(sphere.y, d, batch.y + first);
+  hn::Store(sphere.z, d, batch.z + first);
+  hn::Store(sphere.w, d, batch.radius + first);
+
+  const auto family = hn::IfThenElse(intoA, familyA, familyB);
+  const auto lanes = hn::IfThenElse(intoA, hn::BitCast(ids, linkA.z), hn::BitCast(ids, linkB.z));
+  const auto isOtherLeaf = hn::Or(hn::And(intoA, isLeafB), hn::AndNot(intoA, isLeafA));
+  const auto noLeaves = hn::Set(ids, ~(TraversalNode::kLaneMask << TraversalNode::kLeafShift));
+  hn::Store(family, ids, batch.family + first);
+  hn::Store(hn::IfThenElse(isOtherLeaf, lanes, hn::And(lanes, noLeaves)), ids, batch.lanes + first);
+
+  hn::Vec<StepIds> namesA, namesB;
+  hn::LoadInterleaved2(ids, &pairs[first].a, namesA, namesB);
+  const auto child = hn::ShiftLeft<3>(family);
+  hn::StoreInterleaved2(hn::IfThenElse(intoA, child, namesA), hn::IfThenElse(intoA, namesB, child), ids,
+                        &batch.firstChild[first].a);
+  batch.splitsA |= static_cast<std::uint32_t>(intoABits[0]) << first;
+}
+
+HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const NodePair* pairs, StaircaseBatch& batch) {
+  batch.splitsA = 0;
+  for (std::uint32_t first = 0; first < StaircaseBatch::kSize; first += hn::Lanes(StepTag()))
+    prepareLanes(a, b, pairs, batch, first);
+}
+
+/// Writes eight pairs behind `end`, those hit first, and returns the end of these.
+HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, bool intoA, std::uint32_t hits) {
+  const hn::CappedTag<std::uint64_t, kFamilyWidth> d;  // a pair per lane; nothing carries from one half into the other
+  const hn::Rebind<std::uint32_t, decltype(d)> d32;
+  const hn::Rebind<std::uint8_t, decltype(d)> d8;
+  const auto base = hn::Set(d, std::bit_cast<std::uint64_t>(first));
+  for (std::uint32_t i = 0; i < kFamilyWidth; i += hn::Lanes(d)) {
+    const auto lanes = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, kHitLanes.lanes[hits] + i)));
+    hn::StoreU(hn::Add(base, hn::ShiftLeftSame(lanes, intoA ? 0 : 32)), d, reinterpret_cast<std::uint64_t*>(end + i));
+  }
+  return end + std::popcount(hits);
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+}  // namespace cairn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
