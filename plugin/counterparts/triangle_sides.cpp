@@ -28,14 +28,16 @@ void TriangleSides::reset() {
 
 void TriangleSides::beginStep(const PairPlacement& placement) {
   const PlacedTree& tree = placement.tree;
-  const btTransform carry = placement.other * other_.inverse();
-  back_ = carry * treeBody_ * placement.treeBody.inverse();
+  const btTransform carry = hasPast_ ? placement.other * other_.inverse() : btTransform::getIdentity();
+  back_ = hasPast_ ? carry * treeBody_ * placement.treeBody.inverse() : btTransform::getIdentity();
   treeBody_ = placement.treeBody;
   other_ = placement.other;
   const btScalar moved = back_.getOrigin().length();  // of the tree's body, which is at the pair frame's origin
   const btScalar own = btScalar(placement.travel) + kOwnMotionFraction * btScalar(tree.sphere(kRootNode).radius);
-  if (hasPast_ && moved > own) reset();
-  if (!hasPast_) back_.setIdentity();
+  if (moved > own) {
+    reset();
+    back_.setIdentity();
+  }
   hasPast_ = true;
   seen_.beginStep([&](SurfaceSide& side) {
     side.point = toVec3(carry * toBtVector3(side.point));

@@ -18,8 +18,7 @@ namespace cairn::bullet {
 /// 1. where the same node was seen before (`TouchedSides`),
 /// 2. whether its centre went through the triangle since the last step: `byPath`,
 /// 3. where the rest of the body is seen, if the centre went through the triangle's plane or the centre of mass is
-/// there
-///    too; else which way the region faces, as it touches what it faces: `byFacing`,
+///    there too; else which way the region faces, as it touches what it faces: `byFacing`,
 /// 4. where the rest of the body is seen; else where the centre of mass is, if the region reaches through the triangle
 ///    or the bodies were never apart: `byBody`.
 /// What a body hangs by has its centre of mass on the wrong side, what has sunk deep faces the wrong way, and what is
@@ -29,13 +28,14 @@ namespace cairn::bullet {
 class TriangleSides {
  public:
   void reset();
-  /// Takes the poses of this step. A body that has not moved by itself (farther than its speed explains) has no past.
+  /// Takes the poses of this step, before all else in it. A body that moved farther than its speed explains was set
+  /// down: it has no past.
   void beginStep(const PairPlacement& placement);
   void beginTraversal() { seen_.beginTraversal(); }
 
   /// The sides of `touches`, which are ordered by node and nearest first; valid until the next call. `triangles` are
   /// those of the pair's obstacle. Unless `isComplete`, what a node touches may be missing: then 0 is the side of what
-  /// stands beside a triangle and may have sunk through a neighbour of it.
+  /// is off a triangle's face and may have sunk, through it or a neighbour: only the nearest triangle could tell.
   std::span<const int> settle(const PlacedTree& tree, std::span<const Triangle> triangles,
                               std::span<const TriangleTouch> touches, bool isComplete);
 
