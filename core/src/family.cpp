@@ -3,8 +3,7 @@
 // Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs.
 #include "cairn/core/family.h"
 
-// Vectors are kept in structures here, which those of scalable length cannot be.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "vector_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "family.cpp"

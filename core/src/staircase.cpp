@@ -6,9 +6,7 @@
 #include <algorithm>
 
 #include "staircase_batch.h"
-
-// Vectors are kept in structures here, which those of scalable length cannot be.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "vector_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "staircase.cpp"

@@ -6,11 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <vector>
 
 #include "cairn/builder/import.h"
+#include "cpu_seconds.h"
 #include "surface/icosphere.h"
 #include "surface/inside_by_closest_point.h"
 #include "surface/inside_by_crossings.h"
@@ -21,11 +21,7 @@
 namespace cairn::builder {
 namespace {
 
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+using bench::cpuSeconds;
 
 struct Queries {
   std::vector<Vec3d> inBox, nearSurface;  // within 2 % of the diagonal of the surface

@@ -10,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -18,6 +17,7 @@
 #include "cairn/core/state_hash.h"
 #include "cairn/core/tree_file.h"
 #include "cairn/core/tree_pair_traversal.h"
+#include "cpu_seconds.h"
 #include "traversal/cases.h"
 #include "traversal/streams.h"
 
@@ -41,17 +41,11 @@ struct Rates {
   double ofMoved() const { return traversal / moved; }
 };
 
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// Something that makes all tests of a case once, as often as needed for a run of the wished length.
 template <class Work>
-class Stopwatch {
+class RepeatedWork {
  public:
-  Stopwatch(Work work, double seconds) : work_(std::move(work)) {
+  RepeatedWork(Work work, double seconds) : work_(std::move(work)) {
     const double once = std::max(timed(1), 1e-9);
     repeats_ = static_cast<std::size_t>(seconds / once) + 1;
   }
@@ -82,9 +76,9 @@ class CaseBench {
 
   Rates measure(const Options& options) {
     const double seconds = 1e-3 * options.runMs;
-    Stopwatch stream([&] { return streamFamilies(case_, case_.tree->sphere(kRootNode)); }, seconds);
-    Stopwatch moved([&] { return streamSteps(case_); }, seconds);
-    Stopwatch traversal([&] { return traverseAll(nullptr); }, seconds);
+    RepeatedWork stream([&] { return streamFamilies(case_, case_.tree->sphere(kRootNode)); }, seconds);
+    RepeatedWork moved([&] { return streamSteps(case_); }, seconds);
+    RepeatedWork traversal([&] { return traverseAll(nullptr); }, seconds);
     for (std::size_t run = 0; run < options.runs; ++run) {
       stream.run();
       moved.run();

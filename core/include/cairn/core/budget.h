@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kOverlapTestCost = 1;
 /// How much work may still be done: operations (reproducible), time (not), or whichever ends first.
 ///
 /// Work is charged *before* it is done and only if it fits, so an operation budget is never exceeded. Time is looked at
-/// every `kClockInterval` operations; it can be exceeded by that much work
-/// and what is charged at once: eight steps of a traversal of two trees, 80 operations.
+/// every `kClockInterval` operations; it can be exceeded by that much work and what is charged at once: eight steps of
+/// a traversal of two trees, 80 operations.
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
