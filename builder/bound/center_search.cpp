@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace cairn::builder {
 namespace {
-
-constexpr double kRootThree = 1.7320508075688773;
 
 /// Space is cut this often before lists are kept, and this often again for the nodes that are kept.
 constexpr int kFirstLevels = 3;
@@ -67,7 +66,7 @@ CenterSearch::CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside
   const CenterCell root{{0, 0, 0}, half_};
   // With D a bound of all lengths met (points lie in the root): two ends displaced change the difference of squares by
   // less than 8 D displacement, and its some twenty operations round by less than 64 units of D^2.
-  const double longest = 2 * kRootThree * root.half;
+  const double longest = 2 * std::numbers::sqrt3 * root.half;
   guard_ = 8 * longest * displacement + 64 * 0x1p-53 * longest * longest;
   const std::vector<std::uint32_t> everyPoint = allOf(points_.size()), everyOutside = allOf(outside_.size());
   constexpr int kFirstCells = 1 << (3 * kFirstLevels);
@@ -124,7 +123,7 @@ CenterSearch::Node CenterSearch::narrowed(const CenterCell& cell, std::span<cons
   }
   if (node.points.empty()) return node;
   // Leaving an outside point out is always safe; beyond this reach it is no loss either.
-  node.reach = std::sqrt(farthestSq) + 2 * kRootThree * cell.half;
+  node.reach = std::sqrt(farthestSq) + 2 * std::numbers::sqrt3 * cell.half;
   for (const Obstacle& q : obstacles) {
     if (q.sq > node.reach * node.reach) break;
     node.outside.push_back(q.index);

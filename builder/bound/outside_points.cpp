@@ -7,11 +7,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace cairn::builder {
 namespace {
-
-constexpr double kRootThree = 1.7320508075688773;
 
 /// Walks an octree towards the shell that lies `error` to `error + spacing` outside, and draws the shell's grid points
 /// onto its inner side along the line to their nearest surface point: on that line the distance is exact.
@@ -24,7 +23,7 @@ class ShellWalk {
     const SignedDistance::Answer answer = solid_.query(center);
     const double outside = -answer.depth;
     const bool leaf = half <= 0.5 * spacing_;
-    const double reach = leaf ? 0 : kRootThree * half;
+    const double reach = leaf ? 0 : std::numbers::sqrt3 * half;
     if (outside + reach < error_ || outside - reach > error_ + spacing_) return;
     if (leaf) return draw(center, answer, out);
     for (int octant = 0; octant < 8; ++octant) visit(center + octantOffset(octant, half / 2), half / 2, out);

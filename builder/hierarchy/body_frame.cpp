@@ -13,9 +13,8 @@ namespace {
 
 /// A vertex this near to the farthest one counts as that far.
 constexpr double kAboutAsFar = 0.999;
-/// Grid of the rounded vertices: half a step along each axis is less than `kBodyRounding`.
-constexpr double kGrid = kBodyRounding;
-/// Triangles whose least altitude is below this many steps of the grid are too narrow to round their corners.
+/// Triangles whose least altitude is below this many steps of the grid (`kBodyRounding`, of which half along each axis
+/// is less than the whole) are too narrow to round their corners.
 constexpr double kNarrow = 16;
 
 struct Farthest {
@@ -49,12 +48,14 @@ double leastAltitude(const std::array<Vec3d, 3>& c) {
 
 bool canBeRounded(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!(leastAltitude(mesh.corners(t)) >= kNarrow * kGrid)) return false;
+    if (!(leastAltitude(mesh.corners(t)) >= kNarrow * kBodyRounding)) return false;
   return true;
 }
 
 Vec3d rounded(const Vec3d& p) {
-  return Vec3d(std::nearbyint(p.x / kGrid), std::nearbyint(p.y / kGrid), std::nearbyint(p.z / kGrid)) * kGrid;
+  return Vec3d(std::nearbyint(p.x / kBodyRounding), std::nearbyint(p.y / kBodyRounding),
+               std::nearbyint(p.z / kBodyRounding)) *
+         kBodyRounding;
 }
 
 }  // namespace

@@ -6,16 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <numbers>
 #include <vector>
 
 namespace cairn::builder {
 
 namespace {
 
-constexpr double kRootThree = 1.7320508075688772;
 constexpr std::size_t kPointsPerLeaf = 12;
-/// Far above the rounding of a few distances, far below what it would add to a search.
-constexpr double kRoundingRoom = 1e-9;
 
 /// What nanoflann wants to know about a set of points.
 struct PointAdaptor {
@@ -68,12 +66,12 @@ class OffsetSampling {
  private:
   /// The centre is within `atMost` of the surface.
   void visit(const Vec3d& center, double halfEdge, double atMost) {
-    const double reach = kRootThree * halfEdge;
+    const double reach = std::numbers::sqrt3 * halfEdge;
     if (distance(center, center_) > reach_ + reach) return;
     const SignedDistance::Answer answer = solid_.query(center, atMost);
     const double height = -answer.depth;
     const bool last = halfEdge <= 0.75 * spacing_;
-    if (height + reach < scale_ || height - reach > scale_ + (last ? 0 : kRootThree * spacing_)) return;
+    if (height + reach < scale_ || height - reach > scale_ + (last ? 0 : std::numbers::sqrt3 * spacing_)) return;
     if (last) {
       if (height >= scale_)
         samples_.push_back(answer.nearest.point + directionFrom(answer.nearest.point, center) * scale_);
@@ -91,10 +89,6 @@ class OffsetSampling {
   double reach_;
   std::vector<Vec3d> samples_;
 };
-
-}  // namespace
-
-namespace {
 
 DepthField::Sample sampleOf(const SignedDistance::Answer& answer, const Vec3d& point) {
   const Vec3d away = directionFrom(answer.nearest.point, point);

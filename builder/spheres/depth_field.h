@@ -10,6 +10,9 @@
 
 namespace cairn::builder {
 
+/// A part far above the rounding of a few distances, far below what it would add to a search.
+inline constexpr double kRoundingRoom = 1e-9;
+
 /// Unit vector; zero where the points are the same.
 inline Vec3d directionFrom(const Vec3d& from, const Vec3d& to) {
   const Vec3d d = to - from;

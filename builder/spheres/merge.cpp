@@ -16,9 +16,6 @@ namespace {
 /// Below this multiple of the wanted count every pair may merge (5.3.1: "2 or 3 times").
 constexpr double kAllPairsBelow = 2.5;
 
-/// Far above the rounding of a few distances, far below what it would add.
-constexpr double kRoundingRoom = 1e-9;
-
 struct Cluster {
   std::vector<Vec3d> points;
   Ball ball;

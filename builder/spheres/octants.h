@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "cairn/builder/triangle_mesh.h"
@@ -13,7 +14,7 @@ struct Cube {
   Vec3d center;
   double halfEdge = 0;
 
-  double circumradius() const { return 1.7320508075688772 * halfEdge; }
+  double circumradius() const { return std::numbers::sqrt3 * halfEdge; }
 };
 
 /// One of eight: bit 0 of `which` is the side in x, bit 1 in y, bit 2 in z.

@@ -37,4 +37,7 @@ Pieces piecesOf(const TriangleMesh& mesh);
 /// what `pieces` covered. O(n log n).
 void refinePieces(Pieces& pieces, std::size_t count);
 
+/// The corners of the pieces, each position once, in lexicographic order.
+std::vector<Vec3d> cornersOf(std::span<const Piece> pieces);
+
 }  // namespace cairn::builder

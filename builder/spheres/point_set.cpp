@@ -5,12 +5,9 @@
 #include "point_set.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
-#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spheres/point_set.cpp"
@@ -132,57 +129,6 @@ bool PointSet::anyWithin(const Vec3d& center, double reach) const {
 void PointSet::distances(const Vec3d& center, double offset, std::span<double> out) const {
   assert(out.size() == size());
   HWY_DYNAMIC_DISPATCH(distances)(x_.data(), y_.data(), z_.data(), size(), center, offset, out.data());
-}
-
-namespace {
-
-/// A list of points without repetitions. Of zeros of either sign the first counts.
-class DistinctPoints {
- public:
-  explicit DistinctPoints(std::size_t most)
-      : shift_(64 - std::bit_width(2 * most)), slots_(std::size_t{1} << (64 - shift_), kFree) {
-    points_.reserve(most);
-  }
-
-  void add(const Vec3d& point) {
-    std::size_t slot = hashOf(point) >> shift_;
-    while (slots_[slot] != kFree) {
-      if (points_[slots_[slot]] == point) return;
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    slots_[slot] = static_cast<std::uint32_t>(points_.size());
-    points_.push_back(point);
-  }
-
-  std::vector<Vec3d> take() { return std::move(points_); }
-
- private:
-  static constexpr std::uint32_t kFree = ~std::uint32_t{0};
-
-  static std::uint64_t hashOf(const Vec3d& point) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      hash =
-          (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(point[axis] + 0.0)) * 0x9e3779b97f4a7c15;  // 2^64 / phi
-    return hash;
-  }
-
-  int shift_;
-  std::vector<std::uint32_t> slots_;  // at most half of them are taken
-  std::vector<Vec3d> points_;
-};
-
-}  // namespace
-
-std::vector<Vec3d> cornersOf(std::span<const Piece> pieces) {
-  // Most corners belong to several pieces: leaving out the repetitions first saves most of the sorting.
-  DistinctPoints distinct(3 * pieces.size() + 1);
-  for (const Piece& piece : pieces)
-    for (const Vec3d& corner : piece.corners) distinct.add(corner);
-  std::vector<Vec3d> corners = distinct.take();
-  std::sort(corners.begin(), corners.end(),
-            [](const Vec3d& a, const Vec3d& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
-  return corners;
 }
 
 }  // namespace cairn::builder

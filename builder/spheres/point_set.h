@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "spheres/farthest_sample.h"
-#include "spheres/piece.h"
 
 namespace cairn::builder {
 
@@ -39,8 +38,5 @@ class PointSet {
  private:
   std::vector<double> x_, y_, z_;
 };
-
-/// The corners of the pieces, each position once, in lexicographic order.
-std::vector<Vec3d> cornersOf(std::span<const Piece> pieces);
 
 }  // namespace cairn::builder

@@ -8,6 +8,7 @@
 
 #include "spheres/ball.h"
 #include "spheres/depth_field.h"
+#include "spheres/piece.h"
 #include "spheres/point_set.h"
 
 namespace cairn::builder {

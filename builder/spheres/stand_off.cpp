@@ -12,8 +12,6 @@ namespace {
 constexpr std::size_t kMostParts = 256;
 /// What is kept is sorted out again when the reach has shrunk by this factor.
 constexpr double kNarrow = 0.6;
-/// Far above the rounding of a few distances, far below what it would add.
-constexpr double kRoundingRoom = 1e-9;
 
 StandOff::Value valueOf(const Vec3d& center, double radius, const Vec3d& farthest, const DepthField::Sample& sample) {
   return {{center, radius, sample.depth}, directionFrom(farthest, center) - sample.rise};

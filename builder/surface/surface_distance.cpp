@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "surface/nearest_triangle.h"
 
@@ -28,8 +29,7 @@ double distanceRoundingBound(const Bounds& bounds, const Vec3d& query) {
   constexpr double kUnits = 256 * 0x1p-53;
   const auto largest = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   const double mesh = std::max(largest(bounds.lower), largest(bounds.upper));
-  constexpr double kRootThree = 1.7320508075688773;  // length of a vector against its largest coordinate
-  return kUnits * kRootThree * (largest(query) + mesh);
+  return kUnits * std::numbers::sqrt3 * (largest(query) + mesh);
 }
 
 }  // namespace cairn::builder

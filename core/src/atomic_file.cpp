@@ -84,12 +84,25 @@ bool isSpecial(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Where a link leads, so that the file is written and the link stays.
-fs::path behindLinks(const fs::path& path) {
+// True where there is no way to ask.
+bool mayWrite([[maybe_unused]] const fs::path& path) {
+#if defined(__unix__) || defined(__APPLE__)
+  return access(path.c_str(), W_OK) == 0;
+#else
+  return true;
+#endif
+}
+
+// Where a link leads, whether or not there is a file yet, so that the file is written and the link stays.
+fs::path behindLinks(fs::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows: beyond are circles
   std::error_code failure;
-  if (!fs::is_symlink(path, failure)) return path;
-  const fs::path target = fs::weakly_canonical(path, failure);
-  return failure ? path : target;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, failure); ++i) {
+    const fs::path next = fs::read_symlink(path, failure);
+    if (failure) break;
+    path = path.parent_path() / next;
+  }
+  return path;
 }
 
 }  // namespace
@@ -122,13 +135,12 @@ Status checkWritable(const fs::path& path) {
   std::error_code ignored;
   if (path.empty()) return Error{"the output has no name; name a file"};
   if (fs::is_directory(path, ignored)) return refuse("it is a folder; name a file in it");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (isSpecial(path)) return mayWrite(path) ? Status{} : refuse("it may not be written; name another file");
+  const fs::path target = behindLinks(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
   if (!fs::is_directory(folder, ignored))
     return refuse("the folder " + folder.string() + " does not exist; create it first");
-#if defined(__unix__) || defined(__APPLE__)
-  if (access(folder.c_str(), W_OK) != 0)
-    return refuse("the folder " + folder.string() + " may not be written; choose another one");
-#endif
+  if (!mayWrite(folder)) return refuse("the folder " + folder.string() + " may not be written; choose another one");
   return {};
 }
 

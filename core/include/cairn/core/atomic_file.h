@@ -25,7 +25,8 @@ Status writeFileAtomically(const std::filesystem::path& path,
                            const std::function<Status(const std::filesystem::path& temporary)>& write);
 
 /// Whether a file could be written at `path`, without touching it: it is named, its folder exists and may be written,
-/// and it is no folder itself. To be asked before the work whose result it is to hold.
+/// and it is no folder itself; or it is a device or a pipe that may be written. To be asked before the work whose
+/// result it is to hold.
 Status checkWritable(const std::filesystem::path& path);
 
 /// Whole content of a file, or an error that names it.
