@@ -21,7 +21,7 @@ float Traversal::worstFrontError() const {
   return worstOf(front(), *this);
 }
 
-void Traversal::clear() {
+void Traversal::abandon() {
   queue_.clear();
   leafPairs_.clear();
   head_ = 0;

@@ -37,7 +37,7 @@ class Counterpart {
   virtual ~Counterpart() = default;
 
   /// Forgets what it learnt about the bodies it served: a pooled pair must answer like a new one.
-  virtual void reset() {}
+  virtual void reset() { traversal().abandon(); }
   /// Takes the poses of this step.
   virtual void place(const PairPlacement& placement) = 0;
   /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about
@@ -52,6 +52,9 @@ class Counterpart {
   /// Appends the contacts of resolved pairs, measured between the extreme points of the leaves' regions (scheme S), if
   /// their gap is below the placement's reach.
   virtual void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) = 0;
+  /// Whether the contacts of a traversal that took several steps are only right when all its resolved pairs are
+  /// measured together; otherwise those of earlier steps are left at what was remembered of them.
+  virtual bool measuresTogether() const { return false; }
   /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
   virtual Contact boundingContact(const NodePair& pair) = 0;
   /// Appends contacts of the sphere around the whole tree that hold it against all of the counterpart there is near it,

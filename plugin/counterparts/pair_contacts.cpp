@@ -53,11 +53,27 @@ void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
   counterpart.appendContacts(known_, retested_);
 }
 
-void PairContacts::appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
-  const std::span<const NodePair> fresh = counterpart.traversal().leafPairs().subspan(seenLeafPairs_);
-  seenLeafPairs_ += fresh.size();
-  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(fresh.size()));
-  counterpart.appendContacts(fresh, contacts);
+// What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
+std::span<const NodePair> PairContacts::unmeasured(const Counterpart& counterpart) const {
+  const bool anew = counterpart.traversal().done() && counterpart.measuresTogether();
+  return counterpart.traversal().leafPairs().subspan(anew ? 0 : seenLeafPairs_);
+}
+
+void PairContacts::appendUnmeasured(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
+  const std::span<const NodePair> pairs = unmeasured(counterpart);
+  seenLeafPairs_ = counterpart.traversal().leafPairs().size();
+  budget.chargeAnyway(kContactCost * pairs.size());
+  counterpart.appendContacts(pairs, contacts);
+}
+
+std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const {
+  return kContactCost * unmeasured(counterpart).size();
+}
+
+std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
+  if (counterpart.traversal().done()) return 0;
+  const std::uint64_t known = isRetested_ ? 0 : kContactCost * known_.size();
+  return known + kSphereCost * (std::min(counterpart.traversal().front().size(), kMaxFrontPairs) + 1);
 }
 
 namespace {
@@ -192,27 +208,22 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
                           Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
-  if (counterpart.traversal().done()) {
-    // A resumed traversal may have found leaf pairs at older poses: all are measured at this one's.
-    const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
-    budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(leafPairs.size()));
-    counterpart.appendContacts(leafPairs, contacts);
+  const bool isDone = counterpart.traversal().done();
+  if (!isDone) retest(counterpart, budget);
+  if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
+  appendUnmeasured(counterpart, budget, contacts);
+  if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
     answerHadContacts_ = !contacts.empty();
-    // What it ruled out long ago may have closed in since.
-    if (isRecent(motion))
-      guards_.clear();
-    else if (policy == Unresolved::guard)
-      appendGuards(counterpart, motion, reach, budget, scratch);
-  } else {
-    retest(counterpart, budget);
-    contacts = retested_;
-    appendNewlyResolved(counterpart, budget, contacts);
-    if (policy == Unresolved::guard) appendGuards(counterpart, motion, reach, budget, scratch);
-    if (policy == Unresolved::repel || policy == Unresolved::compensate)
-      appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   }
+  // What an answer ruled out long ago may have closed in since.
+  if (isDone && isRecent(motion))
+    guards_.clear();
+  else if (policy == Unresolved::guard)
+    appendGuards(counterpart, motion, reach, budget, scratch);
+  else if (!isDone && policy != Unresolved::ignore)
+    appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
   scratch.contacts.group(seeds_, reach);
   flatten(counterpart, reach, scratch.contacts);

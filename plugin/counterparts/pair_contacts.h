@@ -36,6 +36,11 @@ class PairContacts {
   /// now, before anything is refined, and charges that to the budget.
   void begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget);
 
+  /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
+  std::uint64_t measuringCost(const Counterpart& counterpart) const;
+  /// And what it would be charged beyond: for what a pair that stays unresolved knew before, and for its guards.
+  std::uint64_t standInCost(const Counterpart& counterpart) const;
+
   /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
   /// the budget whatever is left of it.
   void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach, Budget& budget,
@@ -58,7 +63,8 @@ class PairContacts {
   };
 
   void retest(Counterpart& counterpart, Budget& budget);
-  void appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
+  std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
+  void appendUnmeasured(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;

@@ -19,6 +19,7 @@ constexpr float kCoveredFraction = 0.01F;
 }  // namespace
 
 void TriangleCounterpart::reset() {
+  Counterpart::reset();
   outran_ = false;
   sides_.reset();
 }

@@ -62,7 +62,7 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
-  if (pair->collectedAt() != TreePair::kNotCollected) collected_[pair->collectedAt()] = nullptr;
+  if (pair->collectedAt() != TreePair::kNotCollected) dismiss(pair->collectedAt());
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -71,8 +71,10 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   stepBegan_ = ThreadCpuClock::now();
+  left_ = newBudget();
   timeStep_ = info.m_timeStep;
   collected_.clear();
+  scheduled_.clear();
 }
 
 // A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
@@ -111,7 +113,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
 }
 
-Budget NarrowPhase::Impl::stepBudget() const {
+Budget NarrowPhase::Impl::newBudget() const {
   const std::uint64_t operations =
       budget_.operations ? static_cast<std::uint64_t>(*budget_.operations) : Budget::kUnlimited;
   return budget_.microseconds ? Budget::both(operations, *budget_.microseconds) : Budget::operations(operations);
@@ -124,38 +126,71 @@ void NarrowPhase::Impl::endStep() {
   errorSum_ = 0;
   reportingPairs_ = 0;
 
-  Budget budget = stepBudget();
-  beginPairs(budget);
-  scheduler_.run(scheduled_, *priority_, budget);
-  finishPairs(budget);
+  orderPairs();
+  beginPairs();
+  scheduler_.run(scheduled_, *priority_, left_, this);
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (collected_[i]) finishPair(i);
+  pace_.endStep();
 
-  statistics_.operations = budget.used();
+  statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
 
-// Drops what was destroyed meanwhile, names what is new and orders everything by name. Until a pair is finished, a
-// user's callback may still destroy it.
-void NarrowPhase::Impl::beginPairs(Budget& budget) {
+// Drops what was destroyed meanwhile, names what is new and orders everything by name.
+void NarrowPhase::Impl::orderPairs() {
   std::erase(collected_, nullptr);
   nameNewPairs();
   std::sort(collected_.begin(), collected_.end(),
             [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
-  for (std::size_t i = 0; i < collected_.size(); ++i) collected_[i]->setCollectedAt(i);
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    collected_[i]->setCollectedAt(i);
+    scheduled_.push_back({collected_[i]->id(), &nothing_, 0});
+  }
+}
+
+// What is resolved already is finished at once, while it is in the cache. From here on a user's callbacks may destroy
+// any pair that is not finished.
+void NarrowPhase::Impl::beginPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
-    if (TreePair* pair = collected_[i]; pair && !pair->begin(pair->body0(), pair->body1(), timeStep_, 0, budget))
-      dismiss(i);
-  scheduled_.clear();
-  for (TreePair* pair : collected_)
-    if (pair) scheduled_.push_back(pair->scheduled());
-  statistics_.pairs = static_cast<std::uint32_t>(scheduled_.size());
+    if (collected_[i]) beginPair(i);
+}
+
+void NarrowPhase::Impl::beginPair(std::size_t index) {
+  TreePair& pair = *collected_[index];
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, left_)) return dismiss(index);
+  ++statistics_.pairs;
+  pair.promise(left_, pace_);
+  if (pair.isDone()) return finishPair(index);
+  scheduled_[index] = pair.scheduled();
+}
+
+void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& budget) {
+  TreePair* const pair = collected_[index];
+  if (!pair) return;
+  pair->promise(budget, pace_);
+  if (progress == Progress::done) finishPair(index);
+}
+
+void NarrowPhase::Impl::finishPair(std::size_t index) {
+  TreePair& pair = *collected_[index];
+  const bool isTimed = left_.hasDeadline();
+  const double expected = pair.promised().nanoseconds;
+  const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
+  btManifoldResult result(&pair.body0(), &pair.body1());
+  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
+  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted, left_, scratch_));
+  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
+  dismiss(index);
 }
 
 // Unless its own callbacks have destroyed it.
 void NarrowPhase::Impl::dismiss(std::size_t index) {
   if (collected_[index]) collected_[index]->setCollectedAt(TreePair::kNotCollected);
   collected_[index] = nullptr;
+  if (index < scheduled_.size()) scheduled_[index].traversal = &nothing_;
 }
 
 void NarrowPhase::Impl::nameNewPairs() {
@@ -164,17 +199,6 @@ void NarrowPhase::Impl::nameNewPairs() {
     if (collected_[i]->isUnnamed()) newPairs_.push_back({collected_[i]->key(i), collected_[i]});
   std::sort(newPairs_.begin(), newPairs_.end(), [](const NewPair& x, const NewPair& y) { return x.key < y.key; });
   for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
-}
-
-void NarrowPhase::Impl::finishPairs(Budget& budget) {
-  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
-  for (std::size_t i = 0; i < collected_.size(); ++i) {
-    TreePair* const pair = collected_[i];
-    if (!pair) continue;
-    btManifoldResult result(&pair->body0(), &pair->body1());
-    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_));
-    dismiss(i);
-  }
 }
 
 void NarrowPhase::Impl::count(const PairReport& report) {

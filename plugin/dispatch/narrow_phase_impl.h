@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "cairn/bullet/narrow_phase.h"
+#include "cairn/core/tree_pair_traversal.h"
 #include "dispatch/create_functions.h"
+#include "dispatch/emission_pace.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/tree_pair.h"
 
@@ -15,7 +17,7 @@ namespace cairn::bullet {
 
 /// One step: `beginStep`, then Bullet's own pass, in which every algorithm calls `process` and is collected or answered
 /// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads.
-class NarrowPhase::Impl {
+class NarrowPhase::Impl final : private TurnListener {
  public:
   explicit Impl(btCollisionDispatcher& dispatcher);
 
@@ -39,16 +41,21 @@ class NarrowPhase::Impl {
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
-  Budget stepBudget() const;
+  Budget newBudget() const;
   bool isWorlds(btOverlappingPairCache& pairs);
-  void beginPairs(Budget& budget);
+  void orderPairs();
   void nameNewPairs();
-  void finishPairs(Budget& budget);
+  void beginPairs();
+  void beginPair(std::size_t index);
+  void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
+  void finishPair(std::size_t index);
   void dismiss(std::size_t index);
   void count(const PairReport& report);
 
   btCollisionDispatcher& dispatcher_;
   StepBudget budget_;
+  Budget left_ = Budget::unlimited();  // of the current step's
+  EmissionPace pace_;
   Unresolved policy_ = Unresolved::guard;
   std::unique_ptr<Priority> priority_;
   Scheduler scheduler_;
@@ -61,7 +68,7 @@ class NarrowPhase::Impl {
   btScalar timeStep_ = 0;
   ThreadCpuClock::time_point stepBegan_;
   std::mutex mutex_;                  // guards what follows while algorithms run
-  std::vector<TreePair*> collected_;  // null: destroyed after it was collected
+  std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
 
@@ -70,7 +77,8 @@ class NarrowPhase::Impl {
     TreePair* pair;
   };
   std::vector<NewPair> newPairs_;
-  std::vector<ScheduledPair> scheduled_;
+  std::vector<ScheduledPair> scheduled_;  // one for each collected pair
+  TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
   Registration registration_;  // last: algorithms may be made as soon as it stands

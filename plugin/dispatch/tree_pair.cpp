@@ -51,6 +51,7 @@ void TreePair::reset() {
   contacts_.reset();
   counterpart_->reset();
   subject_ = {};
+  promised_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
 }
@@ -174,8 +175,16 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   report.manifolds += choice.count > 0 ? 1 : 0;
 }
 
+void TreePair::promise(Budget& budget, const EmissionPace& pace) {
+  budget.redeem(promised_);
+  promised_.operations = contacts_.measuringCost(*counterpart_);
+  promised_.nanoseconds = pace.expectedNanoseconds(promised_.operations + contacts_.standInCost(*counterpart_));
+  budget.promise(promised_);
+}
+
 PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy,
                             bool mayBeInterrupted, Budget& budget, ContactScratch& scratch) {
+  budget.redeem(std::exchange(promised_, {}));
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);

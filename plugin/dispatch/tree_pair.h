@@ -7,11 +7,13 @@
 #include <array>
 #include <compare>
 #include <memory>
+#include <utility>
 
 #include "cairn/bullet/step.h"
 #include "cairn/core/scheduler.h"
 #include "counterparts/pair_contacts.h"
 #include "dispatch/body_snapshot.h"
+#include "dispatch/emission_pace.h"
 
 class btDispatcher;
 
@@ -58,7 +60,12 @@ class TreePair {
              btScalar threshold, Budget& budget);
   ScheduledPair scheduled() { return {id_, &counterpart_->traversal(), closingSpeed_}; }
 
-  /// Brings the manifolds up to date through `result`. `mayBeInterrupted`: whether the next step can stop half-way.
+  bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
+
+  /// Holds back what finishing the pair would take now, in place of what was held back for it before.
+  void promise(Budget& budget, const EmissionPace& pace);
+  /// Brings the manifolds up to date through `result`, and redeems the promise. `mayBeInterrupted`: whether the next
+  /// step can stop half-way.
   PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
                     Budget& budget, ContactScratch& scratch);
 
@@ -71,6 +78,9 @@ class TreePair {
   /// Position among the pairs collected in the current dispatch, or `kNotCollected`.
   std::size_t collectedAt() const { return collectedAt_; }
   void setCollectedAt(std::size_t index) { collectedAt_ = index; }
+
+  /// What is held back for finishing this pair.
+  const Promise& promised() const { return promised_; }
 
   static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
   static constexpr std::size_t kNotCollected = ~std::size_t{0};
@@ -110,6 +120,7 @@ class TreePair {
   float smallerSize_ = 0;
   float speculative_ = 0;
   float closingSpeed_ = 0;
+  Promise promised_;
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;
 };
