@@ -32,6 +32,12 @@ void PairContacts::reset() {
   isRetested_ = false;
 }
 
+void PairContacts::settleApart(const Vec3& centers) {
+  if (started_) reset();
+  isAnswered_ = true;
+  answer_ = {0, centers};
+}
+
 void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget) {
   isRetested_ = false;
   const bool resumed = started_ && !counterpart.traversal().done() && counterpart.resume();

@@ -32,6 +32,10 @@ class PairContacts {
   /// Forgets everything; for a pair that is new.
   void reset();
 
+  /// Everything is too far apart for contacts: that is an answer, and nothing else need be remembered. `centers`: from
+  /// the other body's centre to the tree's.
+  void settleApart(const Vec3& centers);
+
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget.
   void begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget);

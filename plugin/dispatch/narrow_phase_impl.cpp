@@ -90,7 +90,13 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
-  if (isCollecting_ && mayDefer && isPlain && collect(pair, body0, body1)) return;
+  if (isCollecting_ && mayDefer && isPlain) {
+    if (pair.settleApart(body0, body1)) {
+      ++apartPairs_;
+      return;
+    }
+    if (collect(pair, body0, body1)) return;
+  }
   answerAtOnce(pair, body0, body1, info, result);
 }
 
@@ -123,6 +129,7 @@ void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
   statistics_ = {};
+  statistics_.pairs = apartPairs_.exchange(0);
   errorSum_ = 0;
   reportingPairs_ = 0;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -67,6 +68,7 @@ class NarrowPhase::Impl final : private TurnListener {
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   btScalar timeStep_ = 0;
   ThreadCpuClock::time_point stepBegan_;
+  std::atomic<std::uint32_t> apartPairs_{0};
   std::mutex mutex_;                  // guards what follows while algorithms run
   std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
   std::vector<std::unique_ptr<TreePair>> all_;

@@ -11,6 +11,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/manifold_writer.h"
+#include "dispatch/root_spheres.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -54,6 +55,13 @@ void TreePair::reset() {
   promised_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
+}
+
+bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+  if (!areRootsApart(body0, body1)) return false;
+  contacts_.settleApart(toVec3(body0.getWorldTransform().getOrigin() - body1.getWorldTransform().getOrigin()));
+  clearManifolds();
+  return true;
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
@@ -100,13 +108,17 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
   return true;
 }
 
-// The manifolds stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
 void TreePair::forget() {
   contacts_.reset();
   counterpart_->reset();
   subject_ = {};
+  clearManifolds();
+}
+
+// They stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
+void TreePair::clearManifolds() {
   for (btPersistentManifold* m : manifolds_)
-    if (m) m->clearManifold();
+    if (m && m->getNumContacts() > 0) m->clearManifold();
 }
 
 void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,

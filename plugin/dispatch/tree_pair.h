@@ -47,6 +47,9 @@ class TreePair {
   /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
+  /// True when the bodies are so far apart that there can be no contacts: the pair then has none, and needs no more
+  /// work in this step. Costs a test of two spheres.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   PairKey key(std::size_t arrival) const;
@@ -96,6 +99,7 @@ class TreePair {
     friend bool operator==(const Subject&, const Subject&) = default;
   };
 
+  void clearManifolds();
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
