@@ -169,6 +169,8 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, left_)) return dismiss(index);
   ++statistics_.pairs;
+  // Without a limit nobody has to wait for a turn.
+  if (!isLimited()) pair.scheduled().traversal->refine(left_);
   pair.promise(left_, pace_);
   if (pair.isDone()) return finishPair(index);
   scheduled_[index] = pair.scheduled();
@@ -187,8 +189,7 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
   const double expected = pair.promised().nanoseconds;
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.body0(), &pair.body1());
-  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted, left_, scratch_));
+  count(pair.finish(dispatcher_, result, policy_, isLimited(), left_, scratch_));
   if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
   dismiss(index);
 }

@@ -42,6 +42,7 @@ class NarrowPhase::Impl final : private TurnListener {
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
+  bool isLimited() const { return budget_.operations || budget_.microseconds; }
   Budget newBudget() const;
   bool isWorlds(btOverlappingPairCache& pairs);
   void orderPairs();
