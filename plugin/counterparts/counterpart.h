@@ -41,8 +41,12 @@ class Counterpart {
   /// Takes the poses of this step.
   virtual void place(const PairPlacement& placement) = 0;
   /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about
-  /// again: those whose element no longer exists are removed, others are renamed if need be.
-  virtual void start(std::vector<NodePair>& known) = 0;
+  /// again: those whose element no longer exists are removed, others are renamed if need be. `skin` (world length):
+  /// how much farther than the placement's reach it looks, if `keepsAnswer`.
+  virtual void start(std::vector<NodePair>& known, float skin) = 0;
+  /// Whether what a traversal found holds for all poses that are no farther from its own than its skin: nothing but the
+  /// bodies' poses decides what touches.
+  virtual bool keepsAnswer() const { return false; }
   /// Goes on with the last traversal at these poses. False when it cannot (what it has seen of the counterpart is too
   /// small for where the tree now is): the caller must start anew.
   virtual bool resume() = 0;
@@ -52,6 +56,9 @@ class Counterpart {
   /// Appends the contacts of resolved pairs, measured between the extreme points of the leaves' regions (scheme S), if
   /// their gap is below the placement's reach.
   virtual void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) = 0;
+  /// The same, and says in `gaps` how far the two surfaces of each pair are apart at least; minus infinity where that
+  /// is not known. Precondition: one gap for each pair.
+  virtual void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts);
   /// Whether the contacts of a traversal that took several steps are only right when all its resolved pairs are
   /// measured together; otherwise those of earlier steps are left at what was remembered of them.
   virtual bool measuresTogether() const { return false; }

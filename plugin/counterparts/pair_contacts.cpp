@@ -2,6 +2,7 @@
 #include "counterparts/pair_contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn::bullet {
 
@@ -30,6 +31,19 @@ void PairContacts::reset() {
   traversal_ = {};
   started_ = false;
   isRetested_ = false;
+  isKept_ = false;
+  forgetGaps();
+}
+
+void PairContacts::forgetGaps() {
+  gaps_.clear();
+  leastGap_ = -std::numeric_limits<float>::infinity();
+}
+
+bool PairContacts::stillApart(const RelativePlacement& now, float reach) const {
+  if (leastGap_ < reach) return false;
+  return static_cast<float>(now.displacementSince(startedAt_)) <= skin_ &&
+         reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
 void PairContacts::settleApart(const Vec3& centers) {
@@ -40,15 +54,42 @@ void PairContacts::settleApart(const Vec3& centers) {
 
 void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget) {
   isRetested_ = false;
-  const bool resumed = started_ && !counterpart.traversal().done() && counterpart.resume();
-  started_ = true;
-  if (resumed) {
+  isKept_ = keepAnswer(counterpart, motion);
+  if (isKept_) return;
+  if (started_ && !counterpart.traversal().done() && counterpart.resume())
     retest(counterpart, budget);
-    return;
-  }
-  counterpart.start(known_);
+  else
+    start(counterpart, motion);
+}
+
+void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
+  // What moves on at once gains nothing from looking farther.
+  const float skin = kSkinFraction * motion.smallerSize;
+  const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
+  skin_ = counterpart.keepsAnswer() && isSlow ? skin : 0;
+  counterpart.start(known_, skin_);
+  startedAt_ = motion.placement;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   seenLeafPairs_ = 0;
+  forgetGaps();
+  started_ = true;
+}
+
+// Pairs whose surfaces were farther apart than the bodies have moved since still are.
+bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion) {
+  if (!started_ || skin_ == 0 || !counterpart.traversal().done()) return false;
+  if (static_cast<float>(motion.placement.displacementSince(startedAt_)) > skin_) return false;
+  const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+  traversal_ = {0, motion.treeCenter - motion.otherCenter};
+  if (gaps_.empty()) {
+    near_.assign(leafPairs.begin(), leafPairs.end());
+    return true;
+  }
+  const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
+  near_.clear();
+  for (std::size_t i = 0; i < leafPairs.size(); ++i)
+    if (gaps_[i] < near) near_.push_back(leafPairs[i]);
+  return true;
 }
 
 void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
@@ -61,15 +102,34 @@ void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
 std::span<const NodePair> PairContacts::unmeasured(const Counterpart& counterpart) const {
+  if (isKept_) return near_;
   const bool anew = counterpart.traversal().done() && counterpart.measuresTogether();
   return counterpart.traversal().leafPairs().subspan(anew ? 0 : seenLeafPairs_);
 }
 
-void PairContacts::appendUnmeasured(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
+// Whether or not they are wanted now, so that a pair which slows down later allocates nothing.
+void PairContacts::makeRoomForGaps(std::size_t leafPairs) {
+  if (gaps_.capacity() >= leafPairs) return;
+  gaps_.reserve(leafPairs + leafPairs / 2);
+  near_.reserve(leafPairs + leafPairs / 2);
+}
+
+void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                                    std::vector<Contact>& contacts) {
   const std::span<const NodePair> pairs = unmeasured(counterpart);
-  seenLeafPairs_ = counterpart.traversal().leafPairs().size();
+  const std::size_t leafPairs = counterpart.traversal().leafPairs().size();
+  seenLeafPairs_ = leafPairs;
   budget.chargeAnyway(kContactCost * pairs.size());
-  counterpart.appendContacts(pairs, contacts);
+  makeRoomForGaps(leafPairs);
+  if (skin_ > 0 && counterpart.traversal().done() && pairs.size() == leafPairs) {
+    gaps_.resize(leafPairs);
+    measuredAt_ = motion.placement;
+    counterpart.appendContacts(pairs, gaps_, contacts);
+    leastGap_ = std::numeric_limits<float>::infinity();
+    for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
+  } else {
+    counterpart.appendContacts(pairs, contacts);
+  }
 }
 
 std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const {
@@ -217,7 +277,7 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   const bool isDone = counterpart.traversal().done();
   if (!isDone) retest(counterpart, budget);
   if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
-  appendUnmeasured(counterpart, budget, contacts);
+  appendUnmeasured(counterpart, motion, budget, contacts);
   if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now

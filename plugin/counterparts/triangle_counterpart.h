@@ -20,9 +20,10 @@ class TriangleCounterpart final : public Counterpart {
  public:
   void reset() override;
   void place(const PairPlacement& placement) override;
-  void start(std::vector<NodePair>& known) override;
+  void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
+  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   /// On which side of a triangle a node belongs can only be told from everything it touches.
   bool measuresTogether() const override { return true; }

@@ -41,6 +41,14 @@ Vec3 angularVelocity(const btCollisionObject& object) {
   return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
 }
 
+RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree, const btTransform& other) {
+  RelativePlacement placement;
+  placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
+  placement.treeInOther.setOrigin((tree.getOrigin() - other.getOrigin()) * other.getBasis());
+  shape.getBoundingSphere(placement.center, placement.radius);
+  return placement;
+}
+
 Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   const btTransform fromTree = body * shape.bodyFromTree();
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
@@ -58,10 +66,22 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+  if (stillApart(body0, body1)) return true;
   if (!areRootsApart(body0, body1)) return false;
   contacts_.settleApart(toVec3(body0.getWorldTransform().getOrigin() - body1.getWorldTransform().getOrigin()));
   clearManifolds();
   return true;
+}
+
+bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+  if (!subject_.tree) return false;
+  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
+  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
+  const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
+  const btCollisionShape& other = *otherBody.getCollisionShape();
+  if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return false;
+  return contacts_.stillApart(relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform()),
+                              speculative_);
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
@@ -96,16 +116,30 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
     return false;
   }
   const SphereTreeShape* const otherTree = asSphereTree(&other);
-  Subject now{tree->sharedTree(), otherTree ? otherTree->sharedTree() : nullptr, tree->scale(),
-              otherTree ? otherTree->scale() : 0, &other};
-  if (now == subject_) return true;
+  if (isSubject(*tree, otherTree, other)) return true;
   forget();
   if (*kind != kind_) {
     kind_ = *kind;
     counterpart_ = makeCounterpart(kind_);
   }
-  subject_ = std::move(now);
+  subject_ = {tree->sharedTree(),
+              otherTree ? otherTree->sharedTree() : nullptr,
+              tree->scale(),
+              otherTree ? otherTree->scale() : 0,
+              tree->getMargin(),
+              otherTree ? otherTree->getMargin() : 0,
+              &other};
   return true;
+}
+
+bool TreePair::isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree,
+                         const btCollisionShape& other) const {
+  if (subject_.tree.get() != &tree.tree() || subject_.treeScale != tree.scale() ||
+      subject_.treeMargin != tree.getMargin() || subject_.otherShape != &other)
+    return false;
+  if (!otherTree) return !subject_.otherTree;
+  return subject_.otherTree.get() == &otherTree->tree() && subject_.otherScale == otherTree->scale() &&
+         subject_.otherMargin == otherTree->getMargin();
 }
 
 void TreePair::forget() {
@@ -154,6 +188,9 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
       length(motion_.treeLinear - motion_.otherLinear) + length(motion_.treeAngular - motion_.otherAngular) * disc;
   motion_.timeStep = static_cast<float>(timeStep);
   motion_.smallerSize = smallerSize_;
+  motion_.reach = placement_.reach;
+  motion_.placement =
+      relativePlacement(*placement_.treeShape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   placement_.travel = closingSpeed_ * static_cast<float>(timeStep);
 }
 

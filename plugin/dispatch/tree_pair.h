@@ -47,8 +47,8 @@ class TreePair {
   /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
-  /// True when the bodies are so far apart that there can be no contacts: the pair then has none, and needs no more
-  /// work in this step. Costs a test of two spheres.
+  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step and
+  /// nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
@@ -90,16 +90,16 @@ class TreePair {
 
  private:
   // What the state is about. A body's shape may be replaced between steps, and the old one destroyed; the traversal
-  // refers to its tree.
+  // refers to its tree, and its answer may be kept.
   struct Subject {
     std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
-    btScalar treeScale = 0, otherScale = 0;
+    btScalar treeScale = 0, otherScale = 0, treeMargin = 0, otherMargin = 0;  // the other's if it is a tree
     const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
-
-    friend bool operator==(const Subject&, const Subject&) = default;
   };
 
   void clearManifolds();
+  bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
