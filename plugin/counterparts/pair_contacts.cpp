@@ -37,6 +37,7 @@ void PairContacts::reset() {
 
 void PairContacts::forgetGaps() {
   gaps_.clear();
+  measuredInVain_ = 0;
   leastGap_ = -std::numeric_limits<float>::infinity();
 }
 
@@ -52,9 +53,9 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget) {
+void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
   isRetested_ = false;
-  isKept_ = keepAnswer(counterpart, motion);
+  isKept_ = keepAnswer(counterpart, motion, isThrifty);
   if (isKept_) return;
   if (started_ && !counterpart.traversal().done() && counterpart.resume())
     retest(counterpart, budget);
@@ -76,13 +77,18 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
 }
 
 // Pairs whose surfaces were farther apart than the bodies have moved since still are.
-bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion) {
+bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
   if (!started_ || skin_ == 0 || !counterpart.traversal().done()) return false;
   if (static_cast<float>(motion.placement.displacementSince(startedAt_)) > skin_) return false;
   const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
-  if (gaps_.empty()) {
+  measuresAll_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
+  if (measuresAll_) {
     near_.assign(leafPairs.begin(), leafPairs.end());
+    return true;
+  }
+  if (isThrifty && !known_.empty()) {
+    near_.assign(known_.begin(), known_.end());
     return true;
   }
   const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
@@ -118,17 +124,21 @@ void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMoti
                                     std::vector<Contact>& contacts) {
   const std::span<const NodePair> pairs = unmeasured(counterpart);
   const std::size_t leafPairs = counterpart.traversal().leafPairs().size();
+  const bool areAll = isKept_ ? measuresAll_ : seenLeafPairs_ == 0;
   seenLeafPairs_ = leafPairs;
   budget.chargeAnyway(kContactCost * pairs.size());
   makeRoomForGaps(leafPairs);
-  if (skin_ > 0 && counterpart.traversal().done() && pairs.size() == leafPairs) {
+  const std::size_t before = contacts.size();
+  if (skin_ > 0 && counterpart.traversal().done() && areAll) {
     gaps_.resize(leafPairs);
     measuredAt_ = motion.placement;
     counterpart.appendContacts(pairs, gaps_, contacts);
     leastGap_ = std::numeric_limits<float>::infinity();
     for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
+    measuredInVain_ = 0;
   } else {
     counterpart.appendContacts(pairs, contacts);
+    measuredInVain_ += pairs.size() - std::min(pairs.size(), contacts.size() - before);
   }
 }
 

@@ -43,8 +43,9 @@ class PairContacts {
   bool stillApart(const RelativePlacement& now, float reach) const;
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
-  /// now, before anything is refined, and charges that to the budget.
-  void begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget);
+  /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
+  /// was in contact is measured anew, not what may have come near since.
+  void begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
 
   /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
   std::uint64_t measuringCost(const Counterpart& counterpart) const;
@@ -74,7 +75,7 @@ class PairContacts {
 
   void forgetGaps();
   void makeRoomForGaps(std::size_t leafPairs);
-  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion);
+  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
@@ -113,10 +114,14 @@ class PairContacts {
   // leaf pairs were when all of them were measured.
   RelativePlacement startedAt_, measuredAt_;
   float skin_ = 0;
-  std::vector<float> gaps_;     // one for each leaf pair, or none if they were not measured together
-  float leastGap_ = 0;          // of them; minus infinity if they were not
+  std::vector<float> gaps_;  // one for each leaf pair, or none if they were not measured together
+  float leastGap_ = 0;       // of them; minus infinity if they were not
+  // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
+  // again costs no more than what it will save is likely to.
+  std::size_t measuredInVain_ = 0;
   std::vector<NodePair> near_;  // those of a kept answer that are to be measured
   bool isKept_ = false;
+  bool measuresAll_ = false;  // near_ is all leaf pairs, in their order
   bool started_ = false;
   bool isRetested_ = false;
 };

@@ -34,8 +34,8 @@ class TreeCounterpart final : public Counterpart {
   // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
   // is not below the reach, or when the two do not face each other.
   bool preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const;
-  // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more is
-  // larger than what is set.
+  // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
+  // is larger than what is set.
   bool measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const;
 
   PlacedTree a_, b_;

@@ -113,7 +113,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
   Budget budget = Budget::unlimited();
-  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, budget)) return;
+  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
   pair.scheduled().traversal->refine(budget);
   ContactScratch scratch;  // queries may come from any thread
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
@@ -139,6 +139,8 @@ void NarrowPhase::Impl::endStep() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) finishPair(i);
   pace_.endStep();
+  isScarce_ = statistics_.unresolvedPairs > 0;
+  ++step_;
 
   statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
@@ -167,7 +169,9 @@ void NarrowPhase::Impl::beginPairs() {
 
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
-  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, left_)) return dismiss(index);
+  // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
+  const bool isThrifty = isScarce_ && (pair.id() + step_) % kStepsOfThrift != 0;
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
   // Without a limit nobody has to wait for a turn.
   if (!isLimited()) pair.scheduled().traversal->refine(left_);

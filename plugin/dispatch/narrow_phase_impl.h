@@ -65,6 +65,10 @@ class NarrowPhase::Impl final : private TurnListener {
   double errorSum_ = 0;
   std::uint32_t reportingPairs_ = 0;
 
+  static constexpr std::uint64_t kStepsOfThrift = 4;
+  bool isScarce_ = false;   // the last step left pairs unresolved
+  std::uint64_t step_ = 0;  // that were collected
+
   bool isCollecting_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   btScalar timeStep_ = 0;

@@ -94,7 +94,7 @@ PairKey TreePair::key(std::size_t arrival) const {
 }
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar threshold, Budget& budget) {
+                     btScalar threshold, bool isThrifty, Budget& budget) {
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
@@ -105,7 +105,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
   counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, motion_, budget);
+  contacts_.begin(*counterpart_, motion_, isThrifty, budget);
   return true;
 }
 

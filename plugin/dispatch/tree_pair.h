@@ -47,8 +47,8 @@ class TreePair {
   /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
-  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step and
-  /// nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
+  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
+  /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
@@ -58,9 +58,10 @@ class TreePair {
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. False, and no contacts, when the shapes are no longer a sphere-tree and something it can meet.
+  /// first. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are no longer a sphere-tree
+  /// and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar threshold, Budget& budget);
+             btScalar threshold, bool isThrifty, Budget& budget);
   ScheduledPair scheduled() { return {id_, &counterpart_->traversal(), closingSpeed_}; }
 
   bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
@@ -94,7 +95,7 @@ class TreePair {
   struct Subject {
     std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
     btScalar treeScale = 0, otherScale = 0, treeMargin = 0, otherMargin = 0;  // the other's if it is a tree
-    const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
+    const btCollisionShape* otherShape = nullptr;                             // never followed: it may be gone
   };
 
   void clearManifolds();
