@@ -65,11 +65,11 @@ void appendPolygon(std::span<const Vec3d> p, TriangleSoup& soup) {
   for (const auto& t : patch) soup.push_back({p[t.first], p[t.second], p[t.third]});
 }
 
-/// Leaves out corners that lie where the one before does. Three corners at one place are left of what has no area.
+/// Leaves out corners that lie where the one before does; three are left, without area, of what has fewer places.
 void dropRepeated(std::vector<Vec3d>& polygon) {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();
-  if (polygon.size() < 3) polygon.assign(3, polygon.front());
+  if (polygon.size() < 3) polygon.resize(3, Vec3d(polygon.front()));
 }
 
 }  // namespace
