@@ -30,8 +30,8 @@ Result<std::unique_ptr<Player>> makePlayer(const Model& model, std::uint32_t bod
                                            const ShapeOptions& shape);
 
 /// The Flexible Collision Library on the same triangles: BVHModel of OBBRSS, `collide` with as many contacts a pair as
-/// a Bullet manifold holds, for every pair whose meshes' boxes overlap; the boxes are not part of its time. Fails in a
-/// build without FCL.
+/// a Bullet manifold holds (it stops there: cheap for bodies deep in each other), for every pair whose meshes' boxes
+/// overlap; the boxes are not part of its time. Fails in a build without FCL.
 Result<std::unique_ptr<Player>> makeFclPlayer(const Model& model);
 
 }  // namespace cairn::scenes
