@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 
@@ -17,12 +18,29 @@ namespace {
 using scenes::refuseUsage;
 
 constexpr const char* kProgram = "frame_budget";
+/// About a gigabyte.
+constexpr double kMostMotions = 1e7;
+constexpr std::array kScenes{Scene::heap, Scene::crush, Scene::converge};
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  a hundred bunnies fall into a pit, as sphere-trees under a budget and as GImpact:\n"
+    "    frame_budget --mesh bunny.obj --bodies 100 --shape tree,gimpact --budget-ops 50000\n"
+    "  twenty bunnies fly to one point; every shape sees the same poses, every 10th frame is compared with the exact\n"
+    "  meshes:\n"
+    "    frame_budget --scene converge --mesh bunny.obj --shape tree,gimpact,fcl --runs 5 --json converge.json\n"
+    "  twenty bunnies start pressed into each other and have half a millisecond a step to come apart:\n"
+    "    frame_budget --scene crush --mesh bunny.obj --shape tree --budget-us 500";
 
 /// What the command line says, before it is understood.
 struct RawOptions {
+  std::string scene = "heap";
   std::string shapes = "tree";
+  std::string meeting = scenes::meetingName(scenes::Meeting::bounce);
+  std::optional<std::uint32_t> bodies, steps;
   std::string method = "combined";
   bool noSleeping = false;
+  std::vector<CLI::Option*> ofConverge;  // no other scene has them
 };
 
 // CLI11's own range lets NaN through.
@@ -33,23 +51,45 @@ std::string refuseNoFraction(const std::string& text) {
 }
 
 void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
-  app.add_option("--scene", options.scene, "heap: bodies dropped in a column into a pit")->capture_default_str();
-  app.add_option("--bodies", options.heap.bodies, "bodies in the scene")
-      ->check(CLI::Range(1U, 100000U))
+  app.add_option("--scene", raw.scene,
+                 "heap: bodies dropped in a column into a pit; crush: bodies that start deep in each other; converge: "
+                 "bodies flying to one point, the same recorded poses for every shape")
       ->capture_default_str();
-  app.add_option("--steps", options.steps, "steps of 1/60 s")->check(CLI::Range(1U, 10000000U))->capture_default_str();
-  app.add_option("--seed", options.heap.seed, "of the bodies' orientations")
+  app.add_option("--bodies", raw.bodies, "bodies in the scene (default 100 in heap, 20 in crush and converge)")
+      ->check(CLI::Range(1U, 100000U));
+  app.add_option("--steps", raw.steps, "steps of 1/60 s (default 600; in converge frames of each run, default 300)")
+      ->check(CLI::Range(1U, 10000000U));
+  app.add_option("--seed", options.heap.seed, "of the bodies' orientations and places")
       ->check(scenes::refuseNoWholeNumber)
       ->capture_default_str();
   app.add_flag("--no-sleeping", raw.noSleeping, "keep resting bodies awake");
-  app.add_option("--shape", raw.shapes, "tree, gimpact, hull or spheres; several with commas, compared in one run")
+  app.add_option(
+         "--shape", raw.shapes,
+         "tree, gimpact, hull, spheres, compound (of the hulls HACD cuts the mesh into) or fcl (only in converge); "
+         "several with commas, compared in one run")
       ->capture_default_str();
-  app.add_option("--margin-fraction", options.heap.shape.marginFraction,
-                 "collision margin of gimpact and hull as a fraction of body size (default 0.001 and 0.01)")
+  app.add_option(
+         "--margin-fraction", options.heap.shape.marginFraction,
+         "collision margin of gimpact, hull and compound as a fraction of body size (default 0.001, 0.01 and 0.01)")
       ->check(refuseNoFraction);
   app.add_option("--spheres-level", options.heap.shape.sphereLevel, "tree level the shape 'spheres' is made of")
       ->check(CLI::Range(0U, kMaxDepth))
       ->capture_default_str();
+}
+
+void declareConverge(CLI::App& app, Options& options, RawOptions& raw) {
+  auto* runs = app.add_option("--runs", options.converge.runs, "converge: runs, each with its own random starts")
+                   ->check(CLI::Range(1U, 1000U))
+                   ->capture_default_str();
+  auto* meeting =
+      app.add_option("--meeting", raw.meeting,
+                     "converge: while they are recorded, bodies bounce (as exact meshes) or fly through each other")
+          ->capture_default_str();
+  auto* truth = app.add_option("--truth-every", options.truthEvery,
+                               "converge: compare the contacts of every so many frames with the exact meshes")
+                    ->check(CLI::Range(1U, 1000000U))
+                    ->capture_default_str();
+  raw.ofConverge = {runs, meeting, truth};
 }
 
 void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
@@ -75,7 +115,8 @@ void declareNarrowPhase(CLI::App& app, Options& options) {
 void declareOutput(CLI::App& app, Options& options) {
   app.add_option("--json", options.json, "write the figures to this file");
   app.add_option("--csv", options.csv, "write what every step did to this file");
-  app.add_option("--picture", options.picture, "render the heap as it ends to this PNG (needs POV-Ray; first shape)");
+  app.add_option("--picture", options.picture,
+                 "heap and crush: render the end to this PNG (needs POV-Ray; first shape)");
 }
 
 Status understandShapes(const std::string& names, Options& options) {
@@ -89,8 +130,45 @@ Status understandShapes(const std::string& names, Options& options) {
   return {};
 }
 
+Status understandScene(const RawOptions& raw, Options& options) {
+  const auto found = std::ranges::find(kScenes, raw.scene, sceneName);
+  if (found == kScenes.end())
+    return Error{fmt::format("there is no scene '{}': use heap, crush or converge", raw.scene)};
+  const auto meeting = scenes::parseMeeting(raw.meeting);
+  if (!meeting) return meeting.error();
+  options.scene = *found;
+  options.heap.bodies = raw.bodies.value_or(options.scene == Scene::heap ? 100 : 20);
+  options.steps = raw.steps.value_or(options.scene == Scene::converge ? 300 : 600);
+  options.converge.meeting = meeting.value();
+  options.converge.bodies = options.heap.bodies;
+  options.converge.frames = options.steps;
+  options.converge.seed = options.heap.seed;
+  return {};
+}
+
+/// What one scene has and another has not.
+Status checkCombination(const RawOptions& raw, const Options& options) {
+  if (options.scene == Scene::converge) {
+    if (options.picture) return Error{"--picture draws how bodies come to rest: use it with --scene heap or crush"};
+    const double motions = 1.0 * options.converge.bodies * options.converge.runs * options.converge.frames;
+    if (motions > kMostMotions)
+      return Error{
+          fmt::format("{:.0f} recorded poses are too many for memory: --bodies, --runs and --steps multiply to "
+                      "{:.0f} at most",
+                      motions, kMostMotions)};
+    if (raw.noSleeping) return Error{"--no-sleeping is for simulated bodies: use it with --scene heap or crush"};
+    return {};
+  }
+  for (const CLI::Option* option : raw.ofConverge)
+    if (option->count() > 0)
+      return Error{fmt::format("{} belongs to recorded poses: use it with --scene converge", option->get_name())};
+  if (std::ranges::find(options.shapes, scenes::ShapeKind::fcl) != options.shapes.end())
+    return Error{"the shape fcl only answers recorded poses: use it with --scene converge"};
+  return {};
+}
+
 Status understand(const RawOptions& raw, Options& options) {
-  if (options.scene != "heap") return Error{fmt::format("there is no scene '{}': use heap", options.scene)};
+  if (Status scene = understandScene(raw, options); !scene) return scene;
   if (options.priority != "round-robin")
     return Error{fmt::format("there is no priority '{}': use round-robin", options.priority)};
   using bullet::Unresolved;
@@ -107,24 +185,37 @@ Status understand(const RawOptions& raw, Options& options) {
   options.heap.world.unresolved = policy->second;
   options.heap.world.sleeping = !raw.noSleeping;
   options.source.build.method = method.value();
-  return understandShapes(raw.shapes, options);
+  if (Status shapes = understandShapes(raw.shapes, options); !shapes) return shapes;
+  return checkCombination(raw, options);
 }
 
 }  // namespace
 
+const char* sceneName(Scene scene) {
+  switch (scene) {
+    case Scene::heap:
+      return "heap";
+    case Scene::crush:
+      return "crush";
+    case Scene::converge:
+      return "converge";
+  }
+  return "";
+}
+
 std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   CLI::App app(
-      "Drops bodies of one mesh into a pit and measures what their collision costs and how right it is, for one shape "
-      "or "
-      "several in the same run.",
+      "Measures what the collision of many bodies of one mesh costs and how right it is, for one shape or several in "
+      "the same run.",
       kProgram);
   Options options;
   RawOptions raw;
   declareScene(app, options, raw);
+  declareConverge(app, options, raw);
   declareTree(app, options, raw);
   declareNarrowPhase(app, options);
   declareOutput(app, options);
-  app.footer("Example: frame_budget --mesh bunny.obj --bodies 100 --shape tree,gimpact --budget-ops 50000");
+  app.footer(kExamples);
   if (const auto code = scenes::parseCommandLine(app, argc, argv)) return *code;
   if (const Status status = understand(raw, options); !status) return refuseUsage(kProgram, status.error());
   return options;

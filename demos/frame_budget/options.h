@@ -8,17 +8,28 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/converge.h"
 #include "scenes/heap.h"
 #include "scenes/tree_source.h"
 
 namespace cairn::frame_budget {
 
+enum class Scene : std::uint8_t {
+  heap,      ///< bodies dropped in a column into a pit
+  crush,     ///< bodies that start deep in each other, in the same pit
+  converge,  ///< recorded poses of bodies flying to one point, shown to each shape
+};
+
+const char* sceneName(Scene scene);
+
 struct Options {
-  std::string scene = "heap";
+  Scene scene = Scene::heap;
   scenes::TreeSource source;
   std::vector<scenes::ShapeKind> shapes;
-  scenes::HeapOptions heap;  ///< its shape is set for each of `shapes` in turn
-  std::uint32_t steps = 600;
+  scenes::HeapOptions heap;          ///< its shape is set for each of `shapes` in turn
+  std::uint32_t steps = 600;         ///< frames a run in `converge`
+  scenes::ConvergeOptions converge;  ///< bodies, frames and seed as in `heap` and `steps`
+  std::uint32_t truthEvery = 10;     ///< `converge` judges every so many frames
   std::string priority = "round-robin";
   std::string unresolved = "guard";
   std::optional<std::filesystem::path> json;

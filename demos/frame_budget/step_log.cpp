@@ -7,13 +7,13 @@
 
 namespace cairn::frame_budget {
 
-std::string stepLog(const std::vector<ShapeRun>& runs) {
+std::string stepLog(const std::vector<LoggedRun>& runs) {
   std::string text =
       "shape,step,narrow_phase_cpu_us,step_cpu_us,contacts,manifolds,operations,pairs,unresolved_pairs,"
       "mean_error_fraction,worst_error_fraction\n";
-  for (const ShapeRun& run : runs)
-    for (std::size_t step = 0; step < run.report.records.size(); ++step) {
-      const scenes::StepRecord& r = run.report.records[step];
+  for (const LoggedRun& run : runs)
+    for (std::size_t step = 0; step < run.records.size(); ++step) {
+      const scenes::StepRecord& r = run.records[step];
       fmt::format_to(std::back_inserter(text), "{},{},{:.2f},{:.2f},{},{}", scenes::shapeName(run.shape), step + 1,
                      r.narrowPhaseCpuUs, r.stepCpuUs, r.contacts, r.manifolds);
       if (r.tree)

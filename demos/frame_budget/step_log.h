@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "report.h"
+#include "scenes/body_shape.h"
+#include "scenes/world.h"
 
 namespace cairn::frame_budget {
 
+/// Every step of one shape's run.
+struct LoggedRun {
+  scenes::ShapeKind shape;
+  std::span<const scenes::StepRecord> records;
+};
+
 /// What every step of every run did, as CSV, a line a step; what only the sphere-tree can say is left empty for the
 /// others.
-std::string stepLog(const std::vector<ShapeRun>& runs);
+std::string stepLog(const std::vector<LoggedRun>& runs);
 
 }  // namespace cairn::frame_budget

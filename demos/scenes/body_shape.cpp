@@ -7,15 +7,31 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <LinearMath/btConvexHullComputer.h>
 
+#include <span>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "scenes/convex_parts.h"
 
 namespace cairn::scenes {
 namespace {
 
 constexpr double kGimpactMarginFraction = 0.001;
 constexpr double kHullMarginFraction = 0.01;
+
+/// The exact hull of some points, reduced to its corners.
+std::unique_ptr<btCollisionShape> hullOf(std::span<const Vec3d> points, btScalar margin) {
+  std::vector<btScalar> coordinates;
+  for (const Vec3d& v : points)
+    for (int axis = 0; axis < 3; ++axis) coordinates.push_back(static_cast<btScalar>(v[axis]));
+  btConvexHullComputer hull;
+  hull.compute(coordinates.data(), static_cast<int>(3 * sizeof(btScalar)), static_cast<int>(points.size()), 0, 0);
+  auto shape = std::make_unique<btConvexHullShape>();
+  for (int i = 0; i < hull.vertices.size(); ++i) shape->addPoint(hull.vertices[i], false);
+  shape->setMargin(margin);
+  shape->recalcLocalAabb();
+  return shape;
+}
 
 }  // namespace
 
@@ -29,14 +45,18 @@ const char* shapeName(ShapeKind kind) {
       return "hull";
     case ShapeKind::spheres:
       return "spheres";
+    case ShapeKind::compound:
+      return "compound";
+    case ShapeKind::fcl:
+      return "fcl";
   }
   return "";
 }
 
 Result<ShapeKind> parseShape(std::string_view name) {
-  for (const ShapeKind kind : {ShapeKind::tree, ShapeKind::gimpact, ShapeKind::hull, ShapeKind::spheres})
+  for (const ShapeKind kind : kShapeKinds)
     if (name == shapeName(kind)) return kind;
-  return Error{"there is no shape '" + std::string(name) + "': use tree, gimpact, hull or spheres"};
+  return Error{"there is no shape '" + std::string(name) + "': use tree, gimpact, hull, spheres, compound or fcl"};
 }
 
 Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model& model, const ShapeOptions& options) {
@@ -61,6 +81,11 @@ Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model
     case ShapeKind::spheres:
       body->makeSpheres(model, options.sphereLevel);
       break;
+    case ShapeKind::compound:
+      if (Status made = body->makeCompound(model, margin(kHullMarginFraction)); !made) return made.error();
+      break;
+    case ShapeKind::fcl:
+      return Error{"FCL only answers recorded poses: it cannot be the shape of a simulated body"};
   }
   return body;
 }
@@ -80,17 +105,19 @@ void BodyShape::makeGimpact(const Model& model, btScalar margin) {
 }
 
 void BodyShape::makeHull(const Model& model, btScalar margin) {
-  std::vector<btScalar> coordinates;
-  for (const Vec3d& v : model.vertices)
-    for (int axis = 0; axis < 3; ++axis) coordinates.push_back(static_cast<btScalar>(v[axis]));
-  btConvexHullComputer hull;
-  hull.compute(coordinates.data(), static_cast<int>(3 * sizeof(btScalar)), static_cast<int>(model.vertices.size()), 0,
-               0);
-  auto shape = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < hull.vertices.size(); ++i) shape->addPoint(hull.vertices[i], false);
-  shape->setMargin(margin);
-  shape->recalcLocalAabb();
-  shape_ = std::move(shape);
+  shape_ = hullOf(model.vertices, margin);
+}
+
+Status BodyShape::makeCompound(const Model& model, btScalar margin) {
+  const auto parts = convexParts(model.vertices, model.triangles);
+  if (!parts) return parts.error();
+  auto compound = std::make_unique<btCompoundShape>();
+  for (const std::vector<Vec3d>& corners : parts.value()) {
+    children_.push_back(hullOf(corners, margin));
+    compound->addChildShape(btTransform::getIdentity(), children_.back().get());
+  }
+  shape_ = std::move(compound);
+  return {};
 }
 
 void BodyShape::makeSpheres(const Model& model, std::uint32_t level) {

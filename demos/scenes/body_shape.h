@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,28 +19,35 @@ namespace cairn::scenes {
 
 /// What a moving body collides as.
 enum class ShapeKind : std::uint8_t {
-  tree,     ///< Cairn's certified sphere-tree
-  gimpact,  ///< btGImpactMeshShape: the triangles themselves
-  hull,     ///< btConvexHullShape: dents filled
-  spheres,  ///< btCompoundShape of one level of the tree: the same spheres, brute force
+  tree,      ///< Cairn's certified sphere-tree
+  gimpact,   ///< btGImpactMeshShape: the triangles themselves
+  hull,      ///< btConvexHullShape: dents filled
+  spheres,   ///< btCompoundShape of one level of the tree: the same spheres, brute force
+  compound,  ///< btCompoundShape of the convex hulls HACD cuts the mesh into
+  fcl,       ///< the Flexible Collision Library, which only answers recorded poses: no Bullet shape
 };
+
+/// All of them, in the order they are listed to users.
+inline constexpr std::array kShapeKinds{ShapeKind::tree,    ShapeKind::gimpact,  ShapeKind::hull,
+                                        ShapeKind::spheres, ShapeKind::compound, ShapeKind::fcl};
 
 const char* shapeName(ShapeKind kind);
 Result<ShapeKind> parseShape(std::string_view name);
 
 struct ShapeOptions {
-  /// Bullet's collision margin as a fraction of body size, for gimpact and hull. Unset: 0.1 % for gimpact, 1 % for
-  /// hulls, at which each ran best; a tree and a compound of spheres have none.
+  /// Bullet's collision margin as a fraction of body size, for gimpact, hull and compound. Unset: 0.1 % for gimpact, 1
+  /// % for hulls, at which each ran best; a tree and a compound of spheres have none.
   std::optional<double> marginFraction;
-  /// Level of the tree a compound takes its spheres from (leaves above it included).
+  /// Level of the tree the shape `spheres` takes its spheres from (leaves above it included).
   std::uint32_t sphereLevel = 2;
 };
 
 /// A shape in the model's body frame with everything it refers to. One serves any number of bodies.
 class BodyShape {
  public:
-  /// Fails only if the sphere-tree shape refuses the tree. The hull is exact, reduced to its corners: Bullet's coarser
-  /// reduction (btShapeHull) cuts corners, and the meshes sink in by what it cut.
+  /// Fails if the sphere-tree shape refuses the tree, for `fcl`, and for `compound` in a build without HACD. The hull
+  /// is exact, reduced to its corners: Bullet's coarser reduction (btShapeHull) cuts corners, and the meshes sink in by
+  /// what it cut.
   static Result<std::unique_ptr<BodyShape>> create(ShapeKind kind, const Model& model, const ShapeOptions& options);
 
   ShapeKind kind() const { return kind_; }
@@ -48,6 +56,7 @@ class BodyShape {
  private:
   explicit BodyShape(ShapeKind kind) : kind_(kind) {}
   void makeGimpact(const Model& model, btScalar margin);
+  Status makeCompound(const Model& model, btScalar margin);
   void makeHull(const Model& model, btScalar margin);
   void makeSpheres(const Model& model, std::uint32_t level);
 

@@ -112,12 +112,17 @@ double ExactSurface::depth(const Vec3d& point) const {
   return impl_->contains(point) ? distance : -distance;
 }
 
+double ExactSurface::distanceTo(const Vec3d& point) const {
+  return std::sqrt(impl_->distanceSq(point));
+}
+
 namespace {
 
 /// Branch and bound for `penetration`; everything in the frame of the solid.
 class DepthSearch {
  public:
-  DepthSearch(const ExactSurface::Impl& solid, double tolerance) : solid_(solid), tolerance_(tolerance) {}
+  DepthSearch(const ExactSurface::Impl& solid, double tolerance, double known)
+      : solid_(solid), tolerance_(tolerance), best_(known) {}
 
   void tryPoint(const Vec3d& p) {
     if (!CGAL::do_overlap(toPoint(p).bbox(), solid_.tree.bbox())) return;
@@ -160,7 +165,7 @@ class DepthSearch {
 
   const ExactSurface::Impl& solid_;
   double tolerance_;
-  double best_ = 0;
+  double best_;
   std::vector<Piece> stack_;
 };
 
@@ -187,9 +192,10 @@ double edgeDistanceSq(const Facet& a, const Facet& b) {
 
 }  // namespace
 
-double penetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance) {
-  assert(tolerance > 0);
-  DepthSearch search(b.impl(), tolerance);
+double penetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
+                   double known) {
+  assert(tolerance > 0 && known >= 0);
+  DepthSearch search(b.impl(), tolerance, known);
   for (const Vec3d& v : a.impl().vertices) search.tryPoint(bFromA * v);
   for (std::size_t t = 0; t < a.impl().triangles.size(); ++t) {
     Piece piece = a.impl().corners(t);
@@ -197,6 +203,21 @@ double penetration(const ExactSurface& a, const ExactSurface& b, const Placement
     search.search(piece);
   }
   return search.best();
+}
+
+double mutualPenetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
+                         double known) {
+  return penetration(b, a, bFromA.inverse(), tolerance, penetration(a, b, bFromA, tolerance, known));
+}
+
+bool surfacesMeet(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA) {
+  const CGAL::Bbox_3 room = b.impl().tree.bbox();
+  std::vector<Vec3d> placed;
+  for (const Vec3d& v : a.impl().vertices) placed.push_back(bFromA * v);
+  return std::ranges::any_of(a.impl().triangles, [&](const auto& triangle) {
+    const Facet facet = toFacet({placed[triangle[0]], placed[triangle[1]], placed[triangle[2]]});
+    return CGAL::do_overlap(facet.bbox(), room) && b.impl().tree.do_intersect(facet);
+  });
 }
 
 double surfaceDistance(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA) {

@@ -36,6 +36,9 @@ class ExactSurface {
   /// Distance to the surface, negative outside. One nearest-point query and one ray.
   double depth(const Vec3d& point) const;
 
+  /// Distance to the surface, from either side. One nearest-point query.
+  double distanceTo(const Vec3d& point) const;
+
   struct Impl;
   const Impl& impl() const { return *impl_; }
 
@@ -47,8 +50,18 @@ class ExactSurface {
 /// How deep surface `a` reaches into the solid `b`: the maximum, over the points of `a` inside `b`, of the distance to
 /// the surface of `b`; 0 if there are none. Too small by at most `tolerance` (> 0, same unit). Vertices first, then
 /// branch and bound over the triangles: over a piece of `a` the distance to `b` is at most that to any one triangle of
-/// `b`, and the latter, being convex, is largest at a corner of the piece.
-double penetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance);
+/// `b`, and the latter, being convex, is largest at a corner of the piece. What is not deeper than `known` is passed
+/// over, and the answer is at least `known`: the worst of many pairs costs little more than that pair alone.
+double penetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
+                   double known = 0);
+
+/// The deeper of both ways: how far either surface reaches into the other solid.
+double mutualPenetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
+                         double known = 0);
+
+/// Whether two surfaces have a point in common, by exact predicates on the placed triangles. One surface wholly inside
+/// the other does not count; two placements of the same connected surface cannot be so.
+bool surfacesMeet(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA);
 
 /// Least distance between two surfaces, 0 where they cross. Exact up to rounding: vertices against triangles both ways,
 /// then edges against edges of the triangles that could be nearer still.

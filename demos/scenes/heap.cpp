@@ -24,19 +24,23 @@ double spacing(const Model& model) {
   return 2 * model.reach + kClearanceFraction * model.size;
 }
 
-/// Wide enough for the column, and for the heap to lie about a third as deep as the pit is wide.
-double pitHalfWidth(const Model& model, std::uint32_t bodies) {
+/// Wide enough for the column or the given start, and for the heap to lie about a third as deep as the pit is wide.
+double pitHalfWidth(const Model& model, const HeapOptions& options) {
   constexpr double kPacking = 0.5;  // share of a heap that is solid, roughly
   constexpr double kDepthPerHalfWidth = 0.7;
   const double volume = model.tree->mass().volume * model.scale * model.scale * model.scale;
-  const double heapHalfWidth = std::cbrt(bodies * volume / kPacking / (4 * kDepthPerHalfWidth));
-  return std::max(heapHalfWidth, spacing(model) * bodiesPerSide(bodies) / 2);
+  const double heapHalfWidth = std::cbrt(options.bodies * volume / kPacking / (4 * kDepthPerHalfWidth));
+  double startHalfWidth = options.start.empty() ? spacing(model) * bodiesPerSide(options.bodies) / 2 : 0;
+  for (const btTransform& pose : options.start)
+    for (int axis = 0; axis < 2; ++axis)
+      startHalfWidth = std::max(startHalfWidth, std::abs(static_cast<double>(pose.getOrigin()[axis])) + model.reach);
+  return std::max(heapHalfWidth, startHalfWidth);
 }
 
 }  // namespace
 
 Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions& options) {
-  assert(options.bodies > 0);
+  assert(options.bodies > 0 && (options.start.empty() || options.start.size() == options.bodies));
   auto heap = std::unique_ptr<Heap>(new Heap(model, options));
   auto shape = BodyShape::create(options.world.shape, heap->model_, options.shape);
   if (!shape) return shape.error();
@@ -44,12 +48,20 @@ Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions
   if (!world) return world.error();
   heap->shape_ = std::move(shape).value();
   heap->world_ = std::move(world).value();
-  heap->dropBodies(options);
+  options.start.empty() ? heap->dropBodies(options) : heap->placeBodies(options);
   return heap;
 }
 
 Heap::Heap(const Model& model, const HeapOptions& options)
-    : model_(model), bodiesPerSide_(bodiesPerSide(options.bodies)), pit_(pitHalfWidth(model, options.bodies)) {}
+    : model_(model), bodiesPerSide_(bodiesPerSide(options.bodies)), pit_(pitHalfWidth(model, options)) {}
+
+void Heap::placeBodies(const HeapOptions& options) {
+  double height = 0;
+  for (const btTransform& pose : options.start)
+    height = std::max(height, static_cast<double>(pose.getOrigin().z()) + model_.reach);
+  pit_.build(*world_, options.world.shape, height);
+  for (const btTransform& pose : options.start) world_->addBody(shape_->bullet(), pose, 1, model_.inertia);
+}
 
 void Heap::dropBodies(const HeapOptions& options) {
   const double step = spacing(model_);

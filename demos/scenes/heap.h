@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "scenes/pit.h"
 
@@ -13,9 +14,12 @@ struct HeapOptions {
   std::uint64_t seed = 1;      ///< of the bodies' orientations and places
   WorldOptions world;          ///< its shape is what the bodies collide as
   ShapeOptions shape;
+  /// Where the bodies start, one pose a body; empty: in the column.
+  std::vector<btTransform> start;
 };
 
-/// Bodies of one mesh, dropped in a column into a pit, at random orientations; no two touch at the start.
+/// Bodies of one mesh in a pit. Unless told where to start they are dropped in a column, at random orientations, no two
+/// touching.
 class Heap {
  public:
   /// Fails for what the shape or the dispatcher refuses.
@@ -34,6 +38,7 @@ class Heap {
  private:
   Heap(const Model& model, const HeapOptions& options);
   void dropBodies(const HeapOptions& options);
+  void placeBodies(const HeapOptions& options);
 
   Model model_;
   std::uint32_t bodiesPerSide_;  // of one layer of the column

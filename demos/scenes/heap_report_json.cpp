@@ -12,27 +12,33 @@ Json timesToJson(const Quantiles& q) {
 Json countsToJson(const Quantiles& q) {
   return {{"median", q.median}, {"max", q.max}};
 }
-Json spreadToJson(const Spread& s) {
-  return {{"mean", s.mean}, {"max", s.max}, {"pairs", s.pairs}};
-}
 
 }  // namespace
 
-Json toJson(const HeapReport& report) {
-  const auto& tree = report.tree;
+Json toJson(const Spread& s) {
+  return {{"mean", s.mean}, {"max", s.max}, {"pairs", s.pairs}};
+}
+
+Json toJson(const RunCost& cost) {
+  const auto& tree = cost.tree;
   Json json;
-  json["narrow_phase_cpu_us"] = timesToJson(report.narrowPhaseCpuUs);
-  json["step_cpu_us"] = timesToJson(report.stepCpuUs);
+  json["narrow_phase_cpu_us"] = timesToJson(cost.narrowPhaseCpuUs);
+  json["step_cpu_us"] = timesToJson(cost.stepCpuUs);
   json["operations"] = tree ? countsToJson(tree->operations) : Json{{"median", nullptr}, {"max", nullptr}};
-  json["contacts"] = countsToJson(report.contacts);
-  json["manifolds"] = countsToJson(report.manifolds);
+  json["contacts"] = countsToJson(cost.contacts);
+  json["manifolds"] = countsToJson(cost.manifolds);
   json["certified_error_fraction"] = tree ? Json{{"mean", tree->meanErrorFraction}, {"max", tree->maxErrorFraction}}
                                           : Json{{"mean", nullptr}, {"max", nullptr}};
   json["unresolved_pairs_fraction"] = tree ? Json(tree->unresolvedPairFraction) : Json(nullptr);
-  json["penetration_end_fraction"] = spreadToJson(report.end.depth);
-  json["gap_end_fraction"] = spreadToJson(report.end.gap);
-  json["pit_penetration_end_fraction"] = spreadToJson(report.end.pitDepth);
-  json["pit_gap_end_fraction"] = spreadToJson(report.end.pitGap);
+  return json;
+}
+
+Json toJson(const HeapReport& report) {
+  Json json = toJson(report.cost);
+  json["penetration_end_fraction"] = toJson(report.end.depth);
+  json["gap_end_fraction"] = toJson(report.end.gap);
+  json["pit_penetration_end_fraction"] = toJson(report.end.pitDepth);
+  json["pit_gap_end_fraction"] = toJson(report.end.pitGap);
   json["peak_speed_m_per_s"] = report.peakSpeed;
   json["kinetic_energy_end_j_per_kg"] = report.kineticEnergyEnd;
   json["bodies_lost"] = report.lost;

@@ -4,11 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/heap_run.h"
+#include "scenes/spread.h"
 
 namespace cairn::scenes {
 
 /// The measured keys of frame_budget's JSON. A key only the sphere-tree can answer (operations, certified error,
 /// unresolved pairs) is null for other shapes, never left out.
+nlohmann::ordered_json toJson(const RunCost& cost);
 nlohmann::ordered_json toJson(const HeapReport& report);
+
+nlohmann::ordered_json toJson(const Spread& spread);
 
 }  // namespace cairn::scenes

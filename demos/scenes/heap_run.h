@@ -3,29 +3,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cairn/core/result.h"
 #include "scenes/heap.h"
 #include "scenes/interpenetration.h"
-#include "scenes/quantiles.h"
+#include "scenes/run_cost.h"
 
 namespace cairn::scenes {
 
-/// What only the sphere-tree narrow phase can say of itself, over all steps.
-struct TreeRunStatistics {
-  Quantiles operations;               ///< of Eq. 2.1, a step
-  double meanErrorFraction = 0;       ///< certified, mean over the steps with contacts
-  double maxErrorFraction = 0;        ///< certified, worst pair of any step
-  double unresolvedPairFraction = 0;  ///< of all pairs of all steps
-};
-
 struct HeapReport {
   std::uint32_t steps = 0;
-  Quantiles narrowPhaseCpuUs, stepCpuUs, contacts, manifolds;  ///< a step
-  std::optional<TreeRunStatistics> tree;
+  RunCost cost;
   Interpenetration end;
   double peakSpeed = 0;         ///< m/s, any body at the end of any step
   double kineticEnergyEnd = 0;  ///< J/kg, mean over bodies

@@ -7,64 +7,23 @@
 #include <vector>
 
 #include "scenes/exact_check.h"
+#include "scenes/placed_body.h"
 
 namespace cairn::scenes {
 namespace {
 
-struct Box {
-  Vec3d lower, upper;
-
-  bool overlaps(const Box& o) const {
-    for (int axis = 0; axis < 3; ++axis)
-      if (lower[axis] > o.upper[axis] || o.lower[axis] > upper[axis]) return false;
-    return true;
-  }
-};
-
-struct PlacedBody {
-  Placement worldFromBody;
-  std::vector<Vec3d> vertices;  // world frame
-  Box box;
-};
-
-/// Bullet's rotation to double, its columns made orthonormal again: the check must not see single precision's stretch.
-Placement placementOf(const btTransform& pose) {
-  const btMatrix3x3& m = pose.getBasis();
-  const Vec3d x = normalized(fromBullet(m.getColumn(0)));
-  const Vec3d yRaw = fromBullet(m.getColumn(1));
-  const Vec3d y = normalized(yRaw - x * dot(x, yRaw));
-  const Mat3d columns{{x, y, cross(x, y)}};
-  return {transpose(columns), fromBullet(pose.getOrigin())};
+std::vector<PlacedBody> placeBodies(std::span<const btTransform> poses, const Model& model) {
+  std::vector<PlacedBody> bodies;
+  for (const btTransform& pose : poses) bodies.push_back(placeBody(pose, model));
+  return bodies;
 }
 
-PlacedBody place(const btRigidBody& body, const Model& model) {
-  PlacedBody placed{placementOf(body.getWorldTransform()), {}, {}};
-  const double infinity = std::numeric_limits<double>::infinity();
-  placed.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for (const Vec3d& v : model.vertices) {
-    const Vec3d p = placed.vertices.emplace_back(placed.worldFromBody * v);
-    for (int axis = 0; axis < 3; ++axis) {
-      placed.box.lower[axis] = std::min(placed.box.lower[axis], p[axis]);
-      placed.box.upper[axis] = std::max(placed.box.upper[axis], p[axis]);
-    }
-  }
-  return placed;
+template <class Visit>
+void forOverlappingBoxes(const std::vector<PlacedBody>& bodies, const Visit& visit) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = i + 1; j < bodies.size(); ++j)
+      if (bodies[i].box.overlaps(bodies[j].box)) visit(i, j);
 }
-
-/// Collects values given as lengths, reports fractions of body size.
-class SpreadOfLengths {
- public:
-  void add(double length) {
-    sum_ += length;
-    max_ = std::max(max_, length);
-    ++count_;
-  }
-  Spread over(double size) const { return {count_ ? sum_ / count_ / size : 0, max_ / size, count_}; }
-
- private:
-  double sum_ = 0, max_ = 0;
-  std::uint32_t count_ = 0;
-};
 
 double clearance(const PlacedBody& body, const HalfSpace& face) {
   double least = std::numeric_limits<double>::infinity();
@@ -75,7 +34,8 @@ double clearance(const PlacedBody& body, const HalfSpace& face) {
 class HeapCheck {
  public:
   HeapCheck(const Heap& heap, const ExactSurface& surface) : heap_(heap), surface_(surface) {
-    for (const btRigidBody* body : heap.world().bodies()) bodies_.push_back(place(*body, heap.model()));
+    for (const btRigidBody* body : heap.world().bodies())
+      bodies_.push_back(placeBody(body->getWorldTransform(), heap.model()));
   }
 
   Interpenetration run() {
@@ -94,10 +54,8 @@ class HeapCheck {
   }
 
   void checkPair(std::size_t i, std::size_t j) {
-    const Placement jFromI = bodies_[j].worldFromBody.inverse() * bodies_[i].worldFromBody;
-    const double tolerance = kDepthToleranceFraction * heap_.model().size;
-    const double depth = std::max(penetration(surface_, surface_, jFromI, tolerance),
-                                  penetration(surface_, surface_, jFromI.inverse(), tolerance));
+    const Placement jFromI = relativePlacement(bodies_[i].worldFromBody, bodies_[j].worldFromBody);
+    const double depth = mutualPenetration(surface_, surface_, jFromI, kDepthToleranceFraction * heap_.model().size);
     if (depth > 0) depth_.add(depth);
     if (isLoaded(i, j)) gap_.add(depth > 0 ? 0 : surfaceDistance(surface_, surface_, jFromI));
   }
@@ -118,6 +76,27 @@ class HeapCheck {
 };
 
 }  // namespace
+
+Spread penetrations(const ExactSurface& surface, const Model& model, std::span<const btTransform> poses) {
+  const std::vector<PlacedBody> bodies = placeBodies(poses, model);
+  SpreadOfLengths depths;
+  forOverlappingBoxes(bodies, [&](std::size_t i, std::size_t j) {
+    const Placement jFromI = relativePlacement(bodies[i].worldFromBody, bodies[j].worldFromBody);
+    const double depth = mutualPenetration(surface, surface, jFromI, kDepthToleranceFraction * model.size);
+    if (depth > 0) depths.add(depth);
+  });
+  return depths.over(model.size);
+}
+
+double worstPenetration(const ExactSurface& surface, const Model& model, std::span<const btTransform> poses) {
+  const std::vector<PlacedBody> bodies = placeBodies(poses, model);
+  double worst = 0;
+  forOverlappingBoxes(bodies, [&](std::size_t i, std::size_t j) {
+    const Placement jFromI = relativePlacement(bodies[i].worldFromBody, bodies[j].worldFromBody);
+    worst = mutualPenetration(surface, surface, jFromI, kDepthToleranceFraction * model.size, worst);
+  });
+  return worst / model.size;
+}
 
 Result<Interpenetration> measureInterpenetration(const Heap& heap) {
   const auto surface = ExactSurface::create(heap.model().vertices, heap.model().triangles);

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <span>
 
 #include "cairn/core/result.h"
+#include "scenes/exact_check.h"
 #include "scenes/heap.h"
+#include "scenes/spread.h"
 
 namespace cairn::scenes {
-
-/// Mean and maximum of a quantity over the pairs that have it.
-struct Spread {
-  double mean = 0;
-  double max = 0;
-  std::uint32_t pairs = 0;
-};
 
 /// Where the bodies of a heap are wrong, as fractions of body size.
 struct Interpenetration {
@@ -29,5 +24,11 @@ inline constexpr double kDepthToleranceFraction = 0.0005;
 /// Judges a heap as it stands by `ExactSurface`, independently of the shapes. Load is what
 /// `ContactLoads` finds. Seconds for a hundred bodies of 1500 triangles. Fails if the mesh is not a closed manifold.
 Result<Interpenetration> measureInterpenetration(const Heap& heap);
+
+/// How deep bodies of one model reach into each other, over the pairs that do, as fractions of body size.
+Spread penetrations(const ExactSurface& surface, const Model& model, std::span<const btTransform> poses);
+
+/// The greatest of these alone, for a fraction of the time.
+double worstPenetration(const ExactSurface& surface, const Model& model, std::span<const btTransform> poses);
 
 }  // namespace cairn::scenes

@@ -4,6 +4,7 @@
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "scenes/timed_dispatcher.h"
 
@@ -11,7 +12,6 @@ namespace cairn::scenes {
 namespace {
 
 constexpr btScalar kFriction = btScalar(0.5);
-constexpr btScalar kGravity = btScalar(9.81);
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Result<std::unique_ptr<World>> World::create(const WorldOptions& options) {
 World::World(const WorldOptions& options) : options_(options) {
   makeDispatcher();
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &broadphase_, &solver_, &configuration_);
-  world_->setGravity({0, 0, -kGravity});
+  world_->setGravity({0, 0, -static_cast<btScalar>(options.gravity)});
 }
 
 void World::makeDispatcher() {
@@ -62,19 +62,64 @@ btRigidBody& World::addBody(btCollisionShape& shape, const btTransform& pose, bt
 }
 
 StepRecord World::step() {
-  StepRecord record;
   narrowPhaseCpuUs_ = 0;
   const double start = threadCpuMicroseconds();
   const auto timeStep = static_cast<btScalar>(options_.timeStep);
   world_->stepSimulation(timeStep, 1, timeStep);
-  record.stepCpuUs = threadCpuMicroseconds() - start;
+  const double stepCpuUs = threadCpuMicroseconds() - start;
+  loads_.update(*dispatcher_);
+  return record(stepCpuUs);
+}
+
+StepRecord World::show(std::span<const BodyMotion> motions) {
+  assert(motions.size() == moving_.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    moving_[i]->setCenterOfMassTransform(motions[i].pose);
+    moving_[i]->setLinearVelocity(motions[i].linearVelocity);
+    moving_[i]->setAngularVelocity(motions[i].angularVelocity);
+  }
+  narrowPhaseCpuUs_ = 0;
+  world_->getDispatchInfo().m_timeStep = static_cast<btScalar>(options_.timeStep);
+  const double start = threadCpuMicroseconds();
+  world_->performDiscreteCollisionDetection();
+  return record(threadCpuMicroseconds() - start);
+}
+
+StepRecord World::record(double stepCpuUs) const {
+  StepRecord record;
+  record.stepCpuUs = stepCpuUs;
   record.narrowPhaseCpuUs = narrowPhaseCpuUs_;
   record.manifolds = static_cast<std::uint32_t>(dispatcher_->getNumManifolds());
   for (int i = 0; i < dispatcher_->getNumManifolds(); ++i)
     record.contacts += static_cast<std::uint32_t>(dispatcher_->getManifoldByIndexInternal(i)->getNumContacts());
-  loads_.update(*dispatcher_);
   if (treeDispatcher_) record.tree = treeDispatcher_->lastStep();
   return record;
+}
+
+std::vector<ReportedContact> World::contacts() const {
+  std::vector<ReportedContact> contacts;
+  for (int i = 0; i < dispatcher_->getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher_->getManifoldByIndexInternal(i);
+    for (int c = 0; c < manifold.getNumContacts(); ++c) {
+      const btManifoldPoint& point = manifold.getContactPoint(c);
+      contacts.push_back({manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex(),
+                          fromBullet(point.getPositionWorldOnA()), fromBullet(point.getPositionWorldOnB())});
+    }
+  }
+  return contacts;
+}
+
+std::vector<BodyMotion> World::motions() const {
+  std::vector<BodyMotion> motions;
+  for (const btRigidBody* body : moving_)
+    motions.push_back({body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity()});
+  return motions;
+}
+
+std::vector<btTransform> World::poses() const {
+  std::vector<btTransform> poses;
+  for (const btRigidBody* body : moving_) poses.push_back(body->getWorldTransform());
+  return poses;
 }
 
 void World::addState(StateHash& hash) const {

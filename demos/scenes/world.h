@@ -33,10 +33,24 @@ struct WorldOptions {
   bullet::Unresolved unresolved = bullet::Unresolved::guard;
   bool sleeping = true;
   double timeStep = 1.0 / 60;  ///< seconds
+  double gravity = 9.81;       ///< m/s^2 along -z
 };
 
-/// A plain Bullet world whose narrow phase is timed, gravity 9.81 m/s^2 along -z, default solver, and the bodies in it.
-/// Only its dispatcher depends on the shape its moving bodies have.
+/// Where a body is and how it moves, world frame.
+struct BodyMotion {
+  btTransform pose;
+  btVector3 linearVelocity;   ///< of its centre of mass, m/s
+  btVector3 angularVelocity;  ///< rad/s
+};
+
+/// A point of a manifold: two bodies by their numbers, and the point each of them is said to have there, world frame.
+struct ReportedContact {
+  int first = 0, second = 0;
+  Vec3d onFirst, onSecond;
+};
+
+/// A plain Bullet world whose narrow phase is timed, default solver, and the bodies in it. Only its dispatcher depends
+/// on the shape its moving bodies have.
 class World {
  public:
   /// Fails for a budget the dispatcher refuses.
@@ -50,6 +64,17 @@ class World {
   btRigidBody& addBody(btCollisionShape& shape, const btTransform& pose, btScalar mass, const btVector3& inertia);
 
   StepRecord step();
+
+  /// Puts every moving body where `motions` says, in the bodies' order, and looks for collisions alone: nothing
+  /// responds, nothing moves on. Precondition: one motion a body.
+  StepRecord show(std::span<const BodyMotion> motions);
+
+  /// Every point of every manifold, as of the last step.
+  std::vector<ReportedContact> contacts() const;
+
+  /// The moving bodies as they are now.
+  std::vector<BodyMotion> motions() const;
+  std::vector<btTransform> poses() const;
 
   /// Moving bodies, in the order they were added.
   std::span<btRigidBody* const> bodies() const { return moving_; }
@@ -66,6 +91,7 @@ class World {
 
   explicit World(const WorldOptions& options);
   void makeDispatcher();
+  StepRecord record(double stepCpuUs) const;
 
   WorldOptions options_;
   double narrowPhaseCpuUs_ = 0;

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "distance_oracle.h"
 #include "scenes/random.h"
 #include "scenes/rock.h"
 #include "test_solids.h"
@@ -18,6 +20,8 @@ namespace {
 /// Rounding of double precision over a few dozen operations on lengths of about 1.
 constexpr double kRounding = 1e-12;
 constexpr double kTolerance = 1e-4;
+
+using Wide = test::DistanceOracle::Wide;
 
 ExactSurface surfaceOf(const test::Solid& solid) {
   auto surface = ExactSurface::create(solid.vertices, solid.triangles);
@@ -142,6 +146,90 @@ TEST(ExactCheck_TwoRocks, AgreesWithDenseSampling) {
   }
   EXPECT_GT(penetrating, 2);
   EXPECT_LT(penetrating, 12);
+}
+
+/// Distance of two segments in extended precision, by trying what can be nearest: two ends, an end and a foot, two
+/// feet.
+long double segmentDistance(const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
+  using test::DistanceOracle;
+  long double best = std::min({DistanceOracle::toSegment(a, c, d), DistanceOracle::toSegment(b, c, d),
+                               DistanceOracle::toSegment(c, a, b), DistanceOracle::toSegment(d, a, b)});
+  const Wide u = b - a, v = d - c, w = c - a;
+  const long double uu = lengthSq(u), vv = lengthSq(v), uv = dot(u, v), determinant = uu * vv - uv * uv;
+  if (determinant <= 0) return best;
+  const long double s = (dot(u, w) * vv - dot(v, w) * uv) / determinant;
+  const long double t = (dot(u, w) * uv - dot(v, w) * uu) / determinant;
+  if (s >= 0 && s <= 1 && t >= 0 && t <= 1) best = std::min(best, length((a + u * s) - (c + v * t)));
+  return best;
+}
+
+/// Whether the segment from p to q passes through the triangle, by the signs of volumes.
+bool pierces(const Wide& p, const Wide& q, const std::array<Wide, 3>& t) {
+  const auto volume = [](const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
+    return dot(cross(b - a, c - a), d - a);
+  };
+  if ((volume(t[0], t[1], t[2], p) > 0) == (volume(t[0], t[1], t[2], q) > 0)) return false;
+  const bool first = volume(p, q, t[0], t[1]) > 0;
+  return (volume(p, q, t[1], t[2]) > 0) == first && (volume(p, q, t[2], t[0]) > 0) == first;
+}
+
+/// Least distance of two meshes, 0 where they cross: every triangle against every other.
+long double bruteForceGap(const builder::TriangleMesh& meshA, const builder::TriangleMesh& meshB,
+                          const Placement& bFromA) {
+  long double best = std::numeric_limits<long double>::infinity();
+  for (std::uint32_t i = 0; i < meshA.triangles.size(); ++i)
+    for (std::uint32_t j = 0; j < meshB.triangles.size(); ++j) {
+      std::array<Wide, 3> a, b;
+      for (int k = 0; k < 3; ++k) {
+        a[k] = Wide(bFromA * meshA.corners(i)[k]);
+        b[k] = Wide(meshB.corners(j)[k]);
+      }
+      for (int k = 0; k < 3; ++k) {
+        if (pierces(a[k], a[(k + 1) % 3], b) || pierces(b[k], b[(k + 1) % 3], a)) return 0;
+        best = std::min({best, test::DistanceOracle::toTriangle(a[k], b[0], b[1], b[2]),
+                         test::DistanceOracle::toTriangle(b[k], a[0], a[1], a[2])});
+        for (int l = 0; l < 3; ++l) best = std::min(best, segmentDistance(a[k], a[(k + 1) % 3], b[l], b[(l + 1) % 3]));
+      }
+    }
+  return best;
+}
+
+TEST(ExactCheck_TwoRocks, MeetAndGapAgreeWithBruteForce) {
+  const builder::TriangleMesh meshA = generateRock({5, 1}), meshB = generateRock({6, 1});
+  const auto a = ExactSurface::create(meshA.vertices, meshA.triangles),
+             b = ExactSurface::create(meshB.vertices, meshB.triangles);
+  ASSERT_TRUE(a && b);
+  constexpr std::uint64_t kSeed = 17;
+  Random random(kSeed);
+  int meeting = 0;
+  constexpr int kTrials = 40;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Placement placement =
+        turned(random.direction(), random.uniform(0, 3), random.direction() * random.uniform(0.5, 1.1));
+    const auto gap = static_cast<double>(bruteForceGap(meshA, meshB, placement));
+    EXPECT_EQ(surfacesMeet(a.value(), b.value(), placement), gap == 0) << "seed " << kSeed << " trial " << trial;
+    EXPECT_NEAR(surfaceDistance(a.value(), b.value(), placement), gap, kRounding)
+        << "seed " << kSeed << " trial " << trial;
+    meeting += gap == 0;
+  }
+  EXPECT_GT(meeting, kTrials / 5);
+  EXPECT_LT(meeting, kTrials * 4 / 5);
+}
+
+TEST(ExactCheck_KnownDepth, IsKeptAndOnlyExceededByADeeperOne) {
+  const ExactSurface cube = surfaceOf(test::cuboid({1, 1, 1}, 1));
+  const Placement overlap = moved({0.8, 0.1, 0.05});  // 0.2 deep
+  EXPECT_EQ(penetration(cube, cube, overlap, kTolerance, 0.3), 0.3);
+  EXPECT_NEAR(penetration(cube, cube, overlap, kTolerance, 0.1), 0.2, kTolerance);
+  EXPECT_NEAR(mutualPenetration(cube, cube, overlap, kTolerance, 0.1), 0.2, kTolerance);
+}
+
+TEST(ExactCheck_Nested, SurfacesDoNotMeetAndDistanceIgnoresTheSide) {
+  const ExactSurface room = surfaceOf(test::cuboid({2, 2, 2}, 2)), ball = surfaceOf(test::ball(0.2, 4));
+  EXPECT_FALSE(surfacesMeet(ball, room, moved({0.5, 0, 0})));
+  EXPECT_TRUE(surfacesMeet(ball, room, moved({0.9, 0, 0})));
+  EXPECT_NEAR(room.distanceTo({0.75, 0, 0}), 0.25, kRounding);
+  EXPECT_NEAR(room.distanceTo({1.5, 0, 0}), 0.5, kRounding);
 }
 
 TEST(ExactCheck_Depth, IsSigned) {

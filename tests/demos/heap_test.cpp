@@ -85,7 +85,7 @@ TEST_P(HeapOfShape, SettlesInThePit) {
   auto heap = makeHeap(GetParam());
   const HeapReport report = run(*heap, 300);
   EXPECT_EQ(report.lost, 0U);
-  EXPECT_GT(report.contacts.max, 0);
+  EXPECT_GT(report.cost.contacts.max, 0);
   EXPECT_GT(report.end.pitGap.pairs, 0U) << "nothing rests on the ground";
   EXPECT_GT(report.peakSpeed, 2);
   // Metres fallen, at most: energy cannot come from nowhere.
@@ -94,7 +94,7 @@ TEST_P(HeapOfShape, SettlesInThePit) {
   // Spheres of a coarse level are fat; the others must keep the meshes apart to a few per cent.
   EXPECT_LT(report.end.depth.max, 0.05);
   EXPECT_LT(report.end.pitDepth.max, 0.05);
-  EXPECT_EQ(report.tree.has_value(), GetParam() == ShapeKind::tree);
+  EXPECT_EQ(report.cost.tree.has_value(), GetParam() == ShapeKind::tree);
 }
 INSTANTIATE_TEST_SUITE_P(Heap, HeapOfShape, ::testing::ValuesIn(kAllShapes),
                          [](const auto& shape) { return std::string(shapeName(shape.param)); });
@@ -131,9 +131,9 @@ TEST(Heap_ASmallBudget, LeavesPairsUnresolvedAndSaysSo) {
   const HeapReport report = run(*limited, 120);
   auto unlimited = makeHeap(ShapeKind::tree);
   const HeapReport reference = run(*unlimited, 120);
-  EXPECT_GT(report.tree->unresolvedPairFraction, 0);
-  EXPECT_EQ(reference.tree->unresolvedPairFraction, 0);
-  EXPECT_LT(report.tree->operations.max, reference.tree->operations.max);
+  EXPECT_GT(report.cost.tree->unresolvedPairFraction, 0);
+  EXPECT_EQ(reference.cost.tree->unresolvedPairFraction, 0);
+  EXPECT_LT(report.cost.tree->operations.max, reference.cost.tree->operations.max);
   EXPECT_EQ(report.lost, 0U);
 }
 

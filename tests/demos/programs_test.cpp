@@ -42,29 +42,38 @@ TEST_P(ProgramsWrongUsage, IsOneSentenceAndExitCodeTwo) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Demos, ProgramsWrongUsage,
-    ::testing::Values(WrongUsage{"frame_budget", "--shape triangle", "use tree, gimpact, hull or spheres"},
-                      WrongUsage{"frame_budget", "--shape tree,", "there is no shape ''"},
-                      WrongUsage{"frame_budget", "--scene crush", "use heap"},
-                      WrongUsage{"frame_budget", "--budget-ops -5", "--budget-ops"},
-                      WrongUsage{"frame_budget", "--budget-us -0.5", "--budget-us"},
-                      WrongUsage{"frame_budget", "--budget-us nan", "--budget-us"},
-                      WrongUsage{"frame_budget", "--bodies 0", "--bodies"},
-                      WrongUsage{"frame_budget", "--priority loudest", "use round-robin"},
-                      WrongUsage{"frame_budget", "--unresolved hope", "use guard, repel, ignore or compensate"},
-                      WrongUsage{"frame_budget", "--method magic", "magic"},
-                      WrongUsage{"frame_budget", "--tree a.cairn --mesh b.obj", "excludes"},
-                      WrongUsage{"frame_budget", "--speed 3", "--speed"},
-                      WrongUsage{"rockfall", "--rocks 0", "--rocks"},
-                      WrongUsage{"rockfall", "--budget-ops x", "--budget-ops"},
-                      WrongUsage{"rockfall", "--budget-us nan", "--budget-us"},
-                      WrongUsage{"rockfall", "--budget-ops -5", "'-5' is not a whole number, 0 or more"},
-                      WrongUsage{"rockfall", "--budget-ops 1e999", "'1e999' is not a whole number, 0 or more"},
-                      WrongUsage{"rockfall", "--budget-ops 99999999999999999999", "is not a whole number, 0 or more"},
-                      WrongUsage{"rockfall", "--budget-ops 0x10", "'0x10' is not a whole number, 0 or more"},
-                      WrongUsage{"rockfall", "--seed -1", "'-1' is not a whole number"},
-                      WrongUsage{"frame_budget", "--margin-fraction nan", "'nan' is not a fraction from 0 to 1"},
-                      WrongUsage{"make_rock", "--seed -1 -o rock.obj", "'-1' is not a whole number"},
-                      WrongUsage{"tree_picture", "", "TREE"}));
+    ::testing::Values(
+        WrongUsage{"frame_budget", "--shape triangle", "use tree, gimpact, hull, spheres, compound or fcl"},
+        WrongUsage{"frame_budget", "--shape tree,", "there is no shape ''"},
+        WrongUsage{"frame_budget", "--scene rockfall", "use heap, crush or converge"},
+        WrongUsage{"frame_budget", "--shape tree,fcl", "use it with --scene converge"},
+        WrongUsage{"frame_budget", "--scene crush --shape fcl", "use it with --scene converge"},
+        WrongUsage{"frame_budget", "--runs 3", "--runs belongs to recorded poses"},
+        WrongUsage{"frame_budget", "--scene crush --truth-every 5", "--truth-every belongs to"},
+        WrongUsage{"frame_budget", "--meeting bounce", "--meeting belongs to recorded poses"},
+        WrongUsage{"frame_budget", "--scene converge --meeting hug", "use through or bounce"},
+        WrongUsage{"frame_budget", "--scene converge --truth-every 0", "--truth-every"},
+        WrongUsage{"frame_budget", "--scene converge --picture a.png", "use it with --scene heap or crush"},
+        WrongUsage{"frame_budget", "--scene converge --no-sleeping", "use it with --scene heap or crush"},
+        WrongUsage{"frame_budget", "--budget-ops -5", "--budget-ops"},
+        WrongUsage{"frame_budget", "--budget-us -0.5", "--budget-us"},
+        WrongUsage{"frame_budget", "--budget-us nan", "--budget-us"},
+        WrongUsage{"frame_budget", "--bodies 0", "--bodies"},
+        WrongUsage{"frame_budget", "--priority loudest", "use round-robin"},
+        WrongUsage{"frame_budget", "--unresolved hope", "use guard, repel, ignore or compensate"},
+        WrongUsage{"frame_budget", "--method magic", "magic"},
+        WrongUsage{"frame_budget", "--tree a.cairn --mesh b.obj", "excludes"},
+        WrongUsage{"frame_budget", "--speed 3", "--speed"}, WrongUsage{"rockfall", "--rocks 0", "--rocks"},
+        WrongUsage{"rockfall", "--budget-ops x", "--budget-ops"},
+        WrongUsage{"rockfall", "--budget-us nan", "--budget-us"},
+        WrongUsage{"rockfall", "--budget-ops -5", "'-5' is not a whole number, 0 or more"},
+        WrongUsage{"rockfall", "--budget-ops 1e999", "'1e999' is not a whole number, 0 or more"},
+        WrongUsage{"rockfall", "--budget-ops 99999999999999999999", "is not a whole number, 0 or more"},
+        WrongUsage{"rockfall", "--budget-ops 0x10", "'0x10' is not a whole number, 0 or more"},
+        WrongUsage{"rockfall", "--seed -1", "'-1' is not a whole number"},
+        WrongUsage{"frame_budget", "--margin-fraction nan", "'nan' is not a fraction from 0 to 1"},
+        WrongUsage{"make_rock", "--seed -1 -o rock.obj", "'-1' is not a whole number"},
+        WrongUsage{"tree_picture", "", "TREE"}));
 
 TEST(Programs_UnwritableOutput, IsNoticedBeforeTheWork) {
   const TemporaryFolder folder;
@@ -97,6 +106,13 @@ TEST(Programs_UnreadableInput, IsOneSentenceThatNamesTheFileAndExitCodeOne) {
   EXPECT_EQ(picture.exitCode, 1);
   expectOneSentence(picture, "tree_picture", "no_such_tree.cairn");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Programs_Help, OfFrameBudgetShowsEverySceneByExample) {
+  const ProgramResult result = runProgram("frame_budget", "--help");
+  for (const char* example :
+       {"--shape tree,gimpact --budget-ops 50000", "--scene converge --mesh", "--scene crush --mesh"})
+    EXPECT_NE(result.output.find(example), std::string::npos) << example;
 }
 
 TEST(Programs_Help, ListsTheOptionsAndSucceeds) {
@@ -146,6 +162,58 @@ TEST_F(ProgramsWithATree, FrameBudgetWritesAnObjectForOneShapeAndAnArrayForSever
   EXPECT_EQ(array[0].at("state_hash"), object.at("state_hash"));
   EXPECT_EQ(array[1].at("shape"), "hull");
   EXPECT_NE(several.output.find("narrow phase / tree's"), std::string::npos) << several.output;
+}
+
+TEST_F(ProgramsWithATree, ConvergeShowsTheSamePosesToEveryShapeInEveryRunOfTheProgram) {
+  const std::string common = "--scene converge --tree " + path("rock.cairn") +
+                             " --bodies 6 --steps 150 --runs 2 --truth-every 10 --seed 3 --json ";
+  const ProgramResult together = runProgram("frame_budget", common + path("both.json") + " --shape tree,gimpact");
+  ASSERT_EQ(together.exitCode, 0) << together.errors;
+  const ProgramResult alone = runProgram("frame_budget", common + path("hull.json") + " --shape hull");
+  ASSERT_EQ(alone.exitCode, 0) << alone.errors;
+  const auto both = nlohmann::json::parse(contentOf(folder_.path() / "both.json"));
+  const auto hull = nlohmann::json::parse(contentOf(folder_.path() / "hull.json"));
+  ASSERT_EQ(both.size(), 2U);
+  for (const auto& run : both) {
+    EXPECT_EQ(run.at("poses_hash"), hull.at("poses_hash"));
+    EXPECT_EQ(run.at("true_pairs"), hull.at("true_pairs"));
+    EXPECT_EQ(run.at("scene"), "converge");
+    EXPECT_EQ(run.at("frames_checked"), 30);
+  }
+  EXPECT_TRUE(both[0].at("gap_end_fraction").at("mean").is_null()) << "nothing is simulated, and no key is missing";
+  EXPECT_EQ(both[0].at("missed_beyond_certified_error"), 0);
+  EXPECT_EQ(both[0].at("ratio_to_faster_exact_peer").at("peer"), "gimpact");
+  for (const char* key : {"mean", "p99", "max"}) EXPECT_TRUE(hull.at("contact_error_fraction").at(key).is_number());
+}
+
+TEST_F(ProgramsWithATree, CrushPrintsItsStartItsEmptyStepAndItsCourse) {
+  const ProgramResult result =
+      runProgram("frame_budget", "--scene crush --tree " + path("rock.cairn") +
+                                     " --bodies 5 --steps 120 --budget-us 500 --json " + path("crush.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const auto json = nlohmann::json::parse(contentOf(folder_.path() / "crush.json"));
+  EXPECT_GT(json.at("penetration_start_fraction").at("pairs"), 0);
+  EXPECT_GT(json.at("empty_step_cpu_us"), 0);
+  EXPECT_TRUE(json.at("narrow_phase_p999_over_allowance").is_number());
+  EXPECT_EQ(json.at("worst_penetration_fraction").size(), 9U);
+  EXPECT_EQ(json.at("worst_penetration_fraction").at(0), json.at("penetration_start_fraction").at("max"));
+  EXPECT_TRUE(json.at("gap_end_fraction").at("mean").is_number());
+  EXPECT_NE(result.output.find("empty step, narrow phase"), std::string::npos);
+}
+
+TEST_F(ProgramsWithATree, ShapesOfMissingLibrariesAreRefusedByName) {
+  const ProgramResult fcl = runProgram(
+      "frame_budget", "--scene converge --runs 1 --steps 2 --bodies 2 --shape fcl --tree " + path("rock.cairn"));
+  if (fcl.exitCode != 0) {
+    EXPECT_EQ(fcl.exitCode, 1);
+    expectOneSentence(fcl, "frame_budget", "install libfcl-dev");
+  }
+  const ProgramResult compound =
+      runProgram("frame_budget", "--steps 2 --bodies 2 --shape compound --tree " + path("rock.cairn"));
+  if (compound.exitCode != 0) {
+    EXPECT_EQ(compound.exitCode, 1);
+    expectOneSentence(compound, "frame_budget", "install libbullet-extras-dev");
+  }
 }
 
 TEST_F(ProgramsWithATree, FrameBudgetLeavesNothingWhereItCannotWrite) {

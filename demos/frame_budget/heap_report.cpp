@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heap_report.h"
+
+#include <fmt/core.h>
+
+#include <functional>
+#include <string>
+
+#include "outputs.h"
+#include "scenes/heap_report_json.h"
+#include "table.h"
+
+namespace cairn::frame_budget {
+namespace {
+
+using scenes::CrushCourse;
+using scenes::CrushStart;
+using scenes::HeapReport;
+
+/// What the slowest step in a thousand may take: this times the budget, and an empty step.
+constexpr double kBudgetAllowance = 1.10;
+
+/// p99.9 of the narrow phase over what it may be; nothing without a budget in microseconds.
+std::optional<double> shareOfAllowance(const Options& options, const HeapRun& run) {
+  const auto& budget = options.heap.world.budget.microseconds;
+  if (!budget || run.shape != scenes::ShapeKind::tree || !run.course) return {};
+  return run.report.cost.narrowPhaseCpuUs.p999 / (kBudgetAllowance * *budget + run.course->emptyStepCpuUs);
+}
+
+std::string number(const std::optional<double>& value, const char* none) {
+  return value ? fmt::format("{:.2f}", *value) : none;
+}
+
+void printEnd(const Table& table, const std::vector<HeapRun>& runs) {
+  const auto row = [&](const char* title, const std::function<std::string(const HeapReport&)>& cell) {
+    table.row(title, [&](std::size_t c) { return cell(runs[c].report); });
+  };
+  row("at the end, % of size: mean / max (pairs)", [](const auto&) { return std::string(); });
+  row("  penetration of bodies", [](const auto& r) { return spreadCell(r.end.depth); });
+  row("  gap under load", [](const auto& r) { return spreadCell(r.end.gap); });
+  row("  penetration of the pit", [](const auto& r) { return spreadCell(r.end.pitDepth); });
+  row("  gap under load at the pit", [](const auto& r) { return spreadCell(r.end.pitGap); });
+  row("peak speed, m/s", [](const auto& r) { return fmt::format("{:.2f}", r.peakSpeed); });
+  row("kinetic energy at the end, mJ/kg",
+      [](const auto& r) { return fmt::format("{:.3f}", 1000 * r.kineticEnergyEnd); });
+  row("bodies asleep / lost", [](const auto& r) { return fmt::format("{} / {}", r.asleep, r.lost); });
+  row("state hash", [](const auto& r) { return r.stateHash; });
+}
+
+void printCourse(const Options& options, const Table& table, const std::vector<HeapRun>& runs) {
+  table.row("empty step, narrow phase, CPU ms",
+            [&](std::size_t c) { return milliseconds(runs[c].course->emptyStepCpuUs); });
+  table.row(fmt::format("99.9 % / ({:.2f} x budget + empty step)", kBudgetAllowance),
+            [&](std::size_t c) { return number(shareOfAllowance(options, runs[c]), "-"); });
+  table.row("worst penetration, % of size, after", [](std::size_t) { return std::string(); });
+  constexpr std::uint32_t kChecksPerSecond = 60 / scenes::kCourseInterval;
+  for (std::size_t check = 0; check < runs[0].course->worstPenetration.size(); check += kChecksPerSecond)
+    table.row(fmt::format("  {} s", check / kChecksPerSecond),
+              [&](std::size_t c) { return percent(runs[c].course->worstPenetration[check]); });
+  table.row(fmt::format("below {:.0f} % for good after, s", 100 * scenes::kResolvedFraction),
+            [&](std::size_t c) { return number(runs[c].course->resolvedAfter, "never"); });
+}
+
+nlohmann::ordered_json courseToJson(const Options& options, const CrushStart& start, const HeapRun& run) {
+  const CrushCourse& course = *run.course;
+  nlohmann::ordered_json json;
+  json["penetration_start_fraction"] = scenes::toJson(start.depth);
+  json["empty_step_cpu_us"] = course.emptyStepCpuUs;
+  json["narrow_phase_p999_over_allowance"] = orNull(shareOfAllowance(options, run));
+  json["worst_penetration_interval_s"] = scenes::kCourseInterval / 60.0;
+  json["worst_penetration_fraction"] = course.worstPenetration;
+  json["seconds_until_below_3_percent"] = orNull(course.resolvedAfter);
+  return json;
+}
+
+}  // namespace
+
+void printHeapTable(const Options& options, const scenes::SourcedTree& tree, const CrushStart* start,
+                    const std::vector<HeapRun>& runs) {
+  fmt::print("{} of {} x {} ({} triangles, {} leaf spheres), {} steps of 1/60 s, seed {}\n", sceneName(options.scene),
+             options.heap.bodies, tree.meshName, tree.tree->triangles().size(), tree.tree->leafCount(), options.steps,
+             options.heap.seed);
+  if (start)
+    fmt::print("at the start {} pairs are in each other, by {:.1f} % of their size in the mean, at most {:.1f} %\n",
+               start->depth.pairs, 100 * start->depth.mean, 100 * start->depth.max);
+  fmt::print("\n");
+  std::vector<std::string> names;
+  std::vector<const scenes::RunCost*> costs;
+  for (const HeapRun& run : runs) {
+    names.emplace_back(scenes::shapeName(run.shape));
+    costs.push_back(&run.report.cost);
+  }
+  const Table table(std::move(names));
+  printCost(table, costs);
+  if (start) printCourse(options, table, runs);
+  printEnd(table, runs);
+}
+
+nlohmann::ordered_json toJson(const Options& options, const scenes::SourcedTree& tree, const CrushStart* start,
+                              const HeapRun& run) {
+  nlohmann::ordered_json json = describeRun(options, tree, run.shape);
+  json.update(scenes::toJson(run.report));
+  if (start) json.update(courseToJson(options, *start, run));
+  return json;
+}
+
+}  // namespace cairn::frame_budget
