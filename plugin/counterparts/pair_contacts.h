@@ -27,7 +27,7 @@ class PairContacts {
   /// pair that gets no budget.
   static constexpr std::size_t kMaxKnownPairs = 32;
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
-  static constexpr std::size_t kMaxFrontPairs = 128;
+  static constexpr std::size_t kMaxFrontPairs = 32;
   /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size: until they
   /// have moved by as much, its leaf pairs hold all that can touch, and only those that were near are measured anew.
   static constexpr float kSkinFraction = 0.006F;
