@@ -28,9 +28,11 @@ void TreePairTraversal::movePoses(const Pose& poseA, const Pose& poseB) {
   place(b_, a_, poseB, poseA);
 }
 
-void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) const {
+void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) {
   side.fromOther = relativePose(pose, otherPose);
-  side.scale = static_cast<float>(pose.scale);
+  const auto scale = static_cast<float>(pose.scale);
+  if (side.scale != scale) forgetErrors();
+  side.scale = scale;
   const float lengths =
       length(side.fromOther.translation) + side.tree->reach() + side.fromOther.scale * other.tree->reach();
   side.margin = margin_ / side.scale + kOverlapSlack * lengths;

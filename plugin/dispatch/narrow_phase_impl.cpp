@@ -13,6 +13,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include "cairn/core/round_robin.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -49,6 +51,15 @@ Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
 void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
   assert(priority);
   priority_ = std::move(priority);
+  priority_->setViewer(viewer_);
+}
+
+Status NarrowPhase::Impl::setViewer(const std::optional<Viewer>& viewer) {
+  if (viewer)
+    if (Status status = checkViewer(*viewer); !status) return status;
+  viewer_ = viewer;
+  priority_->setViewer(viewer_);
+  return {};
 }
 
 TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
@@ -121,7 +132,7 @@ void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
   statistics_ = {};
-  errorSum_ = 0;
+  errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 
   Budget budget = stepBudget();
@@ -131,6 +142,7 @@ void NarrowPhase::Impl::endStep() {
 
   statistics_.operations = budget.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
+  if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
@@ -172,18 +184,23 @@ void NarrowPhase::Impl::finishPairs(Budget& budget) {
     TreePair* const pair = collected_[i];
     if (!pair) continue;
     btManifoldResult result(&pair->body0(), &pair->body1());
-    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_));
+    const ScheduledPair seen = pair->scheduled();
+    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_), seen);
     dismiss(i);
   }
 }
 
-void NarrowPhase::Impl::count(const PairReport& report) {
+void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pair) {
+  const auto size = static_cast<double>(pair.size);
+  const double seen = viewer_ ? seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size) : 0;
   statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
   statistics_.contacts += report.contacts;
   statistics_.manifolds += report.manifolds;
   statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
+  statistics_.worstSeenError = std::max(statistics_.worstSeenError, seen);
   if (report.contacts == 0) return;
   errorSum_ += report.errorFraction;
+  seenSum_ += seen;
   ++reportingPairs_;
 }
 

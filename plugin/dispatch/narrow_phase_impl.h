@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "cairn/bullet/narrow_phase.h"
@@ -22,6 +23,7 @@ class NarrowPhase::Impl {
   Status setBudget(const StepBudget& budget);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
   void setPriority(std::unique_ptr<Priority> priority);
+  Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const { return statistics_; }
 
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
@@ -45,15 +47,16 @@ class NarrowPhase::Impl {
   void nameNewPairs();
   void finishPairs(Budget& budget);
   void dismiss(std::size_t index);
-  void count(const PairReport& report);
+  void count(const PairReport& report, const ScheduledPair& pair);
 
   btCollisionDispatcher& dispatcher_;
   StepBudget budget_;
   Unresolved policy_ = Unresolved::guard;
   std::unique_ptr<Priority> priority_;
+  std::optional<Viewer> viewer_;
   Scheduler scheduler_;
   StepStatistics statistics_;
-  double errorSum_ = 0;
+  double errorSum_ = 0, seenSum_ = 0;
   std::uint32_t reportingPairs_ = 0;
 
   bool isCollecting_ = false;

@@ -29,7 +29,7 @@ class TreePairTraversal final : public Traversal {
     float scale = 1;   // world length per tree unit
     float margin = 0;  // in tree units, with the rounding slack
   };
-  void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) const;
+  void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose);
 
   Side a_, b_;
   float margin_ = 0;
