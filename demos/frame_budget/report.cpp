@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "scenes/heap_report_json.h"
@@ -29,6 +30,10 @@ std::string spread(const scenes::Spread& s) {
 }
 std::string medianAndMax(const Quantiles& q) {
   return fmt::format("{:.0f} / {:.0f}", q.median, q.max);
+}
+
+double arcMinutes(double radians) {
+  return radians * 60 * 180 / std::numbers::pi;
 }
 
 class Table {
@@ -70,11 +75,15 @@ void printTimes(const Table& table, const std::vector<ShapeRun>& runs) {
   });
 }
 
-void printWork(const Table& table) {
+void printWork(const Table& table, bool isWatched) {
   table.treeRow("operations a step: median / max", [](const auto& t) { return medianAndMax(t.operations); });
   table.treeRow("unresolved pairs, %", [](const auto& t) { return percent(t.unresolvedPairFraction); });
   table.treeRow("certified error, % of size: mean / max",
                 [](const auto& t) { return meanAndMax(t.meanErrorFraction, t.maxErrorFraction); });
+  if (isWatched)
+    table.treeRow("seen error, minutes of arc: mean / max", [](const auto& t) {
+      return fmt::format("{:.1f} / {:.1f}", arcMinutes(t.meanSeenError), arcMinutes(t.maxSeenError));
+    });
   table.row("contacts: median / max", [](const auto& r) { return medianAndMax(r.contacts); });
   table.row("manifolds: median / max", [](const auto& r) { return medianAndMax(r.manifolds); });
 }
@@ -118,6 +127,10 @@ nlohmann::ordered_json runToJson(const Options& options, const SourcedTree& tree
   json["margin_fraction"] = orNull(options.heap.shape.marginFraction);
   json["tree"] = treeToJson(tree);
   json.update(scenes::toJson(run.report));
+  const bool isSeen = options.heap.isWatched && run.report.tree;
+  json["seen_error_rad"] =
+      isSeen ? nlohmann::ordered_json{{"mean", run.report.tree->meanSeenError}, {"max", run.report.tree->maxSeenError}}
+             : nlohmann::ordered_json(nullptr);
   return json;
 }
 
@@ -129,7 +142,7 @@ void printTable(const Options& options, const SourcedTree& tree, const std::vect
              options.heap.seed);
   const Table table(runs);
   printTimes(table, runs);
-  printWork(table);
+  printWork(table, options.heap.isWatched);
   printEnd(table);
 }
 
