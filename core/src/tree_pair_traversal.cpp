@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/core/tree_pair_traversal.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "staircase.h"
@@ -48,6 +49,15 @@ Progress TreePairTraversal::refine(Budget& budget) {
 
 float TreePairTraversal::pairError(const NodePair& pair) const {
   return a_.tree->error(pair.a) * a_.scale + b_.tree->error(pair.b) * b_.scale;
+}
+
+float TreePairTraversal::worstOf(std::span<const NodePair> pairs) const {
+  const TraversalNode* const a = a_.tree->traversalNodes().data();
+  const TraversalNode* const b = b_.tree->traversalNodes().data();
+  const float scaleA = a_.scale, scaleB = b_.scale;
+  float worst = 0;
+  for (const NodePair& pair : pairs) worst = std::max(worst, a[pair.a].error * scaleA + b[pair.b].error * scaleB);
+  return worst;
 }
 
 }  // namespace cairn

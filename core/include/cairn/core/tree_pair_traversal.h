@@ -20,6 +20,7 @@ class TreePairTraversal final : public Traversal {
 
   Progress refine(Budget& budget) override;
   float pairError(const NodePair& pair) const override;
+  float worstOf(std::span<const NodePair> pairs) const override;
 
  private:
   /// A tree and where it stands relative to the other.
