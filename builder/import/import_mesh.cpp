@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "import/mesh_text.h"
 #include "import/scene_reader.h"
 #include "import/sha256.h"
+#include "import/triangulate.h"
 #include "import/weld.h"
 
 namespace cairn::builder {
@@ -19,9 +21,11 @@ namespace {
 Status checkFinite(const std::string& file, const TriangleSoup& soup) {
   for (std::size_t t = 0; t < soup.size(); ++t) {
     for (const Vec3d& corner : soup[t]) {
-      if (!isFinite(corner))
+      if (!isFinite(Vec3(corner)))  // a tree keeps floats
         return Error{
-            fmt::format("{}: triangle {} has a coordinate that is not finite; correct it or export again", file, t)};
+            fmt::format("{}: triangle {} has a coordinate that is not finite in single precision; correct it "
+                        "or export again",
+                        file, t)};
     }
   }
   return {};
@@ -34,6 +38,17 @@ std::span<const std::byte> withoutMark(std::span<const std::byte> bytes) {
   return marked ? bytes.subspan(kMark.size()) : bytes;
 }
 
+/// In double precision where the text was read here, in single precision where assimp reads.
+Result<TriangleSoup> readSoup(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const std::span<const std::byte> text = withoutMark(bytes);
+  const Result<std::optional<PolygonSoup>> polygons = readMeshText(path, text);
+  if (!polygons) return polygons.error();
+  if (polygons.value()) return triangulated(*polygons.value());
+  // The readers of assimp take a mark for a part of the first line.
+  const bool marked = text.size() != bytes.size();
+  return marked ? readTriangles(path, text) : readTriangles(path);
+}
+
 }  // namespace
 
 Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCounts* counts) {
@@ -41,12 +56,7 @@ Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCoun
   Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
   if (bytes.value().empty()) return Error{fmt::format("{}: the file is empty; export the mesh again", path.string())};
-  const std::span<const std::byte> text = withoutMark(bytes.value());
-  if (Status s = checkMeshText(path, text); !s) return s.error();
-
-  // The readers of assimp take a mark for a part of the first line.
-  const bool marked = text.size() != bytes.value().size();
-  Result<TriangleSoup> soup = marked ? readTriangles(path, text) : readTriangles(path);
+  const Result<TriangleSoup> soup = readSoup(path, bytes.value());
   if (!soup) return soup.error();
   if (Status s = checkFinite(file, soup.value()); !s) return s.error();
   ImportCounts found;

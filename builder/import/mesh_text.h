@@ -3,17 +3,23 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "cairn/core/result.h"
+#include "import/polygon_soup.h"
 
 namespace cairn::builder {
 
-/// Checks what a mesh file says before assimp sees it, by the extension of `path`: assimp passes over a bad number or a
+/// The polygons of an OBJ, OFF, PLY or text STL, coordinates as the doubles nearest to what the file says; the
+/// extension of `path` tells the format. Nothing for other formats and for the rarer forms of these, which are left to
+/// assimp: `4OFF` and `nOFF`, binary STL, PLY of strips.
+///
+/// Whatever is left to assimp has been checked as far as these formats go, because assimp passes over a bad number or a
 /// missing tail in silence, stops with a message that names no line, or (PLY) waits forever for the rest. OBJ: numbers
 /// finite, faces of three or more existing vertices. OFF: as many lines as the header promises, indices in range. STL:
-/// as long as its count says, or ended by `endsolid`. PLY: all the elements the header promises. Other formats pass.
+/// as long as its count says, or ended by `endsolid`. PLY: all the elements the header promises, indices in range.
 /// Errors name the file and the line. Linear.
-Status checkMeshText(const std::filesystem::path& path, std::span<const std::byte> bytes);
+Result<std::optional<PolygonSoup>> readMeshText(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace cairn::builder

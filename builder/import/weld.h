@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cairn/builder/import.h"
-#include "import/scene_reader.h"
+#include "import/polygon_soup.h"
 
 namespace cairn::builder {
 

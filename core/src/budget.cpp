@@ -18,7 +18,9 @@ Budget Budget::both(std::uint64_t operations, double microseconds) {
 }
 
 bool Budget::lookAtClock() {
-  if (Clock::now() >= deadline_) return true;  // sinceClock_ stays high: once the time is up, every look says so
+  const auto promised = std::chrono::duration<double, std::nano>(promisedNanoseconds_);
+  if (Clock::now() + std::chrono::duration_cast<Clock::duration>(promised) >= deadline_)
+    return true;  // sinceClock_ stays high: once the time is up, every look says so
   sinceClock_ = 0;
   return false;
 }

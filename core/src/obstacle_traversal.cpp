@@ -7,7 +7,7 @@
 namespace cairn {
 
 void ObstacleTraversal::start(const SphereTree& tree, float scale, const Obstacle& obstacle) {
-  clear();
+  abandon();
   tree_ = &tree;
   obstacle_ = &obstacle;
   scale_ = scale;

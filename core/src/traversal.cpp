@@ -38,7 +38,7 @@ void Traversal::forgetErrors() {
   seen_ = 0;
 }
 
-void Traversal::clear() {
+void Traversal::abandon() {
   queue_.clear();
   leafPairs_.clear();
   head_ = 0;

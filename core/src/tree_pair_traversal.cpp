@@ -11,7 +11,7 @@ namespace cairn {
 void TreePairTraversal::start(const SphereTree& a, const SphereTree& b, const Pose& poseA, const Pose& poseB,
                               float margin) {
   assert(margin >= 0);
-  clear();
+  abandon();
   a_.tree = &a;
   b_.tree = &b;
   margin_ = margin;
@@ -40,6 +40,7 @@ void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, c
 }
 
 Progress TreePairTraversal::refine(Budget& budget) {
+  if (done()) return Progress::done;
   const auto body = [](const Side& side) {
     return StaircaseBody{side.tree->families().data(), side.tree->traversalNodes().data(), side.fromOther, side.scale,
                          side.margin};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contacts/contact.h"
+#include "contacts/relative_placement.h"
 
 namespace cairn::bullet {
 
@@ -9,8 +10,10 @@ namespace cairn::bullet {
 struct RelativeMotion {
   Vec3 treeLinear, treeAngular, treeCenter;
   Vec3 otherLinear, otherAngular, otherCenter;
+  RelativePlacement placement;
   float timeStep = 0;     ///< seconds
   float smallerSize = 0;  ///< of the smaller body, world length
+  float reach = 0;        ///< contacts with a gap below this are wanted
 
   /// No point within half the smaller body's size of a common centre moves faster against the other body.
   float greatestSpeed() const {

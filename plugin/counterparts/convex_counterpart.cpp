@@ -73,7 +73,7 @@ float ConvexCounterpart::size(const btCollisionShape& shape) const {
   return 2 * length(ownBox(shape).halfExtents);
 }
 
-void ConvexCounterpart::start(std::vector<NodePair>& /*known*/) {
+void ConvexCounterpart::start(std::vector<NodePair>& /*known*/, float /*skin*/) {
   traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
 }
 

@@ -29,9 +29,10 @@ class ConvexObstacle final : public Obstacle {
 class ConvexCounterpart final : public Counterpart {
  public:
   void place(const PairPlacement& placement) override;
-  void start(std::vector<NodePair>& known) override;
+  void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override { return true; }
   Traversal& traversal() override { return traversal_; }
+  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   float size(const btCollisionShape& shape) const override;

@@ -5,6 +5,9 @@
 #include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "counterparts/convex_counterpart.h"
 #include "counterparts/plane_counterpart.h"
@@ -34,6 +37,12 @@ std::optional<CounterpartKind> kindOf(const btCollisionShape& shape) {
   if (shape.isConvex()) return CounterpartKind::convex;
   if (!shape.isConcave() || hidesTriangles(shape)) return std::nullopt;
   return CounterpartKind::triangles;
+}
+
+void Counterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
+                                 std::vector<Contact>& contacts) {
+  std::fill(gaps.begin(), gaps.end(), -std::numeric_limits<float>::infinity());
+  appendContacts(pairs, contacts);
 }
 
 std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind) {

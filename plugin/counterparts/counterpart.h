@@ -37,12 +37,16 @@ class Counterpart {
   virtual ~Counterpart() = default;
 
   /// Forgets what it learnt about the bodies it served: a pooled pair must answer like a new one.
-  virtual void reset() {}
+  virtual void reset() { traversal().abandon(); }
   /// Takes the poses of this step.
   virtual void place(const PairPlacement& placement) = 0;
   /// Begins a new traversal at these poses. `known` are pairs of an earlier traversal that the caller will ask about
-  /// again: those whose element no longer exists are removed, others are renamed if need be.
-  virtual void start(std::vector<NodePair>& known) = 0;
+  /// again: those whose element no longer exists are removed, others are renamed if need be. `skin` (world length):
+  /// how much farther than the placement's reach it looks, if `keepsAnswer`.
+  virtual void start(std::vector<NodePair>& known, float skin) = 0;
+  /// Whether what a traversal found holds for all poses that are no farther from its own than its skin: nothing but the
+  /// bodies' poses decides what touches.
+  virtual bool keepsAnswer() const { return false; }
   /// Goes on with the last traversal at these poses. False when it cannot (what it has seen of the counterpart is too
   /// small for where the tree now is): the caller must start anew.
   virtual bool resume() = 0;
@@ -52,6 +56,12 @@ class Counterpart {
   /// Appends the contacts of resolved pairs, measured between the extreme points of the leaves' regions (scheme S), if
   /// their gap is below the placement's reach.
   virtual void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) = 0;
+  /// The same, and says in `gaps` how far the two surfaces of each pair are apart at least; minus infinity where that
+  /// is not known. Precondition: one gap for each pair.
+  virtual void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts);
+  /// Whether the contacts of a traversal that took several steps are only right when all its resolved pairs are
+  /// measured together; otherwise those of earlier steps are left at what was remembered of them.
+  virtual bool measuresTogether() const { return false; }
   /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
   virtual Contact boundingContact(const NodePair& pair) = 0;
   /// Appends contacts of the sphere around the whole tree that hold it against all of the counterpart there is near it,

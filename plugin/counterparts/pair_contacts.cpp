@@ -2,6 +2,7 @@
 #include "counterparts/pair_contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn::bullet {
 
@@ -30,19 +31,71 @@ void PairContacts::reset() {
   traversal_ = {};
   started_ = false;
   isRetested_ = false;
+  isKept_ = false;
+  forgetGaps();
 }
 
-void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget) {
+void PairContacts::forgetGaps() {
+  gaps_.clear();
+  measuredInVain_ = 0;
+  leastGap_ = -std::numeric_limits<float>::infinity();
+}
+
+bool PairContacts::stillApart(const RelativePlacement& now, float reach) const {
+  if (leastGap_ < reach) return false;
+  return static_cast<float>(now.displacementSince(startedAt_)) <= skin_ &&
+         reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
+}
+
+void PairContacts::settleApart(const Vec3& centers) {
+  if (started_) reset();
+  isAnswered_ = true;
+  answer_ = {0, centers};
+}
+
+void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
   isRetested_ = false;
-  const bool resumed = started_ && !counterpart.traversal().done() && counterpart.resume();
-  started_ = true;
-  if (resumed) {
+  isKept_ = keepAnswer(counterpart, motion, isThrifty);
+  if (isKept_) return;
+  if (started_ && !counterpart.traversal().done() && counterpart.resume())
     retest(counterpart, budget);
-    return;
-  }
-  counterpart.start(known_);
+  else
+    start(counterpart, motion);
+}
+
+void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
+  // What moves on at once gains nothing from looking farther.
+  const float skin = kSkinFraction * motion.smallerSize;
+  const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
+  skin_ = counterpart.keepsAnswer() && isSlow ? skin : 0;
+  counterpart.start(known_, skin_);
+  startedAt_ = motion.placement;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   seenLeafPairs_ = 0;
+  forgetGaps();
+  started_ = true;
+}
+
+// Pairs whose surfaces were farther apart than the bodies have moved since still are.
+bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
+  if (!started_ || skin_ == 0 || !counterpart.traversal().done()) return false;
+  if (static_cast<float>(motion.placement.displacementSince(startedAt_)) > skin_) return false;
+  const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+  traversal_ = {0, motion.treeCenter - motion.otherCenter};
+  measuresAll_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
+  if (measuresAll_) {
+    near_.assign(leafPairs.begin(), leafPairs.end());
+    return true;
+  }
+  if (isThrifty && !known_.empty()) {
+    near_.assign(known_.begin(), known_.end());
+    return true;
+  }
+  const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
+  near_.clear();
+  for (std::size_t i = 0; i < leafPairs.size(); ++i)
+    if (gaps_[i] < near) near_.push_back(leafPairs[i]);
+  return true;
 }
 
 void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
@@ -53,11 +106,50 @@ void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
   counterpart.appendContacts(known_, retested_);
 }
 
-void PairContacts::appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
-  const std::span<const NodePair> fresh = counterpart.traversal().leafPairs().subspan(seenLeafPairs_);
-  seenLeafPairs_ += fresh.size();
-  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(fresh.size()));
-  counterpart.appendContacts(fresh, contacts);
+// What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
+std::span<const NodePair> PairContacts::unmeasured(const Counterpart& counterpart) const {
+  if (isKept_) return near_;
+  const bool anew = counterpart.traversal().done() && counterpart.measuresTogether();
+  return counterpart.traversal().leafPairs().subspan(anew ? 0 : seenLeafPairs_);
+}
+
+// Whether or not they are wanted now, so that a pair which slows down later allocates nothing.
+void PairContacts::makeRoomForGaps(std::size_t leafPairs) {
+  if (gaps_.capacity() >= leafPairs) return;
+  gaps_.reserve(leafPairs + leafPairs / 2);
+  near_.reserve(leafPairs + leafPairs / 2);
+}
+
+void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                                    std::vector<Contact>& contacts) {
+  const std::span<const NodePair> pairs = unmeasured(counterpart);
+  const std::size_t leafPairs = counterpart.traversal().leafPairs().size();
+  const bool areAll = isKept_ ? measuresAll_ : seenLeafPairs_ == 0;
+  seenLeafPairs_ = leafPairs;
+  budget.chargeAnyway(kContactCost * pairs.size());
+  makeRoomForGaps(leafPairs);
+  const std::size_t before = contacts.size();
+  if (skin_ > 0 && counterpart.traversal().done() && areAll) {
+    gaps_.resize(leafPairs);
+    measuredAt_ = motion.placement;
+    counterpart.appendContacts(pairs, gaps_, contacts);
+    leastGap_ = std::numeric_limits<float>::infinity();
+    for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
+    measuredInVain_ = 0;
+  } else {
+    counterpart.appendContacts(pairs, contacts);
+    measuredInVain_ += pairs.size() - std::min(pairs.size(), contacts.size() - before);
+  }
+}
+
+std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const {
+  return kContactCost * unmeasured(counterpart).size();
+}
+
+std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
+  if (counterpart.traversal().done()) return 0;
+  const std::uint64_t known = isRetested_ ? 0 : kContactCost * known_.size();
+  return known + kSphereCost * (std::min(counterpart.traversal().front().size(), kMaxFrontPairs) + 1);
 }
 
 namespace {
@@ -192,27 +284,22 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
                           Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
-  if (counterpart.traversal().done()) {
-    // A resumed traversal may have found leaf pairs at older poses: all are measured at this one's.
-    const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
-    budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(leafPairs.size()));
-    counterpart.appendContacts(leafPairs, contacts);
+  const bool isDone = counterpart.traversal().done();
+  if (!isDone) retest(counterpart, budget);
+  if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
+  appendUnmeasured(counterpart, motion, budget, contacts);
+  if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
     answerHadContacts_ = !contacts.empty();
-    // What it ruled out long ago may have closed in since.
-    if (isRecent(motion))
-      guards_.clear();
-    else if (policy == Unresolved::guard)
-      appendGuards(counterpart, motion, reach, budget, scratch);
-  } else {
-    retest(counterpart, budget);
-    contacts = retested_;
-    appendNewlyResolved(counterpart, budget, contacts);
-    if (policy == Unresolved::guard) appendGuards(counterpart, motion, reach, budget, scratch);
-    if (policy == Unresolved::repel || policy == Unresolved::compensate)
-      appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   }
+  // What an answer ruled out long ago may have closed in since.
+  if (isDone && isRecent(motion))
+    guards_.clear();
+  else if (policy == Unresolved::guard)
+    appendGuards(counterpart, motion, reach, budget, scratch);
+  else if (!isDone && policy != Unresolved::ignore)
+    appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
   scratch.contacts.group(seeds_, reach);
   flatten(counterpart, reach, scratch.contacts);

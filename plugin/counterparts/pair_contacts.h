@@ -28,13 +28,29 @@ class PairContacts {
   static constexpr std::size_t kMaxKnownPairs = 32;
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 128;
+  /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size: until they
+  /// have moved by as much, its leaf pairs hold all that can touch, and only those that were near are measured anew.
+  static constexpr float kSkinFraction = 0.006F;
 
   /// Forgets everything; for a pair that is new.
   void reset();
 
+  /// Everything is too far apart for contacts: that is an answer, and nothing else need be remembered. `centers`: from
+  /// the other body's centre to the tree's.
+  void settleApart(const Vec3& centers);
+
+  /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
+  bool stillApart(const RelativePlacement& now, float reach) const;
+
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
-  /// now, before anything is refined, and charges that to the budget.
-  void begin(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget);
+  /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
+  /// was in contact is measured anew, not what may have come near since.
+  void begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
+
+  /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
+  std::uint64_t measuringCost(const Counterpart& counterpart) const;
+  /// And what it would be charged beyond: for what a pair that stays unresolved knew before, and for its guards.
+  std::uint64_t standInCost(const Counterpart& counterpart) const;
 
   /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
   /// the budget whatever is left of it.
@@ -60,8 +76,14 @@ class PairContacts {
     float sunk;
   };
 
+  void forgetGaps();
+  void makeRoomForGaps(std::size_t leafPairs);
+  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
+  void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget);
-  void appendNewlyResolved(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
+  std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
+  void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                        std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
@@ -89,6 +111,18 @@ class PairContacts {
   bool isAnswered_ = false;         // was the traversal ever done
   bool answerHadContacts_ = false;  // and did it find any
   Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
+  // Of a traversal that looked farther than needed: where it began, how much farther it looked, and how far apart its
+  // leaf pairs were when all of them were measured.
+  RelativePlacement startedAt_, measuredAt_;
+  float skin_ = 0;
+  std::vector<float> gaps_;  // one for each leaf pair, or none if they were not measured together
+  float leastGap_ = 0;       // of them; minus infinity if they were not
+  // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
+  // again costs no more than what it will save is likely to.
+  std::size_t measuredInVain_ = 0;
+  std::vector<NodePair> near_;  // those of a kept answer that are to be measured
+  bool isKept_ = false;
+  bool measuresAll_ = false;  // near_ is all leaf pairs, in their order
   bool started_ = false;
   bool isRetested_ = false;
 };

@@ -33,15 +33,24 @@ void PlaneCounterpart::place(const PairPlacement& placement) {
   const btVector3 normal = placement.other.getBasis() * shape.getPlaneNormal();
   normal_ = toVec3(normal);
   offset_ = static_cast<float>(shape.getPlaneConstant() + normal.dot(placement.other.getOrigin()));
+}
 
+void PlaneCounterpart::placeObstacle() {
   const float unit = 1 / tree_.scale();
   const float below = (offset_ - dot(normal_, tree_.toPair().translation)) * unit;
   const float lengths = std::abs(below) + 2 * tree_.tree().reach() + std::abs(offset_) * unit;
-  obstacle_.place(tree_.axesFromPair() * normal_, below, (reach_ + margin_) * unit + kOverlapSlack * lengths);
+  obstacle_.place(tree_.axesFromPair() * normal_, below, (reach_ + skin_ + margin_) * unit + kOverlapSlack * lengths);
 }
 
-void PlaneCounterpart::start(std::vector<NodePair>& /*known*/) {
+void PlaneCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
+  skin_ = skin;
+  placeObstacle();
   traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
+}
+
+bool PlaneCounterpart::resume() {
+  placeObstacle();
+  return true;
 }
 
 // A planar leaf touches with its corners: which of them is extreme would change with every rounding.

@@ -26,19 +26,23 @@ class PlaneObstacle final : public Obstacle {
 class PlaneCounterpart final : public Counterpart {
  public:
   void place(const PairPlacement& placement) override;
-  void start(std::vector<NodePair>& known) override;
-  bool resume() override { return true; }
+  void start(std::vector<NodePair>& known, float skin) override;
+  bool resume() override;
   Traversal& traversal() override { return traversal_; }
+  bool keepsAnswer() const override { return true; }
+  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:
+  void placeObstacle();
   void appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex, std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
   float margin_ = 0;
   float reach_ = 0;
+  float skin_ = 0;
   Vec3 normal_;  // pair frame; the plane is dot(normal_, p) == offset_
   float offset_ = 0;
   PlaneObstacle obstacle_;

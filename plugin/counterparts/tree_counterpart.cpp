@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "shape/bullet_math.h"
@@ -29,8 +30,8 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
   return static_cast<float>(asSphereTree(&shape)->size());
 }
 
-void TreeCounterpart::start(std::vector<NodePair>& /*known*/) {
-  traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_);
+void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
+  traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 
 bool TreeCounterpart::resume() {
@@ -53,19 +54,20 @@ bool TreeCounterpart::preferPlanes(Contact& contact, const Sphere& a, const Sphe
   const auto offer = [&](const Vec3& normal) {
     Contact other = contact;
     other.normal = normal;
-    if (!measure(other, a, b)) return false;
+    const bool isNear = measure(other, a, b, reach_);
     if (other.gap > contact.gap) contact = other;
-    return true;
+    return isNear;
   };
   if (isPlanarA && !offer(-a_.facing(contact.pair.a))) return false;
   if (isPlanarB && !offer(b_.facing(contact.pair.b))) return false;
   return !a_.facesAlong(contact.pair.a, contact.normal) && !b_.facesAlong(contact.pair.b, -contact.normal);
 }
 
-bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b) const {
+bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const {
   const Vec3 onA = a_.support(contact.pair.a, -contact.normal);
-  // No point of B's region lies higher than the top of its ball: often that settles it.
-  if (dot(contact.normal, onA - b.center) - b.radius - margins_ >= reach_) return false;
+  // No point of B's region lies higher than the top of its ball: often that says enough.
+  contact.gap = dot(contact.normal, onA - b.center) - b.radius - margins_;
+  if (contact.gap >= atMost) return false;
   const Vec3 onB = b_.support(contact.pair.b, contact.normal);
   contact.gap = dot(contact.normal, onA - onB) - margins_;
   if (contact.gap >= reach_) return false;
@@ -77,18 +79,32 @@ bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b
   return true;
 }
 
+bool TreeCounterpart::touch(Contact& contact, float atMost) const {
+  const Sphere a = a_.sphere(contact.pair.a);
+  const Sphere b = b_.sphere(contact.pair.b);
+  contact.normal = centerLine(a, b);
+  if (!measure(contact, a, b, atMost) || !preferPlanes(contact, a, b)) return false;
+  contact.id = {static_cast<int>(a_.tree().level(contact.pair.a)), static_cast<int>(contact.pair.a),
+                static_cast<int>(b_.tree().level(contact.pair.b)), static_cast<int>(contact.pair.b)};
+  return true;
+}
+
 void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   for (const NodePair& pair : pairs) {
     Contact contact;
     contact.pair = pair;
-    const Sphere a = a_.sphere(pair.a);
-    const Sphere b = b_.sphere(pair.b);
-    contact.normal = centerLine(a, b);
-    if (!measure(contact, a, b)) continue;
-    if (!preferPlanes(contact, a, b)) continue;
-    contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
-                  static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
-    contacts.push_back(contact);
+    if (touch(contact, reach_)) contacts.push_back(contact);
+  }
+}
+
+void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
+                                     std::vector<Contact>& contacts) {
+  constexpr float kExactly = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Contact contact;
+    contact.pair = pairs[i];
+    if (touch(contact, kExactly)) contacts.push_back(contact);
+    gaps[i] = contact.gap;
   }
 }
 
@@ -145,7 +161,7 @@ Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, const Vec3& last) {
   for (Contact& contact : cluster) {
     if (contact.ofSpheres) continue;
     contact.normal = normal;
-    if (!measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b))) contact.gap = reach_;
+    if (!measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b), reach_)) contact.gap = reach_;
   }
   return normal;
 }

@@ -11,10 +11,12 @@ namespace cairn::bullet {
 class TreeCounterpart final : public Counterpart {
  public:
   void place(const PairPlacement& placement) override;
-  void start(std::vector<NodePair>& known) override;
+  void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
+  bool keepsAnswer() const override { return true; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   /// Where one tree is much larger, its root says little: the larger one is followed down to spheres about as large as
   /// the smaller one's, at most eight families.
@@ -25,12 +27,16 @@ class TreeCounterpart final : public Counterpart {
  private:
   bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
+  // Whether there is a contact; its gap is set either way, to what the surfaces are apart at least, or at least to
+  // something not below `atMost`.
+  bool touch(Contact& contact, float atMost) const;
   // Where a region is planar, the centre line says more about where the leaves lie than about where the surfaces meet:
   // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
   // is not below the reach, or when the two do not face each other.
   bool preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const;
-  // Gap and position along the contact's normal; false when the gap is not below the reach.
-  bool measure(Contact& contact, const Sphere& a, const Sphere& b) const;
+  // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
+  // is larger than what is set.
+  bool measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const;
 
   PlacedTree a_, b_;
   float margins_ = 0;

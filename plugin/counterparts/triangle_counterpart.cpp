@@ -19,6 +19,7 @@ constexpr float kCoveredFraction = 0.01F;
 }  // namespace
 
 void TriangleCounterpart::reset() {
+  Counterpart::reset();
   outran_ = false;
   sides_.reset();
 }
@@ -32,7 +33,7 @@ void TriangleCounterpart::place(const PairPlacement& placement) {
   treeUpper_ += btVector3(reach, reach, reach);
 }
 
-void TriangleCounterpart::start(std::vector<NodePair>& known) {
+void TriangleCounterpart::start(std::vector<NodePair>& known, float /*skin*/) {
   oldSources_.clear();
   for (const NodePair& pair : known) oldSources_.push_back(soup_.triangles()[pair.b]);
   gather();

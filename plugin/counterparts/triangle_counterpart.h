@@ -20,10 +20,13 @@ class TriangleCounterpart final : public Counterpart {
  public:
   void reset() override;
   void place(const PairPlacement& placement) override;
-  void start(std::vector<NodePair>& known) override;
+  void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
+  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  /// On which side of a triangle a node belongs can only be told from everything it touches.
+  bool measuresTogether() const override { return true; }
   Contact boundingContact(const NodePair& pair) override;
   /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
   /// up to four. Linear in the triangles; only what is appended is counted as work.

@@ -73,7 +73,7 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
-  if (pair->collectedAt() != TreePair::kNotCollected) collected_[pair->collectedAt()] = nullptr;
+  if (pair->collectedAt() != TreePair::kNotCollected) dismiss(pair->collectedAt());
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -82,8 +82,10 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   stepBegan_ = ThreadCpuClock::now();
+  left_ = newBudget();
   timeStep_ = info.m_timeStep;
   collected_.clear();
+  scheduled_.clear();
 }
 
 // A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
@@ -99,7 +101,13 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
-  if (isCollecting_ && mayDefer && isPlain && collect(pair, body0, body1)) return;
+  if (isCollecting_ && mayDefer && isPlain) {
+    if (pair.settleApart(body0, body1)) {
+      ++apartPairs_;
+      return;
+    }
+    if (collect(pair, body0, body1)) return;
+  }
   answerAtOnce(pair, body0, body1, info, result);
 }
 
@@ -116,13 +124,13 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
   Budget budget = Budget::unlimited();
-  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, budget)) return;
+  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
   pair.scheduled().traversal->refine(budget);
   ContactScratch scratch;  // queries may come from any thread
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
 }
 
-Budget NarrowPhase::Impl::stepBudget() const {
+Budget NarrowPhase::Impl::newBudget() const {
   const std::uint64_t operations =
       budget_.operations ? static_cast<std::uint64_t>(*budget_.operations) : Budget::kUnlimited;
   return budget_.microseconds ? Budget::both(operations, *budget_.microseconds) : Budget::operations(operations);
@@ -132,42 +140,82 @@ void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
   statistics_ = {};
+  statistics_.pairs = apartPairs_.exchange(0);
   errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 
-  Budget budget = stepBudget();
-  beginPairs(budget);
-  scheduler_.run(scheduled_, *priority_, budget);
-  finishPairs(budget);
+  orderPairs();
+  beginPairs();
+  scheduler_.run(scheduled_, *priority_, left_, this);
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (collected_[i]) finishPair(i);
+  pace_.endStep();
+  isScarce_ = statistics_.unresolvedPairs > 0;
+  ++step_;
 
-  statistics_.operations = budget.used();
+  statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
 
-// Drops what was destroyed meanwhile, names what is new and orders everything by name. Until a pair is finished, a
-// user's callback may still destroy it.
-void NarrowPhase::Impl::beginPairs(Budget& budget) {
+// Drops what was destroyed meanwhile, names what is new and orders everything by name.
+void NarrowPhase::Impl::orderPairs() {
   std::erase(collected_, nullptr);
   nameNewPairs();
   std::sort(collected_.begin(), collected_.end(),
             [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
-  for (std::size_t i = 0; i < collected_.size(); ++i) collected_[i]->setCollectedAt(i);
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    collected_[i]->setCollectedAt(i);
+    scheduled_.push_back({.id = collected_[i]->id(), .traversal = &nothing_});
+  }
+}
+
+// What is resolved already is finished at once, while it is in the cache. From here on a user's callbacks may destroy
+// any pair that is not finished.
+void NarrowPhase::Impl::beginPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
-    if (TreePair* pair = collected_[i]; pair && !pair->begin(pair->body0(), pair->body1(), timeStep_, 0, budget))
-      dismiss(i);
-  scheduled_.clear();
-  for (TreePair* pair : collected_)
-    if (pair) scheduled_.push_back(pair->scheduled());
-  statistics_.pairs = static_cast<std::uint32_t>(scheduled_.size());
+    if (collected_[i]) beginPair(i);
+}
+
+void NarrowPhase::Impl::beginPair(std::size_t index) {
+  TreePair& pair = *collected_[index];
+  // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
+  const bool isThrifty = isScarce_ && (pair.id() + step_) % kStepsOfThrift != 0;
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
+  ++statistics_.pairs;
+  // Without a limit nobody has to wait for a turn.
+  if (!isLimited()) pair.scheduled().traversal->refine(left_);
+  pair.promise(left_, pace_);
+  if (pair.isDone()) return finishPair(index);
+  scheduled_[index] = pair.scheduled();
+}
+
+void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& budget) {
+  TreePair* const pair = collected_[index];
+  if (!pair) return;
+  pair->promise(budget, pace_);
+  if (progress == Progress::done) finishPair(index);
+}
+
+void NarrowPhase::Impl::finishPair(std::size_t index) {
+  TreePair& pair = *collected_[index];
+  const bool isTimed = left_.hasDeadline();
+  const double expected = pair.promised().nanoseconds;
+  const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
+  btManifoldResult result(&pair.body0(), &pair.body1());
+  const ScheduledPair seen = pair.scheduled();
+  count(pair.finish(dispatcher_, result, policy_, isLimited(), left_, scratch_), seen);
+  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
+  dismiss(index);
 }
 
 // Unless its own callbacks have destroyed it.
 void NarrowPhase::Impl::dismiss(std::size_t index) {
   if (collected_[index]) collected_[index]->setCollectedAt(TreePair::kNotCollected);
   collected_[index] = nullptr;
+  if (index < scheduled_.size()) scheduled_[index].traversal = &nothing_;
 }
 
 void NarrowPhase::Impl::nameNewPairs() {
@@ -176,18 +224,6 @@ void NarrowPhase::Impl::nameNewPairs() {
     if (collected_[i]->isUnnamed()) newPairs_.push_back({collected_[i]->key(i), collected_[i]});
   std::sort(newPairs_.begin(), newPairs_.end(), [](const NewPair& x, const NewPair& y) { return x.key < y.key; });
   for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
-}
-
-void NarrowPhase::Impl::finishPairs(Budget& budget) {
-  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
-  for (std::size_t i = 0; i < collected_.size(); ++i) {
-    TreePair* const pair = collected_[i];
-    if (!pair) continue;
-    btManifoldResult result(&pair->body0(), &pair->body1());
-    const ScheduledPair seen = pair->scheduled();
-    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_), seen);
-    dismiss(i);
-  }
 }
 
 void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pair) {

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "cairn/bullet/narrow_phase.h"
+#include "cairn/core/tree_pair_traversal.h"
 #include "dispatch/create_functions.h"
+#include "dispatch/emission_pace.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/tree_pair.h"
 
@@ -16,7 +19,7 @@ namespace cairn::bullet {
 
 /// One step: `beginStep`, then Bullet's own pass, in which every algorithm calls `process` and is collected or answered
 /// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads.
-class NarrowPhase::Impl {
+class NarrowPhase::Impl final : private TurnListener {
  public:
   explicit Impl(btCollisionDispatcher& dispatcher);
 
@@ -41,16 +44,22 @@ class NarrowPhase::Impl {
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
-  Budget stepBudget() const;
+  bool isLimited() const { return budget_.operations || budget_.microseconds; }
+  Budget newBudget() const;
   bool isWorlds(btOverlappingPairCache& pairs);
-  void beginPairs(Budget& budget);
+  void orderPairs();
   void nameNewPairs();
-  void finishPairs(Budget& budget);
+  void beginPairs();
+  void beginPair(std::size_t index);
+  void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
+  void finishPair(std::size_t index);
   void dismiss(std::size_t index);
   void count(const PairReport& report, const ScheduledPair& pair);
 
   btCollisionDispatcher& dispatcher_;
   StepBudget budget_;
+  Budget left_ = Budget::unlimited();  // of the current step's
+  EmissionPace pace_;
   Unresolved policy_ = Unresolved::guard;
   std::unique_ptr<Priority> priority_;
   std::optional<Viewer> viewer_;
@@ -59,12 +68,17 @@ class NarrowPhase::Impl {
   double errorSum_ = 0, seenSum_ = 0;
   std::uint32_t reportingPairs_ = 0;
 
+  static constexpr std::uint64_t kStepsOfThrift = 4;
+  bool isScarce_ = false;   // the last step left pairs unresolved
+  std::uint64_t step_ = 0;  // that were collected
+
   bool isCollecting_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   btScalar timeStep_ = 0;
   ThreadCpuClock::time_point stepBegan_;
+  std::atomic<std::uint32_t> apartPairs_{0};
   std::mutex mutex_;                  // guards what follows while algorithms run
-  std::vector<TreePair*> collected_;  // null: destroyed after it was collected
+  std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
 
@@ -73,7 +87,8 @@ class NarrowPhase::Impl {
     TreePair* pair;
   };
   std::vector<NewPair> newPairs_;
-  std::vector<ScheduledPair> scheduled_;
+  std::vector<ScheduledPair> scheduled_;  // one for each collected pair
+  TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
   Registration registration_;  // last: algorithms may be made as soon as it stands

@@ -11,6 +11,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/manifold_writer.h"
+#include "dispatch/root_spheres.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -46,6 +47,14 @@ float inverseMass(const btCollisionObject& object) {
   return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
+RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree, const btTransform& other) {
+  RelativePlacement placement;
+  placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
+  placement.treeInOther.setOrigin((tree.getOrigin() - other.getOrigin()) * other.getBasis());
+  shape.getBoundingSphere(placement.center, placement.radius);
+  return placement;
+}
+
 Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   const btTransform fromTree = body * shape.bodyFromTree();
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
@@ -57,8 +66,28 @@ void TreePair::reset() {
   contacts_.reset();
   counterpart_->reset();
   subject_ = {};
+  promised_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
+}
+
+bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+  if (stillApart(body0, body1)) return true;
+  if (!areRootsApart(body0, body1)) return false;
+  contacts_.settleApart(toVec3(body0.getWorldTransform().getOrigin() - body1.getWorldTransform().getOrigin()));
+  clearManifolds();
+  return true;
+}
+
+bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+  if (!subject_.tree) return false;
+  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
+  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
+  const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
+  const btCollisionShape& other = *otherBody.getCollisionShape();
+  if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return false;
+  return contacts_.stillApart(relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform()),
+                              speculative_);
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
@@ -71,7 +100,7 @@ PairKey TreePair::key(std::size_t arrival) const {
 }
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar threshold, Budget& budget) {
+                     btScalar threshold, bool isThrifty, Budget& budget) {
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
@@ -82,7 +111,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
   counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, motion_, budget);
+  contacts_.begin(*counterpart_, motion_, isThrifty, budget);
   return true;
 }
 
@@ -93,25 +122,43 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
     return false;
   }
   const SphereTreeShape* const otherTree = asSphereTree(&other);
-  Subject now{tree->sharedTree(), otherTree ? otherTree->sharedTree() : nullptr, tree->scale(),
-              otherTree ? otherTree->scale() : 0, &other};
-  if (now == subject_) return true;
+  if (isSubject(*tree, otherTree, other)) return true;
   forget();
   if (*kind != kind_) {
     kind_ = *kind;
     counterpart_ = makeCounterpart(kind_);
   }
-  subject_ = std::move(now);
+  subject_ = {tree->sharedTree(),
+              otherTree ? otherTree->sharedTree() : nullptr,
+              tree->scale(),
+              otherTree ? otherTree->scale() : 0,
+              tree->getMargin(),
+              otherTree ? otherTree->getMargin() : 0,
+              &other};
   return true;
 }
 
-// The manifolds stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
+bool TreePair::isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree,
+                         const btCollisionShape& other) const {
+  if (subject_.tree.get() != &tree.tree() || subject_.treeScale != tree.scale() ||
+      subject_.treeMargin != tree.getMargin() || subject_.otherShape != &other)
+    return false;
+  if (!otherTree) return !subject_.otherTree;
+  return subject_.otherTree.get() == &otherTree->tree() && subject_.otherScale == otherTree->scale() &&
+         subject_.otherMargin == otherTree->getMargin();
+}
+
 void TreePair::forget() {
   contacts_.reset();
   counterpart_->reset();
   subject_ = {};
+  clearManifolds();
+}
+
+// They stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
+void TreePair::clearManifolds() {
   for (btPersistentManifold* m : manifolds_)
-    if (m) m->clearManifold();
+    if (m && m->getNumContacts() > 0) m->clearManifold();
 }
 
 void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
@@ -166,6 +213,9 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
   reducedMass_ = inverseMasses > 0 ? 1 / inverseMasses : 0;
   motion_.timeStep = static_cast<float>(timeStep);
   motion_.smallerSize = smallerSize_;
+  motion_.reach = placement_.reach;
+  motion_.placement =
+      relativePlacement(*placement_.treeShape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   placement_.travel = closingSpeed_ * static_cast<float>(timeStep);
 }
 
@@ -199,8 +249,16 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   report.manifolds += choice.count > 0 ? 1 : 0;
 }
 
+void TreePair::promise(Budget& budget, const EmissionPace& pace) {
+  budget.redeem(promised_);
+  promised_.operations = contacts_.measuringCost(*counterpart_);
+  promised_.nanoseconds = pace.expectedNanoseconds(promised_.operations + contacts_.standInCost(*counterpart_));
+  budget.promise(promised_);
+}
+
 PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy,
                             bool mayBeInterrupted, Budget& budget, ContactScratch& scratch) {
+  budget.redeem(std::exchange(promised_, {}));
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);

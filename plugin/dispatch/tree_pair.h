@@ -7,11 +7,13 @@
 #include <array>
 #include <compare>
 #include <memory>
+#include <utility>
 
 #include "cairn/bullet/step.h"
 #include "cairn/core/scheduler.h"
 #include "counterparts/pair_contacts.h"
 #include "dispatch/body_snapshot.h"
+#include "dispatch/emission_pace.h"
 
 class btDispatcher;
 
@@ -45,6 +47,9 @@ class TreePair {
   /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
+  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
+  /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   PairKey key(std::size_t arrival) const;
@@ -53,13 +58,19 @@ class TreePair {
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. False, and no contacts, when the shapes are no longer a sphere-tree and something it can meet.
+  /// first. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are no longer a sphere-tree
+  /// and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar threshold, Budget& budget);
+             btScalar threshold, bool isThrifty, Budget& budget);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
 
-  /// Brings the manifolds up to date through `result`. `mayBeInterrupted`: whether the next step can stop half-way.
+  bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
+
+  /// Holds back what finishing the pair would take now, in place of what was held back for it before.
+  void promise(Budget& budget, const EmissionPace& pace);
+  /// Brings the manifolds up to date through `result`, and redeems the promise. `mayBeInterrupted`: whether the next
+  /// step can stop half-way.
   PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
                     Budget& budget, ContactScratch& scratch);
 
@@ -73,20 +84,24 @@ class TreePair {
   std::size_t collectedAt() const { return collectedAt_; }
   void setCollectedAt(std::size_t index) { collectedAt_ = index; }
 
+  /// What is held back for finishing this pair.
+  const Promise& promised() const { return promised_; }
+
   static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
   static constexpr std::size_t kNotCollected = ~std::size_t{0};
 
  private:
   // What the state is about. A body's shape may be replaced between steps, and the old one destroyed; the traversal
-  // refers to its tree.
+  // refers to its tree, and its answer may be kept.
   struct Subject {
     std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
-    btScalar treeScale = 0, otherScale = 0;
-    const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
-
-    friend bool operator==(const Subject&, const Subject&) = default;
+    btScalar treeScale = 0, otherScale = 0, treeMargin = 0, otherMargin = 0;  // the other's if it is a tree
+    const btCollisionShape* otherShape = nullptr;                             // never followed: it may be gone
   };
 
+  void clearManifolds();
+  bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
@@ -115,6 +130,7 @@ class TreePair {
   float closingSpeed_ = 0;
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame
+  Promise promised_;
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <typeinfo>
 #include <utility>
 
 #include "shape/bullet_math.h"
@@ -110,7 +111,8 @@ void SphereTreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) c
 }
 
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape) {
-  return shape->getShapeType() == FAST_CONCAVE_MESH_PROXYTYPE ? dynamic_cast<const SphereTreeShape*>(shape) : nullptr;
+  if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || typeid(*shape) != typeid(SphereTreeShape)) return nullptr;
+  return static_cast<const SphereTreeShape*>(shape);
 }
 
 }  // namespace cairn::bullet

@@ -12,22 +12,10 @@
 
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
+#include "placed_mesh.h"
 
 namespace cairn::builder {
 namespace {
-
-/// A turn about each axis in turn, then a scale, then a shift that rounds some more.
-Vec3d placed(Vec3d p, double scale) {
-  const double c = std::cos(0.7), s = std::sin(0.7);
-  p = {p.x * c - p.y * s, p.x * s + p.y * c, p.z};
-  p = {p.x, p.y * c - p.z * s, p.y * s + p.z * c};
-  p = {p.x * c - p.z * s, p.y, p.x * s + p.z * c};
-  return (p + Vec3d(1, -2, 3)) * scale;
-}
-
-TriangleMesh placedMesh(const TriangleMesh& mesh, double scale) {
-  return test::moved(mesh, [&](const Vec3d& p) { return placed(p, scale); });
-}
 
 struct Body {
   const char* name;
@@ -43,7 +31,7 @@ std::vector<Body> bodies() {
 }
 
 TEST(BodyFrame, TakesThereAndBack) {
-  const TriangleMesh mesh = placedMesh(test::lumpyBall(2, 1), 7);
+  const TriangleMesh mesh = test::placedMesh(test::lumpyBall(2, 1), 7);
   const BodyFrame frame(mesh);
   for (const Vec3d& v : mesh.vertices) {
     const Vec3d inside = frame.into(v);
@@ -58,7 +46,7 @@ TEST(BodyFrame, MeshIsTheSameBitsHoweverItLies) {
     SCOPED_TRACE(body.name);
     const TriangleMesh as = bodyMesh(body.mesh, BodyFrame(body.mesh));
     for (const double scale : {1.0, 1e-6, 1e6}) {
-      const TriangleMesh mesh = placedMesh(body.mesh, scale);
+      const TriangleMesh mesh = test::placedMesh(body.mesh, scale);
       const TriangleMesh same = bodyMesh(mesh, BodyFrame(mesh));
       EXPECT_EQ(same.vertices, as.vertices) << "at scale " << scale;
     }
@@ -82,25 +70,13 @@ TEST(BodyFrame, RoundsVerticesByLessThanItSays_AndNarrowTrianglesNotAtAll) {
   EXPECT_EQ(farthestMove(), 0);
 }
 
-/// Balls are the same but for rounding; what is left is where seams end up, and the certificate's own tolerance, a
-/// ten-thousandth of the diagonal.
-constexpr double kCertificate = 1e-4;
-
 TEST(BodyFrame, AdaptiveLevelsAreTheSameHoweverTheMeshLies) {
-  BuildOptions options;
-  options.method = Method::adaptive;
-  options.depth = 2;
-  options.branching = 3;  // quick: nine leaves
   const TriangleMesh mesh = test::lumpyBall(1, 5);
-  const auto as = buildTree(mesh, options);
+  const auto as = buildTree(mesh, test::quickAdaptive());
   ASSERT_TRUE(as);
-  const double tolerance = kCertificate * boundsOf(mesh).diagonal();
   for (const double scale : {1e-6, 1e6}) {
-    const auto there = buildTree(placedMesh(mesh, scale), options);
-    ASSERT_TRUE(there);
-    for (std::uint32_t level = 1; level <= 2; ++level)
-      EXPECT_NEAR(there.value().levelError(level) / scale, as.value().levelError(level), tolerance)
-          << "level " << level << " at scale " << scale;
+    SCOPED_TRACE(scale);
+    test::expectSameLevels(mesh, as.value(), test::placedMesh(mesh, scale), scale);
   }
 }
 

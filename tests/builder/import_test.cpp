@@ -7,72 +7,30 @@
 
 #include "builder_meshes.h"
 #include "cairn/builder/import.h"
+#include "mesh_texts.h"
 #include "run_program.h"
 #include "surface/mass_properties.h"
 
 namespace cairn::builder {
 namespace {
 
+using test::appendBytes;
 using test::cuboid;
 using test::meshOf;
+using test::offText;
+using test::plyBinary;
+using test::plyText;
+using test::stlBinary;
+using test::stlText;
 
 // ---------------------------------------------------------------------------------------------- formats
 
-/// Corners of the triangles in the order of the file, as floats: what a format keeps of them.
+/// Corners of the triangles in the order of the file, as floats: what every format keeps of them.
 void expectSameSurface(const TriangleMesh& a, const TriangleMesh& b) {
   ASSERT_EQ(a.triangles.size(), b.triangles.size());
   for (std::uint32_t t = 0; t < a.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(Vec3(a.corners(t)[i]), Vec3(b.corners(t)[i])) << "triangle " << t;
   }
-}
-
-std::string offText(const TriangleMesh& mesh) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "OFF\n# a comment\n" << mesh.vertices.size() << ' ' << mesh.triangles.size() << " 0\n";
-  for (const Vec3d& v : mesh.vertices) out << v.x << ' ' << v.y << ' ' << v.z << '\n';
-  for (const Triangle& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  return out.str();
-}
-
-std::string plyText(const TriangleMesh& mesh) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.vertices.size()
-      << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.triangles.size()
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Vec3d& v : mesh.vertices) out << v.x << ' ' << v.y << ' ' << v.z << '\n';
-  for (const Triangle& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  return out.str();
-}
-
-std::string stlText(const TriangleMesh& mesh) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "solid test\n";
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    out << "facet normal 0 0 0\nouter loop\n";
-    for (const Vec3d& c : mesh.corners(t)) out << "vertex " << c.x << ' ' << c.y << ' ' << c.z << '\n';
-    out << "endloop\nendfacet\n";
-  }
-  out << "endsolid test\n";
-  return out.str();
-}
-
-template <class T>
-void appendBytes(std::string& text, const T& value) {
-  text.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::string stlBinary(const TriangleMesh& mesh) {
-  std::string bytes(80, ' ');
-  appendBytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    appendBytes(bytes, Vec3{});
-    for (const Vec3d& c : mesh.corners(t)) appendBytes(bytes, Vec3(c));
-    bytes.append(2, '\0');
-  }
-  return bytes;
 }
 
 struct Format {
@@ -97,7 +55,7 @@ TEST_P(ImportFormat, GivesBackTheSurface) {
 INSTANTIATE_TEST_SUITE_P(Formats, ImportFormat,
                          testing::Values(Format{"mesh.obj", test::objText}, Format{"mesh.off", offText},
                                          Format{"mesh.ply", plyText}, Format{"text.stl", stlText},
-                                         Format{"binary.stl", stlBinary}),
+                                         Format{"binary.stl", stlBinary}, Format{"binary.ply", plyBinary}),
                          [](const auto& format) {
                            return std::string(format.param.name).substr(0, 4) + std::to_string(format.index);
                          });
@@ -139,6 +97,31 @@ TEST(Import, TriangulatesPolygonsAndResolvesNegativeIndices) {
   const Result<TriangleMesh> read = importMesh(path);
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_NEAR(signedVolume(read.value()), 1, 1e-12);
+}
+
+TEST(Import, ReadsTheRarerFormsOfOffAndObj) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 2, 3}, 1));
+  std::ostringstream weighed, oldFaces, coloured, decorated;
+  decorated << "STCNOFF\n" << cube.vertices.size() << ' ' << cube.triangles.size() << " 0\n";
+  for (const Vec3d& v : cube.vertices) {
+    weighed << "v " << 4 * v.x << ' ' << 4 * v.y << ' ' << 4 * v.z << " 4\n";
+    coloured << "v " << v.x << ' ' << v.y << ' ' << v.z << " 0.5 0.25 1\n";
+    decorated << v.x << ' ' << v.y << ' ' << v.z << " 0 0 1 255 0 0 255 0.5 0.5\n";
+  }
+  for (const Triangle& t : cube.triangles) {
+    weighed << "f\t" << t[0] + 1 << "//1\t" << t[1] + 1 << "//1\t" << t[2] + 1 << "//1\n";
+    oldFaces << "fo " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+    decorated << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << " 255 0 0\n";
+  }
+  const auto expectCube = [&](const char* name, const std::string& text) {
+    const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / name, text));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    expectSameSurface(read.value(), cube);
+  };
+  expectCube("weighed.obj", weighed.str());
+  expectCube("coloured.obj", "l 1 2\np 1\no thing\n" + coloured.str() + oldFaces.str());
+  expectCube("decorated.off", decorated.str());
 }
 
 TEST(Import, PassesOverAByteOrderMark) {
@@ -254,6 +237,17 @@ INSTANTIATE_TEST_SUITE_P(
                 std::string(80, ' ') + std::string("\x0c\0\0\0", 4) + std::string(99, 'a'),
                 "183 bytes are too few for a binary STL of 12 triangles"},
         BadFile{"PlyTruncated", "a.ply", plyText(meshOf(cuboid({1, 1, 1}, 1))).substr(0, 300), "a.ply"},
+        BadFile{"PlyIndex", "a.ply", plyTextWithFace("3 0 1 4"), "line 15: face 1 names vertex 4 of 4"},
+        BadFile{"PlyIndexNegative", "a.ply", plyTextWithFace("3 0 1 -1"), "line 15: face 1 names vertex -1 of 4"},
+        BadFile{"PlyWord", "a.ply", plyTextWithFace("3 0 1 x"), "line 15: a value is missing or is no number"},
+        BadFile{"PlyHuge", "a.ply", plyHeader("ascii") + "1e39 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n",
+                "triangle 0 has a coordinate that is not finite in single precision"},
+        BadFile{"ObjWeight", "a.obj", "v 0 0 0 0\n", "line 1: the vertex divided by its fourth number is not finite"},
+        BadFile{"StlWord", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\nendsolid\n",
+                "line 4: 'x' is not a coordinate"},
+        BadFile{"StlTwoCorners", "a.stl",
+                "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n",
+                "line 6: a facet needs three vertices, this one has 2"},
         BadFile{"PlyFaceOfNone", "a.ply", plyTextWithFace("0"), "line 15: face 1 has 0 vertices"},
         BadFile{"PlyFaceOfTwo", "a.ply", plyTextWithFace("2 0 1"), "line 15: face 1 has 2 vertices"},
         BadFile{"PlyBinaryFaceOfNone", "a.ply", plyBinaryWithFace(0), "a.ply: face 1 has 0 vertices"},
@@ -276,7 +270,7 @@ TEST(ImportOfBadFiles, EveryTruncationOfAFile) {
   const test::TemporaryFolder folder;
   const TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
   for (const Format& format : {Format{"a.obj", test::objText}, Format{"a.off", offText}, Format{"a.ply", plyText},
-                               Format{"a.stl", stlText}, Format{"a.stl", stlBinary}}) {
+                               Format{"a.ply", plyBinary}, Format{"a.stl", stlText}, Format{"a.stl", stlBinary}}) {
     const std::string text = format.text(mesh);
     for (std::size_t length = 0; length < text.size(); length += 7) {
       const Result<TriangleMesh> read =

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 class Writable : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "cairn_writable";
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("cairn_writable_") + info->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

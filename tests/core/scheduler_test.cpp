@@ -170,5 +170,67 @@ TEST(Budget, Both_EndsAtWhicheverComesFirst) {
   EXPECT_EQ(budget.remaining(), 0U);
 }
 
+TEST(Budget, Promises_AreHeldBackUntilTheyAreRedeemed) {
+  Budget budget = Budget::operations(100);
+  budget.promise({60, 0});
+  EXPECT_EQ(budget.remaining(), 40U);
+  EXPECT_FALSE(budget.charge(41));
+  EXPECT_TRUE(budget.charge(40));
+  EXPECT_FALSE(budget.charge(1));
+  budget.redeem({60, 0});
+  budget.chargeAnyway(55);
+  EXPECT_EQ(budget.used(), 95U);
+  EXPECT_EQ(budget.remaining(), 5U);
+}
+
+TEST(Budget, PromisesBeyondWhatIsLeft_LeaveNothing) {
+  Budget budget = Budget::operations(10);
+  budget.promise({60, 0});
+  EXPECT_EQ(budget.remaining(), 0U);
+  EXPECT_FALSE(budget.charge(1));
+}
+
+// An hour is left, and promised work needs a day: for refinement the time is up.
+TEST(Budget, PromisedTime_IsHeldBack) {
+  Budget budget = Budget::time(3600e6);
+  EXPECT_TRUE(budget.charge(1));
+  const Promise day{0, 86400e9};
+  budget.promise(day);
+  budget.chargeAnyway(Budget::kClockInterval);
+  EXPECT_FALSE(budget.charge(1));
+  budget.redeem(day);
+  EXPECT_TRUE(budget.charge(1));
+}
+
+/// Promises what every leaf pair will cost, as who measures contacts would.
+struct LeafPairsPromised final : TurnListener {
+  explicit LeafPairsPromised(const std::vector<ScheduledPair>& all) : pairs(all), promised(all.size()) {}
+  void turnEnded(std::size_t pair, Progress /*progress*/, Budget& budget) override {
+    const std::uint64_t now = kCost * pairs[pair].traversal->leafPairs().size();
+    budget.promise({now - promised[pair], 0});
+    sum += now - promised[pair];
+    promised[pair] = now;
+  }
+
+  static constexpr std::uint64_t kCost = 5;
+  const std::vector<ScheduledPair>& pairs;  // of the step
+  std::vector<std::uint64_t> promised;
+  std::uint64_t sum = 0;
+};
+
+TEST(Scheduler, WhatIsPromised_IsLeftOfTheBudget) {
+  constexpr std::uint64_t kMostInATurn = 8 * kFamilyWidth * LeafPairsPromised::kCost;
+  const std::uint64_t full = fullCost(1);
+  for (const std::uint64_t operations : {full / 2, full * 3 / 4, full}) {
+    Crowd crowd(1);
+    RoundRobin priority;
+    LeafPairsPromised listener(crowd.pairs);
+    Budget budget = Budget::operations(operations);
+    EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget, &listener), Progress::budgetSpent);
+    EXPECT_GT(listener.sum, 0U) << "nothing was promised: the test shows nothing";
+    EXPECT_LE(budget.used() + listener.sum, operations + kMostInATurn);
+  }
+}
+
 }  // namespace
 }  // namespace cairn

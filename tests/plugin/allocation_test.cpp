@@ -83,7 +83,7 @@ TEST_P(Allocation, IsNoneAfterWarmUp) {
   }
   w.step(300);
   const std::size_t before = gAllocations;
-  w.step(100);
+  w.step(1000);
   EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
   EXPECT_EQ(gAllocations - before, 0U);
 }

@@ -43,32 +43,35 @@ struct RodToWall {
 
 class GuardedRod : public testing::TestWithParam<std::int64_t> {};
 
-// What had been allowed to sink into the floor has nothing to do with the wall: split impulses must not shift the rod
-// by it in one step.
+// The whole rod's sphere overlaps the floor by half its length, and may. Were that taken for something sunk into the
+// wall, split impulses would shift the rod by a fifth of it in one step: 0.3 m. What really sinks under a small budget
+// is little more than the rod's thickness; half of that shift tells the two apart.
 TEST_P(GuardedRod, IsNotShiftedByAWall) {
   RodToWall scene(GetParam());
   for (int i = 0; i < 300; ++i) {
     const btVector3 before = scene.rod->getWorldTransform().getOrigin();
     scene.w.step();
     const btScalar moved = scene.rod->getWorldTransform().getOrigin().distance(before);
-    // Split impulses take out a fifth of what has sunk in a step, and that is less than the rod's thickness.
-    ASSERT_LT(moved - scene.rod->getLinearVelocity().length() * kStep, 0.2 * 0.3) << "step " << i;
+    ASSERT_LT(moved - scene.rod->getLinearVelocity().length() * kStep, 0.15) << "step " << i;
     ASSERT_GT(scene.rod->getWorldTransform().getOrigin().z(), 0) << "step " << i;
     ASSERT_LT(scene.rod->getWorldTransform().getOrigin().x(), 2) << "step " << i;
   }
 }
 
+// Without split impulses the same shift would be a kick of 0.3 m in a step, 18 m/s. Falling, its centre reaches 5.5 m/s
+// (2 m/s and 1.36 m of height); what has sunk by its thickness is pushed out with 0.2 * 0.3 m in a step more.
 TEST_P(GuardedRod, IsNotKickedByAWall) {
   RodToWall scene(GetParam());
   scene.w.world.getSolverInfo().m_splitImpulse = 0;
+  const double fallen = std::sqrt(4 + 2 * 9.81 * 1.36), pushedOut = 0.2 * 0.3 / kStep;
   for (int i = 0; i < 300; ++i) {
     scene.w.step();
-    // It may topple: its centre falls by 1.36 m at most.
-    ASSERT_LT(scene.rod->getLinearVelocity().length(), std::sqrt(4 + 2 * 9.81 * 1.36)) << "step " << i;
+    ASSERT_LT(scene.rod->getLinearVelocity().length(), fallen + pushedOut) << "step " << i;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Budgets, GuardedRod, testing::Values(0, 1, 45, 100, 300, 1000));
+INSTANTIATE_TEST_SUITE_P(Tiny, GuardedRod, testing::Values(1, 45));
+INSTANTIATE_TEST_SUITE_P(Budgets, GuardedRod, testing::Range<std::int64_t>(0, 1500, 50));
 
 // The centres of a wide ground and a small body on it say nothing about which way is up.
 TEST(Guards_OnAWideTree, HoldASmallBodyAnywhereWithBoundedWork) {

@@ -43,6 +43,7 @@ TEST(PriorityFacts, AreThoseOfTheBodies) {
   w.add(small, 2, btVector3(btScalar(100.74), 0, 0)).setLinearVelocity(btVector3(-4, 0, 0));
   Witness::Heard heard;
   w.dispatcher.setPriority(std::make_unique<Witness>(heard));
+  ASSERT_TRUE(w.dispatcher.setBudget({1000000, {}}).ok());  // without a limit nobody waits for a turn
   w.world.performDiscreteCollisionDetection();
   ASSERT_EQ(heard.pairs.size(), 1U);
   const ScheduledPair& pair = heard.pairs[0];
@@ -59,6 +60,7 @@ TEST(PriorityFacts, WhatIsHeldFastHasTheOthersMass) {
   w.add(treeShape(plainTree(ball(0.3, 6))), 2, btVector3(0, 0, btScalar(0.295)));
   Witness::Heard heard;
   w.dispatcher.setPriority(std::make_unique<Witness>(heard));
+  ASSERT_TRUE(w.dispatcher.setBudget({1000000, {}}).ok());  // without a limit nobody waits for a turn
   w.world.performDiscreteCollisionDetection();
   ASSERT_EQ(heard.pairs.size(), 1U);
   EXPECT_NEAR(heard.pairs[0].mass, 2, 1e-6F);
@@ -73,6 +75,7 @@ TEST(PriorityFacts, AnAnswerCounts_UntilTheBodiesHaveApproached) {
   w.add(treeShape(tree), 1, btVector3(btScalar(0.99), 0, 0));
   Witness::Heard heard;
   w.dispatcher.setPriority(std::make_unique<Witness>(heard));
+  ASSERT_TRUE(w.dispatcher.setBudget({1000000, {}}).ok());  // without a limit nobody waits for a turn
   w.world.performDiscreteCollisionDetection();
   EXPECT_GT(heard.pairs.at(0).unansweredError, 0);
   w.world.performDiscreteCollisionDetection();

@@ -19,7 +19,7 @@ class ScriptedTraversal final : public Traversal {
   }
 
   void restart() {
-    clear();
+    abandon();
     for (std::uint32_t i = 0; i < errors_.size(); ++i) queue_.push_back({i, 0});
   }
   Progress refine(Budget& budget) override {

@@ -15,12 +15,14 @@ struct ImportCounts {
 };
 
 /// Reads a mesh file of any format assimp knows: all its meshes, placed by their nodes, polygons triangulated, vertices
-/// at exactly equal positions welded (so STL soups close), vertices no triangle uses left out. Coordinates pass through
-/// float, as assimp keeps them.
+/// at exactly equal positions welded (so STL soups close), vertices no triangle uses left out. Coordinates of OBJ, OFF,
+/// PLY and text STL are the doubles nearest to what the file says; those of other formats, and of the rarer forms of
+/// these (`4OFF`, `nOFF`, PLY of strips), pass through float, as assimp keeps them. All must be finite as floats, which
+/// is what a tree keeps.
 ///
-/// The result has passed `checkMesh`. Text-level facts assimp does not report (an OBJ face that names a vertex the file
-/// does not have, a truncated OFF or STL) are checked first. A UTF-8 byte order mark before an OBJ or OFF is passed
-/// over. Fails with one sentence that names the file and the place. `counts` may be null. O(n log n).
+/// The result has passed `checkMesh`. What assimp would not report (a truncated binary STL, a PLY that lacks elements)
+/// is checked first. A UTF-8 byte order mark before a text is passed over. Fails with one sentence that names the file
+/// and the place. `counts` may be null. O(n log n).
 Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts = nullptr);
 
 /// The same without `checkMesh`: welded and free of triangles without area, but maybe open, turned in places or

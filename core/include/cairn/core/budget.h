@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,16 @@ namespace cairn {
 /// Narrow-phase operations of Eq. 2.1 of Bradshaw's thesis, with the constants of its section 7.2.
 inline constexpr std::uint32_t kSphereUpdateCost = 2;
 inline constexpr std::uint32_t kOverlapTestCost = 1;
+
+/// Work that has to be done once refinement has stopped, whatever is left then: contacts to be made of what was found.
+struct Promise {
+  std::uint64_t operations = 0;
+  double nanoseconds = 0;  ///< expected
+
+  friend Promise operator-(const Promise& x, const Promise& y) {
+    return {x.operations - y.operations, x.nanoseconds - y.nanoseconds};
+  }
+};
 
 /// How much work may still be done: operations (reproducible), time (not), or whichever ends first.
 ///
@@ -31,7 +42,7 @@ class Budget {
   /// Takes `cost` operations if they fit and the time is not up; otherwise takes nothing. `charge(0)` asks about time
   /// alone.
   bool charge(std::uint32_t cost) {
-    if (cost > remaining_ || timeIsUp()) return false;
+    if (cost > remaining() || timeIsUp()) return false;
     chargeAnyway(cost);
     return true;
   }
@@ -43,15 +54,31 @@ class Budget {
     sinceClock_ += cost;
   }
 
+  /// Holds back what promised work will take, until `redeem` gives it free for the work itself. Promises may exceed
+  /// what is left; then nothing more is charged.
+  void promise(const Promise& work) {
+    promisedOperations_ += work.operations;
+    promisedNanoseconds_ += work.nanoseconds;
+  }
+  /// Precondition: the same was promised.
+  void redeem(const Promise& work) {
+    promisedOperations_ -= work.operations;
+    promisedNanoseconds_ -= work.nanoseconds;
+  }
+
   std::uint64_t used() const { return used_; }
-  std::uint64_t remaining() const { return remaining_; }
+  /// What may still be charged: promised work is held back.
+  std::uint64_t remaining() const { return remaining_ - std::min(remaining_, promisedOperations_); }
+  bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
 
  private:
   Budget(std::uint64_t operations, Clock::time_point deadline) : remaining_(operations), deadline_(deadline) {}
-  bool timeIsUp() { return deadline_ != Clock::time_point::max() && sinceClock_ >= kClockInterval && lookAtClock(); }
+  bool timeIsUp() { return hasDeadline() && sinceClock_ >= kClockInterval && lookAtClock(); }
   bool lookAtClock();
 
   std::uint64_t remaining_;
+  std::uint64_t promisedOperations_ = 0;
+  double promisedNanoseconds_ = 0;
   std::uint64_t used_ = 0;
   std::uint64_t sinceClock_ = kClockInterval;  // look at once: a budget of zero microseconds does nothing
   Clock::time_point deadline_;

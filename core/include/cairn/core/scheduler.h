@@ -9,6 +9,15 @@
 
 namespace cairn {
 
+/// Is told of every turn, to do something with what it resolved while that is in the cache. What this costs it books on
+/// the budget itself, and may promise what is still to come.
+class TurnListener {
+ public:
+  virtual ~TurnListener() = default;
+  /// `pair` is the index in the pairs of this step. Traversals may be abandoned, none may be started.
+  virtual void turnEnded(std::size_t pair, Progress progress, Budget& budget) = 0;
+};
+
 /// Shares one budget over all pairs of a step.
 class Scheduler {
  public:
@@ -18,7 +27,7 @@ class Scheduler {
 
   /// Refines until every pair is done or the budget is spent. `pairs` need not be sorted; they are sorted by id here.
   /// Precondition: ids unique, traversals started.
-  Progress run(std::span<ScheduledPair> pairs, Priority& priority, Budget& budget);
+  Progress run(std::span<ScheduledPair> pairs, Priority& priority, Budget& budget, TurnListener* listener = nullptr);
 };
 
 }  // namespace cairn

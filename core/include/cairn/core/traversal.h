@@ -25,6 +25,9 @@ class Traversal {
 
   virtual Progress refine(Budget& budget) = 0;
 
+  /// Forgets everything: done, with no pairs, and no tree or obstacle is looked at any more until the next start.
+  void abandon();
+
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
   std::span<const NodePair> front() const { return queue_.pairs().subspan(head_); }
@@ -49,7 +52,6 @@ class Traversal {
   Traversal& operator=(const Traversal&) = default;
   Traversal& operator=(Traversal&&) = default;
 
-  void clear();
   /// `pairError` may answer differently from now on.
   void forgetErrors();
 

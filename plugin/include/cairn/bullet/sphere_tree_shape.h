@@ -95,8 +95,8 @@ class SphereTreeShape final : public btConcaveShape {
   btTransform bodyFromMesh_, bodyFromTree_;
 };
 
-/// The shape as a `SphereTreeShape`, or null. Decided by a private tag, never by the type number alone, which is free
-/// to others.
+/// The shape as a `SphereTreeShape`, or null. Decided by its class, never by the type number alone, which is free to
+/// others.
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape);
 
 }  // namespace cairn::bullet

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cairn/core/result.h"
+#include "import/line_reader.h"
+
+namespace cairn::builder::ply {
+
+enum class Kind { unknown, signedInteger, unsignedInteger, real };
+
+/// Of a value. `size` in bytes, 1 to 8.
+struct Type {
+  Kind kind = Kind::unknown;
+  std::size_t size = 0;
+};
+
+/// What a property is to us.
+enum class Role { none, x, y, z, corners };
+
+struct Property {
+  Type type;
+  Type countType;  ///< of a list's length; unknown when not a list
+  Role role = Role::none;
+
+  bool isList() const { return countType.kind != Kind::unknown; }
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  bool has(Role role) const;
+};
+
+enum class Encoding { text, littleEndian, bigEndian };
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+
+  /// Whether vertices and faces are what `readPly` reads.
+  bool holdsPolygons() const;
+  std::uint64_t vertices() const;
+};
+
+/// Reads to the line `end_header`. Fails, naming the line, for types, elements and properties PLY does not have, and
+/// when there is no such line.
+Result<Header> readHeader(LineReader& line);
+
+}  // namespace cairn::builder::ply

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace cairn::bullet {
+
+/// How long this machine takes to make a pair's contacts out of what its traversal resolved: learnt from the pairs of
+/// earlier steps, so that refinement under a deadline stops early enough. A pair is expected to take as long as its
+/// operations and a fixed share for grouping and writing together weigh.
+class EmissionPace {
+ public:
+  double expectedNanoseconds(std::uint64_t operations) const { return pace_ * weight(operations); }
+
+  /// A pair that had been expected to take `expectedNanoseconds` was finished in `time`.
+  void finished(double expectedNanoseconds, std::chrono::nanoseconds time) {
+    expected_ += expectedNanoseconds;
+    taken_ += static_cast<double>(time.count());
+  }
+  /// Learns from the pairs finished since the last call: quickly that they take longer, slowly that they take less. One
+  /// step that was disturbed counts for little.
+  void endStep() {
+    if (expected_ > 0) {
+      const double error = std::min(taken_ / expected_, kMostRise);
+      pace_ *= error > 1 ? error : 1 + kForgetting * (error - 1);
+    }
+    expected_ = taken_ = 0;
+  }
+
+ private:
+  // Grouping, choosing and writing what was measured takes as long as so many operations do, whatever was measured.
+  static constexpr double kPairWeight = 30;
+  static constexpr double kForgetting = 0.05, kMostRise = 1.25;
+  // Nanoseconds an operation before anything was seen: rather too many.
+  static constexpr double kFirstPace = 50;
+
+  static double weight(std::uint64_t operations) { return kPairWeight + static_cast<double>(operations); }
+
+  double pace_ = kFirstPace;
+  double expected_ = 0, taken_ = 0;  // nanoseconds, by this step's pairs
+};
+
+}  // namespace cairn::bullet

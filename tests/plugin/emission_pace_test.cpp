@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/emission_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace cairn::bullet {
+namespace {
+
+constexpr std::uint64_t kOperations = 400;
+
+// A step of ten pairs that each took so long.
+void step(EmissionPace& pace, double nanoseconds) {
+  for (int i = 0; i < 10; ++i)
+    pace.finished(pace.expectedNanoseconds(kOperations), std::chrono::nanoseconds(static_cast<long>(nanoseconds)));
+  pace.endStep();
+}
+
+TEST(EmissionPace, LearnsWhatAPairTakes) {
+  for (const double taken : {300.0, 5000.0, 80000.0}) {
+    EmissionPace pace;
+    for (int i = 0; i < 200; ++i) step(pace, taken);
+    EXPECT_NEAR(pace.expectedNanoseconds(kOperations), taken, 0.01 * taken);
+  }
+}
+
+TEST(EmissionPace, RisesQuicklyAndFallsSlowly) {
+  EmissionPace pace;
+  for (int i = 0; i < 200; ++i) step(pace, 1000);
+  step(pace, 1200);
+  EXPECT_NEAR(pace.expectedNanoseconds(kOperations), 1200, 12);
+  step(pace, 1000);
+  EXPECT_GT(pace.expectedNanoseconds(kOperations), 1180);
+}
+
+TEST(EmissionPace, OneDisturbedStepRaisesItByAQuarterAtMost) {
+  EmissionPace pace;
+  for (int i = 0; i < 200; ++i) step(pace, 1000);
+  step(pace, 1e9);
+  EXPECT_LE(pace.expectedNanoseconds(kOperations), 1.26 * 1000);
+}
+
+TEST(EmissionPace, AStepWithoutPairsTeachesNothing) {
+  EmissionPace pace;
+  const double before = pace.expectedNanoseconds(kOperations);
+  pace.endStep();
+  EXPECT_EQ(pace.expectedNanoseconds(kOperations), before);
+}
+
+}  // namespace
+}  // namespace cairn::bullet
