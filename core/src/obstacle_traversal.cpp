@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/core/obstacle_traversal.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace cairn {
@@ -33,6 +34,12 @@ Progress ObstacleTraversal::refine(Budget& budget) {
 
 float ObstacleTraversal::pairError(const NodePair& pair) const {
   return tree_->error(pair.a) * scale_;
+}
+
+float ObstacleTraversal::worstOf(std::span<const NodePair> pairs) const {
+  float worst = 0;
+  for (const NodePair& pair : pairs) worst = std::max(worst, tree_->error(pair.a) * scale_);
+  return worst;
 }
 
 }  // namespace cairn

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Zlib
+#include "cairn/core/round_robin.h"
+
 #include <algorithm>
 #include <limits>
-
-#include "cairn/core/scheduler.h"
 
 namespace cairn {
 
@@ -35,16 +35,11 @@ void RoundRobin::interleaveNewcomers() {
   }
 }
 
-// Afterwards there is one ticket for each pair, in the same order; who is new stands behind the others who are.
+// Who is new stands behind the others who are.
 void RoundRobin::handOutTickets(std::span<const ScheduledPair> pairs) {
-  lastStep_.swap(tickets_);
-  tickets_.clear();
-  auto known = lastStep_.begin();
-  for (const ScheduledPair& pair : pairs) {
-    while (known != lastStep_.end() && known->id < pair.id) ++known;
-    const bool isKnown = known != lastStep_.end() && known->id == pair.id;
-    tickets_.push_back(isKnown ? *known : Ticket{pair.id, nextTicket_++, false});
-  }
+  tickets_.follow(pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (tickets_[i].number == 0) tickets_[i].number = nextTicket_++;
 }
 
 std::optional<std::size_t> RoundRobin::next() {

@@ -2,6 +2,7 @@
 #include "cairn/core/scheduler.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cairn {
 

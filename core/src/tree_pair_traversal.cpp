@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/core/tree_pair_traversal.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "staircase.h"
@@ -28,9 +29,11 @@ void TreePairTraversal::movePoses(const Pose& poseA, const Pose& poseB) {
   place(b_, a_, poseB, poseA);
 }
 
-void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) const {
+void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) {
   side.fromOther = relativePose(pose, otherPose);
-  side.scale = static_cast<float>(pose.scale);
+  const auto scale = static_cast<float>(pose.scale);
+  if (side.scale != scale) forgetErrors();
+  side.scale = scale;
   const float lengths =
       length(side.fromOther.translation) + side.tree->reach() + side.fromOther.scale * other.tree->reach();
   side.margin = margin_ / side.scale + kOverlapSlack * lengths;
@@ -47,6 +50,15 @@ Progress TreePairTraversal::refine(Budget& budget) {
 
 float TreePairTraversal::pairError(const NodePair& pair) const {
   return a_.tree->error(pair.a) * a_.scale + b_.tree->error(pair.b) * b_.scale;
+}
+
+float TreePairTraversal::worstOf(std::span<const NodePair> pairs) const {
+  const TraversalNode* const a = a_.tree->traversalNodes().data();
+  const TraversalNode* const b = b_.tree->traversalNodes().data();
+  const float scaleA = a_.scale, scaleB = b_.scale;
+  float worst = 0;
+  for (const NodePair& pair : pairs) worst = std::max(worst, a[pair.a].error * scaleA + b[pair.b].error * scaleB);
+  return worst;
 }
 
 }  // namespace cairn

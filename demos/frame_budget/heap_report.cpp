@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <functional>
+#include <numbers>
+#include <span>
 #include <string>
 
 #include "outputs.h"
@@ -29,6 +31,15 @@ std::optional<double> shareOfAllowance(const Options& options, const HeapRun& ru
 
 std::string number(const std::optional<double>& value, const char* none) {
   return value ? fmt::format("{:.2f}", *value) : none;
+}
+
+void printSeenError(const Table& table, std::span<const scenes::RunCost* const> costs) {
+  constexpr double kArcMinutes = 60 * 180 / std::numbers::pi;
+  table.row("seen error, minutes of arc: mean / max", [&](std::size_t c) {
+    const auto& tree = costs[c]->tree;
+    return tree ? fmt::format("{:.1f} / {:.1f}", kArcMinutes * tree->meanSeenError, kArcMinutes * tree->maxSeenError)
+                : std::string("-");
+  });
 }
 
 void printEnd(const Table& table, const std::vector<HeapRun>& runs) {
@@ -92,6 +103,7 @@ void printHeapTable(const Options& options, const scenes::SourcedTree& tree, con
   }
   const Table table(std::move(names));
   printCost(table, costs);
+  if (options.heap.isWatched) printSeenError(table, costs);
   if (start) printCourse(options, table, runs);
   printEnd(table, runs);
 }
@@ -100,6 +112,10 @@ nlohmann::ordered_json toJson(const Options& options, const scenes::SourcedTree&
                               const HeapRun& run) {
   nlohmann::ordered_json json = describeRun(options, tree, run.shape);
   json.update(scenes::toJson(run.report));
+  const auto& cost = run.report.cost.tree;
+  json["seen_error_rad"] = options.heap.isWatched && cost
+                               ? nlohmann::ordered_json{{"mean", cost->meanSeenError}, {"max", cost->maxSeenError}}
+                               : nlohmann::ordered_json(nullptr);
   if (start) json.update(courseToJson(options, *start, run));
   return json;
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "scenes/budget_options.h"
+#include "scenes/priority_choice.h"
 #include "scenes/program.h"
 
 namespace cairn::frame_budget {
@@ -106,7 +107,10 @@ void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
 
 void declareNarrowPhase(CLI::App& app, Options& options) {
   scenes::addBudgetOptions(app, options.heap.world.budget);
-  app.add_option("--priority", options.priority, "which pair is refined next: round-robin")->capture_default_str();
+  scenes::addPriorityOption(app, options.priority);
+  app.add_flag("--viewer", options.heap.isWatched,
+               "somebody stands at the pit and looks at the middle of the heap: priorities that care serve them, and "
+               "the error they see is reported");
   app.add_option("--unresolved", options.unresolved,
                  "what an unfinished pair answers: guard, repel, ignore or compensate")
       ->capture_default_str();
@@ -156,6 +160,7 @@ Status checkCombination(const RawOptions& raw, const Options& options) {
           fmt::format("{:.0f} recorded poses are too many for memory: --bodies, --runs and --steps multiply to "
                       "{:.0f} at most",
                       motions, kMostMotions)};
+    if (options.heap.isWatched) return Error{"--viewer looks at a heap: use it with --scene heap or crush"};
     if (raw.noSleeping) return Error{"--no-sleeping is for simulated bodies: use it with --scene heap or crush"};
     return {};
   }
@@ -169,8 +174,8 @@ Status checkCombination(const RawOptions& raw, const Options& options) {
 
 Status understand(const RawOptions& raw, Options& options) {
   if (Status scene = understandScene(raw, options); !scene) return scene;
-  if (options.priority != "round-robin")
-    return Error{fmt::format("there is no priority '{}': use round-robin", options.priority)};
+  const auto priority = scenes::parsePriority(options.priority);
+  if (!priority) return priority.error();
   using bullet::Unresolved;
   static const std::map<std::string, Unresolved> policies{{"guard", Unresolved::guard},
                                                           {"repel", Unresolved::repel},
@@ -182,6 +187,7 @@ Status understand(const RawOptions& raw, Options& options) {
                              options.unresolved)};
   const auto method = builder::parseMethod(raw.method);
   if (!method) return method.error();
+  options.heap.world.priority = priority.value();
   options.heap.world.unresolved = policy->second;
   options.heap.world.sleeping = !raw.noSleeping;
   options.source.build.method = method.value();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "scenes/random.h"
@@ -39,12 +40,26 @@ double pitHalfWidth(const Model& model, const HeapOptions& options) {
 
 }  // namespace
 
+Viewer heapViewer(const Pit& pit) {
+  constexpr double kAway = 3;  // half widths
+  constexpr double kFieldOfView = std::numbers::pi / 3;
+  Viewer viewer;
+  viewer.focus = Vec3d(0, 0, pit.halfWidth() / 3);
+  const Vec3d towards = normalized(Vec3d(0.50, -1.0, 0.58));  // from where the pictures are taken
+  viewer.eye = viewer.focus + towards * (kAway * pit.halfWidth());
+  viewer.direction = -towards;
+  viewer.fieldOfView = kFieldOfView;
+  return viewer;
+}
+
 Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions& options) {
   assert(options.bodies > 0 && (options.start.empty() || options.start.size() == options.bodies));
   auto heap = std::unique_ptr<Heap>(new Heap(model, options));
   auto shape = BodyShape::create(options.world.shape, heap->model_, options.shape);
   if (!shape) return shape.error();
-  auto world = World::create(options.world);
+  WorldOptions worldOptions = options.world;
+  if (options.isWatched) worldOptions.viewer = heapViewer(heap->pit_);
+  auto world = World::create(worldOptions);
   if (!world) return world.error();
   heap->shape_ = std::move(shape).value();
   heap->world_ = std::move(world).value();

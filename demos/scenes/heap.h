@@ -12,11 +12,16 @@ namespace cairn::scenes {
 struct HeapOptions {
   std::uint32_t bodies = 100;  ///< at least 1
   std::uint64_t seed = 1;      ///< of the bodies' orientations and places
-  WorldOptions world;          ///< its shape is what the bodies collide as
+  bool isWatched = false;      ///< by somebody who stands at the pit's edge, see `heapViewer`
+  WorldOptions world;          ///< its shape is what the bodies collide as; its viewer is set when the heap is watched
   ShapeOptions shape;
   /// Where the bodies start, one pose a body; empty: in the column.
   std::vector<btTransform> start;
 };
+
+/// Somebody who stands well outside a pit and looks at the middle of its heap: 1.5 times the pit's width away, 60
+/// degrees of view.
+Viewer heapViewer(const Pit& pit);
 
 /// Bodies of one mesh in a pit. Unless told where to start they are dropped in a column, at random orientations, no two
 /// touching.

@@ -22,11 +22,16 @@ std::optional<TreeRunStatistics> treeStatistics(const std::vector<StepRecord>& r
     pairs += step.pairs;
     unresolved += step.unresolvedPairs;
     statistics.maxErrorFraction = std::max(statistics.maxErrorFraction, step.worstErrorFraction);
+    statistics.maxSeenError = std::max(statistics.maxSeenError, step.worstSeenError);
     if (step.contacts == 0) continue;
     statistics.meanErrorFraction += step.meanErrorFraction;
+    statistics.meanSeenError += step.meanSeenError;
     ++stepsWithContacts;
   }
-  if (stepsWithContacts > 0) statistics.meanErrorFraction /= static_cast<double>(stepsWithContacts);
+  if (stepsWithContacts > 0) {
+    statistics.meanErrorFraction /= static_cast<double>(stepsWithContacts);
+    statistics.meanSeenError /= static_cast<double>(stepsWithContacts);
+  }
   if (pairs > 0) statistics.unresolvedPairFraction = static_cast<double>(unresolved) / static_cast<double>(pairs);
   statistics.operations =
       quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.tree->operations); });

@@ -14,6 +14,8 @@ struct TreeRunStatistics {
   Quantiles operations;               ///< of Eq. 2.1, a step
   double meanErrorFraction = 0;       ///< certified, mean over the steps with contacts
   double maxErrorFraction = 0;        ///< certified, worst pair of any step
+  double meanSeenError = 0;           ///< of a watched scene, radians: mean over the steps with contacts
+  double maxSeenError = 0;            ///< of a watched scene, radians: worst pair of any step
   double unresolvedPairFraction = 0;  ///< of all pairs of all steps
 };
 

@@ -17,8 +17,10 @@ constexpr btScalar kFriction = btScalar(0.5);
 
 Result<std::unique_ptr<World>> World::create(const WorldOptions& options) {
   auto world = std::unique_ptr<World>(new World(options));
-  if (world->treeDispatcher_)
+  if (world->treeDispatcher_) {
     if (const Status status = world->treeDispatcher_->setBudget(options.budget); !status) return status.error();
+    if (const Status status = world->treeDispatcher_->setViewer(options.viewer); !status) return status.error();
+  }
   return world;
 }
 
@@ -32,6 +34,7 @@ void World::makeDispatcher() {
   if (options_.shape == ShapeKind::tree) {
     auto dispatcher = std::make_unique<TimedDispatcher<TreeDispatcher>>(narrowPhaseCpuUs_, &configuration_);
     dispatcher->setUnresolved(options_.unresolved);
+    dispatcher->setPriority(makePriority(options_.priority));
     treeDispatcher_ = dispatcher.get();
     dispatcher_ = std::move(dispatcher);
     return;

@@ -14,6 +14,7 @@
 #include "cairn/core/state_hash.h"
 #include "scenes/body_shape.h"
 #include "scenes/contact_loads.h"
+#include "scenes/priority_choice.h"
 
 namespace cairn::scenes {
 
@@ -31,6 +32,8 @@ struct WorldOptions {
   ShapeKind shape = ShapeKind::tree;
   bullet::StepBudget budget;
   bullet::Unresolved unresolved = bullet::Unresolved::guard;
+  PriorityKind priority = PriorityKind::roundRobin;
+  std::optional<Viewer> viewer;  ///< whose seen error is measured, and whom priorities that care serve
   bool sleeping = true;
   double timeStep = 1.0 / 60;  ///< seconds
   double gravity = 9.81;       ///< m/s^2 along -z
@@ -53,7 +56,7 @@ struct ReportedContact {
 /// on the shape its moving bodies have.
 class World {
  public:
-  /// Fails for a budget the dispatcher refuses.
+  /// Fails for a budget or a viewer the dispatcher refuses.
   static Result<std::unique_ptr<World>> create(const WorldOptions& options);
   ~World();
   World(const World&) = delete;

@@ -271,9 +271,9 @@ bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, 
   return !hasAnswer(motion) || -dot(guard.normal, moved) > kApproachFraction * motion.smallerSize;
 }
 
-// An answer that said "in contact" holds while some of its contacts still is one.
+// An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
-  return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !retested_.empty());
+  return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {

@@ -57,6 +57,9 @@ class PairContacts {
   void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach, Budget& budget,
               ContactScratch& scratch);
 
+  /// Whether the last answer still says anything about where the bodies are now.
+  bool hasAnswer(const RelativeMotion& motion) const;
+
   /// Tells that this contact was handed to Bullet.
   void remember(const Contact& chosen);
   /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted.
@@ -87,8 +90,6 @@ class PairContacts {
   void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
   // Whether the bodies have hardly approached since the traversal that gave the last answer began.
   bool isRecent(const RelativeMotion& motion) const;
-  // Whether the last answer still says anything about where the bodies are now.
-  bool hasAnswer(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
   static std::size_t putChosenFirst(std::vector<Contact>& guards);
   const Guard* lastOf(const Contact& guard) const;

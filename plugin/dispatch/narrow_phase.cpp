@@ -17,6 +17,9 @@ void NarrowPhase::setUnresolved(Unresolved policy) {
 void NarrowPhase::setPriority(std::unique_ptr<Priority> priority) {
   impl_->setPriority(std::move(priority));
 }
+Status NarrowPhase::setViewer(const std::optional<Viewer>& viewer) {
+  return impl_->setViewer(viewer);
+}
 const StepStatistics& NarrowPhase::lastStep() const {
   return impl_->lastStep();
 }

@@ -13,6 +13,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include "cairn/core/round_robin.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -49,6 +51,15 @@ Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
 void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
   assert(priority);
   priority_ = std::move(priority);
+  priority_->setViewer(viewer_);
+}
+
+Status NarrowPhase::Impl::setViewer(const std::optional<Viewer>& viewer) {
+  if (viewer)
+    if (Status status = checkViewer(*viewer); !status) return status;
+  viewer_ = viewer;
+  priority_->setViewer(viewer_);
+  return {};
 }
 
 TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
@@ -130,7 +141,7 @@ void NarrowPhase::Impl::endStep() {
   isCollecting_ = false;
   statistics_ = {};
   statistics_.pairs = apartPairs_.exchange(0);
-  errorSum_ = 0;
+  errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 
   orderPairs();
@@ -144,6 +155,7 @@ void NarrowPhase::Impl::endStep() {
 
   statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
+  if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
@@ -156,7 +168,7 @@ void NarrowPhase::Impl::orderPairs() {
             [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
   for (std::size_t i = 0; i < collected_.size(); ++i) {
     collected_[i]->setCollectedAt(i);
-    scheduled_.push_back({collected_[i]->id(), &nothing_, 0});
+    scheduled_.push_back({.id = collected_[i]->id(), .traversal = &nothing_});
   }
 }
 
@@ -193,7 +205,8 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
   const double expected = pair.promised().nanoseconds;
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.body0(), &pair.body1());
-  count(pair.finish(dispatcher_, result, policy_, isLimited(), left_, scratch_));
+  const ScheduledPair seen = pair.scheduled();
+  count(pair.finish(dispatcher_, result, policy_, isLimited(), left_, scratch_), seen);
   if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
   dismiss(index);
 }
@@ -213,13 +226,17 @@ void NarrowPhase::Impl::nameNewPairs() {
   for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
 }
 
-void NarrowPhase::Impl::count(const PairReport& report) {
+void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pair) {
+  const auto size = static_cast<double>(pair.size);
+  const double seen = viewer_ ? seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size) : 0;
   statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
   statistics_.contacts += report.contacts;
   statistics_.manifolds += report.manifolds;
   statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
+  statistics_.worstSeenError = std::max(statistics_.worstSeenError, seen);
   if (report.contacts == 0) return;
   errorSum_ += report.errorFraction;
+  seenSum_ += seen;
   ++reportingPairs_;
 }
 

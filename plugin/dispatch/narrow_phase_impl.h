@@ -5,6 +5,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "cairn/bullet/narrow_phase.h"
@@ -25,6 +26,7 @@ class NarrowPhase::Impl final : private TurnListener {
   Status setBudget(const StepBudget& budget);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
   void setPriority(std::unique_ptr<Priority> priority);
+  Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const { return statistics_; }
 
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
@@ -52,7 +54,7 @@ class NarrowPhase::Impl final : private TurnListener {
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
   void dismiss(std::size_t index);
-  void count(const PairReport& report);
+  void count(const PairReport& report, const ScheduledPair& pair);
 
   btCollisionDispatcher& dispatcher_;
   StepBudget budget_;
@@ -60,9 +62,10 @@ class NarrowPhase::Impl final : private TurnListener {
   EmissionPace pace_;
   Unresolved policy_ = Unresolved::guard;
   std::unique_ptr<Priority> priority_;
+  std::optional<Viewer> viewer_;
   Scheduler scheduler_;
   StepStatistics statistics_;
-  double errorSum_ = 0;
+  double errorSum_ = 0, seenSum_ = 0;
   std::uint32_t reportingPairs_ = 0;
 
   static constexpr std::uint64_t kStepsOfThrift = 4;

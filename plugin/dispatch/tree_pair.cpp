@@ -41,6 +41,12 @@ Vec3 angularVelocity(const btCollisionObject& object) {
   return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
 }
 
+// What cannot be moved, and a multibody's link, whose mass is not its own alone, count as held fast.
+float inverseMass(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return body ? static_cast<float>(body->getInvMass()) : 0;
+}
+
 RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree, const btTransform& other) {
   RelativePlacement placement;
   placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
@@ -171,6 +177,23 @@ void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollision
   smallerSize_ = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;  // a point has no size to speak of
   speculative_ = static_cast<float>(kSpeculativeFraction) * smallerSize_;
   placement_.reach = speculative_ + static_cast<float>(threshold);
+  center_ = smallerCenter(!(otherSize > 0 && otherSize < treeSize));
+}
+
+Vec3d TreePair::smallerCenter(bool treeIsSmaller) const {
+  const SphereTreeShape* const shape = treeIsSmaller ? placement_.treeShape : asSphereTree(placement_.otherShape);
+  const btTransform& body = treeIsSmaller ? placement_.treeBody : placement_.other;
+  const Vec3d inPair =
+      shape ? treePose(*shape, body) * Vec3d(shape->tree().sphere(kRootNode).center) : toVec3d(body.getOrigin());
+  return toVec3d(origin_) + inPair;
+}
+
+ScheduledPair TreePair::scheduled() {
+  // While there is no answer to speak of, spheres of the whole bodies may have to stand in.
+  Traversal& traversal = counterpart_->traversal();
+  const bool standsIn = !traversal.done() && !contacts_.hasAnswer(motion_);
+  const float unanswered = standsIn ? traversal.pairError({kRootNode, 0}) : 0;
+  return {id_, &traversal, center_, smallerSize_, closingSpeed_, reducedMass_, unanswered};
 }
 
 void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
@@ -186,6 +209,8 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
   const float disc = static_cast<float>(placement_.treeShape->getAngularMotionDisc());
   closingSpeed_ =
       length(motion_.treeLinear - motion_.otherLinear) + length(motion_.treeAngular - motion_.otherAngular) * disc;
+  const float inverseMasses = inverseMass(tree) + inverseMass(other);
+  reducedMass_ = inverseMasses > 0 ? 1 / inverseMasses : 0;
   motion_.timeStep = static_cast<float>(timeStep);
   motion_.smallerSize = smallerSize_;
   motion_.reach = placement_.reach;

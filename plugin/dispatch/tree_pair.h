@@ -62,7 +62,8 @@ class TreePair {
   /// and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
              btScalar threshold, bool isThrifty, Budget& budget);
-  ScheduledPair scheduled() { return {id_, &counterpart_->traversal(), closingSpeed_}; }
+  /// What a priority is told. Precondition: `begin` succeeded in this step.
+  ScheduledPair scheduled();
 
   bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
 
@@ -104,6 +105,8 @@ class TreePair {
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
+  // Where the smaller body is, in the world: the middle of its root sphere, or the origin of a shape that is no tree.
+  Vec3d smallerCenter(bool treeIsSmaller) const;
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
@@ -125,6 +128,8 @@ class TreePair {
   float smallerSize_ = 0;
   float speculative_ = 0;
   float closingSpeed_ = 0;
+  float reducedMass_ = 0;
+  Vec3d center_;  // of the smaller body, world frame
   Promise promised_;
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cairn/core/round_robin.h"
 #include "cairn/core/tree_pair_traversal.h"
 #include "random_tree.h"
 
@@ -28,7 +29,7 @@ struct Crowd {
     for (std::size_t i = 0; i < poses.size(); ++i)
       for (std::size_t j = 0; j < i; ++j, ++k) {
         traversals[k].start(*tree, *tree, poses[i], poses[j], 0.01F);
-        pairs.push_back({1000 - k, &traversals[k], 0});  // ids descend: the scheduler has to sort
+        pairs.push_back({.id = 1000 - k, .traversal = &traversals[k]});  // ids descend: the scheduler has to sort
       }
   }
 
@@ -116,7 +117,8 @@ TEST(RoundRobin, NoPairStarves_WhenNewPairsKeepComing) {
   ASSERT_FALSE(crowd.traversals[0].done());
   // The old pair, and in each step one that has never been seen; the budget lets one turn through.
   for (std::uint64_t step = 0; step < 40; ++step) {
-    std::vector<ScheduledPair> pairs{{1, &crowd.traversals[0], 0}, {step + 2, &others.traversals[step], 0}};
+    std::vector<ScheduledPair> pairs{{.id = 1, .traversal = &crowd.traversals[0]},
+                                     {.id = step + 2, .traversal = &others.traversals[step]}};
     Budget budget = Budget::operations(Scheduler::kTurnOperations);
     (void)Scheduler().run(pairs, priority, budget);
   }

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"frame_budget", "--budget-us -0.5", "--budget-us"},
         WrongUsage{"frame_budget", "--budget-us nan", "--budget-us"},
         WrongUsage{"frame_budget", "--bodies 0", "--bodies"},
-        WrongUsage{"frame_budget", "--priority loudest", "use round-robin"},
+        WrongUsage{"frame_budget", "--priority loudest", "use round-robin, two-class, worst-error or perceptual"},
         WrongUsage{"frame_budget", "--unresolved hope", "use guard, repel, ignore or compensate"},
         WrongUsage{"frame_budget", "--method magic", "magic"},
         WrongUsage{"frame_budget", "--tree a.cairn --mesh b.obj", "excludes"},
@@ -214,6 +214,22 @@ TEST_F(ProgramsWithATree, ShapesOfMissingLibrariesAreRefusedByName) {
     EXPECT_EQ(compound.exitCode, 1);
     expectOneSentence(compound, "frame_budget", "install libbullet-extras-dev");
   }
+}
+
+TEST_F(ProgramsWithATree, FrameBudgetReportsWhatAViewerSees) {
+  const std::string common = "--tree " + path("rock.cairn") + " --bodies 8 --steps 60 --budget-ops 500 ";
+  for (const std::string priority : {"round-robin", "two-class", "worst-error", "perceptual"}) {
+    const ProgramResult result =
+        runProgram("frame_budget", common + "--viewer --priority " + priority + " --json " + path("seen.json"));
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto json = nlohmann::json::parse(contentOf(folder_.path() / "seen.json"));
+    EXPECT_EQ(json.at("priority"), priority);
+    EXPECT_GT(json.at("seen_error_rad").at("max"), 0);
+    EXPECT_NE(result.output.find("seen error"), std::string::npos) << result.output;
+  }
+  ASSERT_EQ(runProgram("frame_budget", common + "--json " + path("unseen.json")).exitCode, 0);
+  const auto json = nlohmann::json::parse(contentOf(folder_.path() / "unseen.json"));
+  EXPECT_TRUE(json.at("seen_error_rad").is_null()) << "nobody looks";
 }
 
 TEST_F(ProgramsWithATree, FrameBudgetLeavesNothingWhereItCannotWrite) {

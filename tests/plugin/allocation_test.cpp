@@ -7,6 +7,7 @@
 #include <new>
 
 #include "bullet_world.h"
+#include "priorities.h"
 
 // The address sanitizer has to own `new` itself.
 #ifndef __SANITIZE_ADDRESS__
@@ -62,11 +63,12 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 namespace cairn::test {
 namespace {
 
-class Allocation : public testing::TestWithParam<std::optional<std::int64_t>> {};
+class Allocation : public testing::TestWithParam<std::pair<std::optional<std::int64_t>, const char*>> {};
 
 TEST_P(Allocation, IsNoneAfterWarmUp) {
   BulletWorld<> w;
-  ASSERT_TRUE(w.dispatcher.setBudget({GetParam(), {}}).ok());
+  ASSERT_TRUE(w.dispatcher.setBudget({GetParam().first, {}}).ok());
+  w.dispatcher.setPriority(makePriority(GetParam().second));
   w.addGround();
   w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
   btTriangleMesh mesh;
@@ -86,7 +88,11 @@ TEST_P(Allocation, IsNoneAfterWarmUp) {
   EXPECT_EQ(gAllocations - before, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Budgets, Allocation, testing::Values(std::optional<std::int64_t>(), 4000));
+using Budgeted = std::pair<std::optional<std::int64_t>, const char*>;
+INSTANTIATE_TEST_SUITE_P(Budgets, Allocation,
+                         testing::Values(Budgeted{{}, "RoundRobin"}, Budgeted{4000, "RoundRobin"},
+                                         Budgeted{4000, "TwoClasses"}, Budgeted{4000, "WorstErrorFirst"},
+                                         Budgeted{4000, "Perceptual"}));
 
 }  // namespace
 }  // namespace cairn::test

@@ -27,6 +27,7 @@ class ObstacleTraversal final : public Traversal {
 
   Progress refine(Budget& budget) override;
   float pairError(const NodePair& pair) const override;
+  float worstOf(std::span<const NodePair> pairs) const override;
 
  private:
   const SphereTree* tree_ = nullptr;

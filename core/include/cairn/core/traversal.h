@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cairn/core/budget.h"
 #include "cairn/core/pair_list.h"
@@ -35,10 +37,13 @@ class Traversal {
   /// Certified bound, in world length, on how far apart the two surfaces of a pair can be although the pair is
   /// reported.
   virtual float pairError(const NodePair& pair) const = 0;
+  /// Worst `pairError` of these pairs, 0 for none. To be overridden only to be faster.
+  virtual float worstOf(std::span<const NodePair> pairs) const;
   /// Worst `pairError` over front and leaf pairs; 0 when there are none. Linear in both.
   float worstError() const;
-  /// Worst `pairError` over the front alone: what going on could still improve.
-  float worstFrontError() const;
+  /// Worst `pairError` over the front alone: what going on could still improve. Exact, and looks at every pair found
+  /// only once, however often it is asked: constant cost a pair, amortised.
+  float worstFrontError();
 
  protected:
   Traversal() = default;
@@ -47,9 +52,24 @@ class Traversal {
   Traversal& operator=(const Traversal&) = default;
   Traversal& operator=(Traversal&&) = default;
 
+  /// `pairError` may answer differently from now on.
+  void forgetErrors();
+
   PairList queue_;  // [0, head_) has been refined
   std::size_t head_ = 0;
   PairList leafPairs_;
+
+ private:
+  // The greatest error of a queue that only grows behind and shrinks in front: of the pairs seen, a few at a time,
+  // those chunks with no later one as bad, oldest and worst first.
+  struct Peak {
+    std::size_t begin, end;  // in the queue
+    float error;
+  };
+  static constexpr std::size_t kChunk = 8;
+  std::vector<Peak> peaks_;
+  std::size_t firstPeak_ = 0;  // those before it have been refined
+  std::size_t seen_ = 0;       // places of the queue looked at
 };
 
 }  // namespace cairn

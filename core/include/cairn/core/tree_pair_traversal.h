@@ -20,6 +20,7 @@ class TreePairTraversal final : public Traversal {
 
   Progress refine(Budget& budget) override;
   float pairError(const NodePair& pair) const override;
+  float worstOf(std::span<const NodePair> pairs) const override;
 
  private:
   /// A tree and where it stands relative to the other.
@@ -29,7 +30,7 @@ class TreePairTraversal final : public Traversal {
     float scale = 1;   // world length per tree unit
     float margin = 0;  // in tree units, with the rounding slack
   };
-  void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose) const;
+  void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose);
 
   Side a_, b_;
   float margin_ = 0;

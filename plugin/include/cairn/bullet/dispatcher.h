@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cairn/bullet/narrow_phase.h"
@@ -29,6 +30,8 @@ class Dispatcher : public Base {
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
   /// Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }
+  /// See `NarrowPhase::setViewer`.
+  Status setViewer(const std::optional<Viewer>& viewer) { return narrowPhase_.setViewer(viewer); }
   const StepStatistics& lastStep() const { return narrowPhase_.lastStep(); }
 
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "cairn/bullet/step.h"
 #include "cairn/core/result.h"
 #include "cairn/core/scheduler.h"
+#include "cairn/core/viewer.h"
 
 class btCollisionDispatcher;
 class btOverlappingPairCache;
@@ -25,7 +27,11 @@ class NarrowPhase {
 
   Status setBudget(const StepBudget& budget);
   void setUnresolved(Unresolved policy);
+  /// Which pair is refined next; `RoundRobin` until told. See docs/algorithms/priorities.md. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority);
+  /// Who looks at the scene from the next step on, world frame, for priorities that care and for the seen error in the
+  /// statistics; nothing (as at first): nobody. Holds for later priorities too. Refuses what `checkViewer` refuses.
+  Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const;
 
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);

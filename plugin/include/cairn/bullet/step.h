@@ -38,6 +38,8 @@ struct StepStatistics {
   /// (`kSpeculativeFraction`) apart. What is unresolved counts even when the pair reports nothing.
   double worstErrorFraction = 0;
   double meanErrorFraction = 0;  ///< mean of the same over pairs that report anything
+  /// The same errors as angles in radians at which the viewer sees them, see `cairn::seenError`; 0 without a viewer.
+  double worstSeenError = 0, meanSeenError = 0;
 };
 
 }  // namespace cairn::bullet

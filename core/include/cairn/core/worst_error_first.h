@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/ranked_priority.h"
+
+namespace cairn {
+
+/// The pair whose answer has the worst certified error first, as a fraction of the smaller body's size: what a step's
+/// statistics report. rank = max(worst error of the front, unansweredError) / size x (1 + age).
+class WorstErrorFirst final : public RankedPriority {
+ protected:
+  double weight(const ScheduledPair& pair) override { return 1 / static_cast<double>(pair.size); }
+};
+
+}  // namespace cairn
