@@ -30,20 +30,51 @@ bool isGhostCache(btOverlappingPairCache& pairs) {
          isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy1->m_clientObject), pairs);
 }
 
-}  // namespace
-
-NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher)
-    : dispatcher_(dispatcher), priority_(std::make_unique<RoundRobin>()), registration_(dispatcher, *this) {}
-
-Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
+Status check(const StepBudget& budget, const std::string& what) {
   if (budget.operations && *budget.operations < 0)
-    return Error{"a step cannot have " + std::to_string(*budget.operations) +
+    return Error{what + " cannot have " + std::to_string(*budget.operations) +
                  " operations: give 0 or more, or leave them unset for no limit"};
   if (budget.microseconds && !(*budget.microseconds >= 0))
-    return Error{"a step cannot have " + std::to_string(*budget.microseconds) +
+    return Error{what + " cannot have " + std::to_string(*budget.microseconds) +
                  " microseconds: give 0 or more, or leave them unset for no limit"};
-  budget_ = budget;
   return {};
+}
+
+}  // namespace
+
+NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd)
+    : dispatcher_(dispatcher), stepEnd_(stepEnd), priority_(std::make_unique<RoundRobin>()) {
+  registration_.emplace(dispatcher, *this);
+}
+
+void NarrowPhase::Impl::hook(btCollisionWorld& world) {
+  hook_.emplace(world, dispatcher_, *this);
+}
+
+void NarrowPhase::Impl::retire() {
+  assert(!isCollecting_ && !isAnswering_ && "a narrow phase must not die while its dispatcher is dispatching");
+  hook_.reset();
+  registration_.reset();
+  isRetired_ = true;
+}
+
+Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
+  const Status status = check(budget, "a step");
+  if (status) budget_ = budget;
+  return status;
+}
+
+Status NarrowPhase::Impl::setFrameBudget(const StepBudget& budget) {
+  const Status status = check(budget, "a frame");
+  if (!status) return status;
+  frame_ = FrameBudget(budget);
+  hasFrameBudget_ = budget.operations || budget.microseconds;
+  return {};
+}
+
+void NarrowPhase::Impl::beginFrame(int steps) {
+  if (stepEnd_ == StepEnd::open) endOpenStep();
+  frame_.begin(steps);
 }
 
 void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
@@ -63,6 +94,7 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
   if (pair->collectedAt() != TreePair::kNotCollected) collected_[pair->collectedAt()] = nullptr;
+  open_.forget(*pair);
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -88,7 +120,10 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
-  if (isCollecting_ && mayDefer && isPlain && collect(pair, body0, body1)) return;
+  if (mayDefer && isPlain && !isRetired_) {
+    if (isCollecting_ && collect(pair, body0, body1)) return;
+    if (stepEnd_ == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
+  }
   answerAtOnce(pair, body0, body1, info, result);
 }
 
@@ -111,10 +146,14 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
 }
 
-Budget NarrowPhase::Impl::stepBudget() const {
+Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
   const std::uint64_t operations =
-      budget_.operations ? static_cast<std::uint64_t>(*budget_.operations) : Budget::kUnlimited;
-  return budget_.microseconds ? Budget::both(operations, *budget_.microseconds) : Budget::operations(operations);
+      limit.operations ? static_cast<std::uint64_t>(*limit.operations) : Budget::kUnlimited;
+  return limit.microseconds ? Budget::both(operations, *limit.microseconds) : Budget::operations(operations);
+}
+
+bool NarrowPhase::Impl::mayBeInterrupted() const {
+  return budget_.operations || budget_.microseconds || hasFrameBudget_;
 }
 
 void NarrowPhase::Impl::endStep() {
@@ -124,13 +163,16 @@ void NarrowPhase::Impl::endStep() {
   errorSum_ = 0;
   reportingPairs_ = 0;
 
-  Budget budget = stepBudget();
+  const Budget::Clock::time_point began = Budget::Clock::now();
+  Budget budget = budgetOf(stepLimit());
   beginPairs(budget);
   scheduler_.run(scheduled_, *priority_, budget);
   finishPairs(budget);
 
   statistics_.operations = budget.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
+  const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began;
+  frame_.spend(budget.used(), elapsed.count());
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
 }
@@ -167,12 +209,11 @@ void NarrowPhase::Impl::nameNewPairs() {
 }
 
 void NarrowPhase::Impl::finishPairs(Budget& budget) {
-  const bool mayBeInterrupted = budget_.operations || budget_.microseconds;
   for (std::size_t i = 0; i < collected_.size(); ++i) {
     TreePair* const pair = collected_[i];
     if (!pair) continue;
     btManifoldResult result(&pair->body0(), &pair->body1());
-    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted, budget, scratch_));
+    count(pair->finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_));
     dismiss(i);
   }
 }

@@ -53,6 +53,8 @@ void TreePair::reset() {
   subject_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
+  knownAt_ = kUnknown;
+  answeredIn_ = 0;
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "bullet_world.h"
+#include "front_ends.h"
 
 // The address sanitizer has to own `new` itself.
 #ifndef __SANITIZE_ADDRESS__
@@ -62,31 +62,34 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 namespace cairn::test {
 namespace {
 
-class Allocation : public testing::TestWithParam<std::optional<std::int64_t>> {};
+class Allocation : public testing::TestWithParam<std::tuple<std::optional<std::int64_t>, FrontEnd>> {};
 
 TEST_P(Allocation, IsNoneAfterWarmUp) {
-  BulletWorld<> w;
-  ASSERT_TRUE(w.dispatcher.setBudget({GetParam(), {}}).ok());
-  w.addGround();
-  w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
-  btTriangleMesh mesh;
-  mesh.addTriangle(btVector3(-9, -9, btScalar(0.1)), btVector3(9, -9, btScalar(0.1)), btVector3(0, 9, btScalar(0.1)));
-  w.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
-  const auto tree = plainTree(ball(0.3, 5));
-  for (int i = 0; i < 8; ++i) {
-    btRigidBody& body =
-        w.add(treeShape(tree), 1,
-              btVector3(btScalar(0.35 * (i % 3) - 0.3), btScalar(0.3 * (i % 2)), btScalar(0.8 + 0.4 * i)));
-    body.setActivationState(DISABLE_DEACTIVATION);
-  }
-  w.step(300);
-  const std::size_t before = gAllocations;
-  w.step(100);
-  EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
-  EXPECT_EQ(gAllocations - before, 0U);
+  inWorldOf(std::get<1>(GetParam()), [](auto& w) {
+    ASSERT_TRUE(w.dispatcher.setBudget({std::get<0>(GetParam()), {}}).ok());
+    w.addGround();
+    w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
+    btTriangleMesh mesh;
+    mesh.addTriangle(btVector3(-9, -9, btScalar(0.1)), btVector3(9, -9, btScalar(0.1)), btVector3(0, 9, btScalar(0.1)));
+    w.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
+    const auto tree = plainTree(ball(0.3, 5));
+    for (int i = 0; i < 8; ++i) {
+      btRigidBody& body =
+          w.add(treeShape(tree), 1,
+                btVector3(btScalar(0.35 * (i % 3) - 0.3), btScalar(0.3 * (i % 2)), btScalar(0.8 + 0.4 * i)));
+      body.setActivationState(DISABLE_DEACTIVATION);
+    }
+    w.step(300);
+    const std::size_t before = gAllocations;
+    w.step(100);
+    EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
+    EXPECT_EQ(gAllocations - before, 0U);
+  });
 }
 
-INSTANTIATE_TEST_SUITE_P(Budgets, Allocation, testing::Values(std::optional<std::int64_t>(), 4000));
+INSTANTIATE_TEST_SUITE_P(Budgets, Allocation,
+                         testing::Combine(testing::Values(std::optional<std::int64_t>(), 4000),
+                                          testing::ValuesIn(kEveryFrontEnd)));
 
 }  // namespace
 }  // namespace cairn::test
