@@ -101,6 +101,19 @@ TYPED_TEST(FrontEnd_Budget, ReachesEveryPair) {
   EXPECT_EQ(pile.w.dispatcher.lastStep().unresolvedPairs, 0U);
 }
 
+TYPED_TEST(FrontEnd_Budget, ServesANewPairInItsFirstStep) {
+  Pile<TypeParam> pile({}, 4);
+  pile.w.step(120);
+  const auto full = pile.w.dispatcher.lastStep();
+  ASSERT_TRUE(pile.w.dispatcher.setBudget({static_cast<std::int64_t>(full.operations) * 100, {}}).ok());
+  for (int i = 0; i < 3; ++i) {
+    pile.w.add(treeShape(plainTree(ball(0.3, 6))), 1, btVector3(5 + btScalar(i), 0, btScalar(0.29)));
+    pile.w.step();
+    EXPECT_GT(pile.w.dispatcher.lastStep().pairs, full.pairs);
+    EXPECT_EQ(pile.w.dispatcher.lastStep().unresolvedPairs, 0U);
+  }
+}
+
 TYPED_TEST(FrontEnd_Budget, GivesTheSameBitsTwice) {
   Pile<TypeParam> first(3000), second(3000);
   first.w.step(150);
@@ -166,6 +179,37 @@ TYPED_TEST(FrontEnd_Steps, BeginWithANewPairToo) {
     EXPECT_EQ(begins, before + (w.dispatcher.lastStep().pairs > 0 ? 1 : 0)) << "step " << i;
   }
   EXPECT_EQ(w.dispatcher.lastStep().pairs, 2U) << "the late one never came down: the test shows nothing";
+}
+
+std::vector<btRigidBody*> gMoving;
+
+bool moveAllButTheseTwo(btManifoldPoint&, const btCollisionObjectWrapper* a, int, int,
+                        const btCollisionObjectWrapper* b, int, int) {
+  for (btRigidBody* body : std::exchange(gMoving, {}))
+    if (body != a->getCollisionObject() && body != b->getCollisionObject()) body->translate(btVector3(0, 0, 5));
+  return false;
+}
+
+// What was prepared when the step began does not answer for bodies that are elsewhere when their turn comes.
+TEST(FrontEnd_OpenStep, SeesBodiesMovedByACallback) {
+  BulletWorld<InstalledOnDispatcher> w;
+  w.addGround();
+  std::vector<btRigidBody*> bodies;
+  for (int i = 0; i < 4; ++i) {
+    bodies.push_back(&w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(2 * btScalar(i), 0, 0.5)));
+    bodies.back()->setCollisionFlags(btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  }
+  w.world.performDiscreteCollisionDetection();
+  EXPECT_EQ(w.dispatcher.lastStep().contacts, 16U);
+  gMoving = bodies;
+  gContactAddedCallback = moveAllButTheseTwo;
+  w.world.performDiscreteCollisionDetection();
+  gContactAddedCallback = nullptr;
+  ASSERT_TRUE(gMoving.empty());
+  int contacts = 0;
+  for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i)
+    contacts += w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+  EXPECT_EQ(contacts, 4) << "of the one body that stayed";
 }
 
 CAIRN_FRONT_END_SUITE(FrontEnd_Queries, EveryFrontEnd);
