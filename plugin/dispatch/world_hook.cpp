@@ -3,6 +3,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
@@ -11,6 +12,7 @@
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "dispatch/narrow_phase_impl.h"
 #include "dispatch/passing_broadphase.h"
+#include "dispatch/tree_algorithm.h"
 
 namespace cairn::bullet {
 
@@ -29,19 +31,30 @@ bool isOfTree(const btBroadphaseProxy& proxy) {
   return hasTree(*static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape());
 }
 
-void forgetAlgorithms(btOverlappingPairCache& cache, btDispatcher& dispatcher) {
+bool hasTree(const btBroadphasePair& pair) {
+  return isOfTree(*pair.m_pProxy0) || isOfTree(*pair.m_pProxy1);
+}
+
+// Looks at no shape: when all is taken down, they may be gone before their bodies.
+bool mayBeOurs(const btBroadphasePair& pair) {
+  return dynamic_cast<const TreeAlgorithm*>(pair.m_algorithm) ||
+         dynamic_cast<const btCompoundCollisionAlgorithm*>(pair.m_algorithm);  // whose children may be
+}
+
+template <class IsWanted>
+void forgetAlgorithms(btOverlappingPairCache& cache, btDispatcher& dispatcher, const IsWanted& isWanted) {
   btBroadphasePairArray& pairs = cache.getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i)
-    if (pairs[i].m_algorithm && (isOfTree(*pairs[i].m_pProxy0) || isOfTree(*pairs[i].m_pProxy1)))
-      cache.cleanOverlappingPair(pairs[i], &dispatcher);
+    if (pairs[i].m_algorithm && isWanted(pairs[i])) cache.cleanOverlappingPair(pairs[i], &dispatcher);
 }
 
 // In the world's own cache and those of its ghosts.
-void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher) {
-  forgetAlgorithms(*world.getPairCache(), dispatcher);
+template <class IsWanted>
+void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher, const IsWanted& isWanted) {
+  forgetAlgorithms(*world.getPairCache(), dispatcher, isWanted);
   for (int i = 0; i < world.getNumCollisionObjects(); ++i)
     if (auto* ghost = dynamic_cast<btPairCachingGhostObject*>(world.getCollisionObjectArray()[i]))
-      forgetAlgorithms(*ghost->getOverlappingPairCache(), dispatcher);
+      forgetAlgorithms(*ghost->getOverlappingPairCache(), dispatcher, isWanted);
 }
 
 }  // namespace
@@ -58,7 +71,7 @@ WorldHook::WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher,
     : world_(world),
       dispatcher_(dispatcher),
       broadphase_(std::make_unique<PassingBroadphase>(*world.getBroadphase(), dispatcher, narrowPhase)) {
-  forgetAlgorithms(world_, dispatcher_);
+  forgetAlgorithms(world_, dispatcher_, [](const btBroadphasePair& pair) { return hasTree(pair); });
   world_.setBroadphase(broadphase_.get());
 }
 
@@ -66,7 +79,7 @@ WorldHook::~WorldHook() {
   const bool isOurs = world_.getBroadphase() == broadphase_.get();
   assert(isOurs && "the world's broad phase was replaced while a narrow phase was installed on the world");
   if (isOurs) world_.setBroadphase(&broadphase_->original());
-  forgetAlgorithms(world_, dispatcher_);
+  forgetAlgorithms(world_, dispatcher_, mayBeOurs);
 }
 
 }  // namespace cairn::bullet

@@ -13,9 +13,9 @@ namespace cairn::bullet {
 class PassingBroadphase;
 
 /// Has a narrow phase's steps begin and end with a world's own pass over its pairs, by standing in for the world's
-/// broad phase. On construction and destruction, pairs with a sphere-tree lose the algorithms Bullet knew for them, so
-/// that the next pass asks the dispatcher for new ones. Precondition: `world` outlives this; its dispatcher is
-/// `dispatcher`.
+/// broad phase. On construction, pairs with a sphere-tree lose the algorithms Bullet knew for them, and on destruction
+/// pairs with ours and compounds, so that the next pass asks the dispatcher for new ones. Precondition: `world`
+/// outlives this; its dispatcher is `dispatcher`.
 class WorldHook {
  public:
   WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);

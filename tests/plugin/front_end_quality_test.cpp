@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <ctime>
 
 #include "front_ends.h"
 
@@ -52,7 +53,7 @@ Recording record(int steps) {
 }
 
 struct Quality {
-  double meanError = 0, worstError = 0, unresolved = 0, operations = 0;
+  double meanError = 0, worstError = 0, unresolved = 0, operations = 0, cpuMs = 0;
 };
 
 template <class FrontEnd>
@@ -67,7 +68,9 @@ Quality replay(const Recording& recording, std::optional<std::int64_t> operation
       heap.bodies[i]->setLinearVelocity(poses[i].linear);
       heap.bodies[i]->setAngularVelocity(poses[i].angular);
     }
+    const std::clock_t before = std::clock();
     heap.w.world.performDiscreteCollisionDetection();
+    sum.cpuMs += 1000.0 * double(std::clock() - before) / CLOCKS_PER_SEC;
     const auto& s = heap.w.dispatcher.lastStep();
     sum.meanError += s.meanErrorFraction;
     sum.worstError += s.worstErrorFraction;
@@ -75,12 +78,13 @@ Quality replay(const Recording& recording, std::optional<std::int64_t> operation
     sum.operations += double(s.operations);
   }
   const auto steps = double(recording.size());
-  return {sum.meanError / steps, sum.worstError / steps, sum.unresolved / steps, sum.operations / steps};
+  return {sum.meanError / steps, sum.worstError / steps, sum.unresolved / steps, sum.operations / steps,
+          sum.cpuMs / steps};
 }
 
 void print(const char* frontEnd, const Quality& q) {
-  std::printf("  %-24s mean error %.4f, worst %.4f, unresolved %.3f, operations %.0f\n", frontEnd, q.meanError,
-              q.worstError, q.unresolved, q.operations);
+  std::printf("  %-24s mean error %.4f, worst %.4f, unresolved %.3f, operations %.0f, cpu %.3f ms\n", frontEnd,
+              q.meanError, q.worstError, q.unresolved, q.operations, q.cpuMs);
 }
 
 // A dispatcher that does not say where its steps end prepares by what it knows of the last one: it may lose the reserve
@@ -90,6 +94,8 @@ TEST(FrontEnd_Quality, IsNearlyTheSameForTheSameBudget) {
   const Quality full = replay<bullet::Dispatcher<>>(recording, {});
   std::printf("no limit\n");
   print("Dispatcher", full);
+  print("install(world)", replay<InstalledOnWorld>(recording, {}));
+  print("install(dispatcher)", replay<InstalledOnDispatcher>(recording, {}));
   for (const double part : {0.1, 0.25, 0.5}) {
     const auto budget = static_cast<std::int64_t>(full.operations * part);
     const Quality own = replay<bullet::Dispatcher<>>(recording, budget);

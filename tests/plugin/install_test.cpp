@@ -8,6 +8,8 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <LinearMath/btThreads.h>
 
 #include "front_ends.h"
@@ -165,6 +167,54 @@ TEST(InstalledOnAWorld, ServesOneWithoutDynamics) {
   EXPECT_GE(dispatcher.getNumManifolds(), 1) << "at once, without a solver";
   world.removeCollisionObject(&a);
   world.removeCollisionObject(&b);
+}
+
+// A tree on a plane, stepped for a second, and taken out of the narrow phase and the world again.
+void expectToServe(btDiscreteDynamicsWorld& world) {
+  std::optional<NarrowPhase> cairn = install(static_cast<btCollisionWorld&>(world)).value();
+  ASSERT_TRUE(cairn->setBudget({20000, {}}).ok());
+  world.setGravity(btVector3(0, 0, btScalar(-9.81)));
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  btRigidBody ground(0, nullptr, &plane);
+  const auto tree = treeShape(plainTree(cuboid({1, 1, 1}, 3)));
+  btRigidBody body(1, nullptr, tree.get(), btVector3(1, 1, 1) / 6);
+  body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.52))));
+  world.addRigidBody(&ground);
+  world.addRigidBody(&body);
+  for (int i = 0; i < 60; ++i) {
+    world.stepSimulation(btScalar(1) / 60, 0);
+    ASSERT_EQ(cairn->lastStep().pairs, 1U);
+  }
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.5, bullet::kSpeculativeFraction);
+  world.removeRigidBody(&ground);
+  world.stepSimulation(btScalar(1) / 60, 0);
+  EXPECT_EQ(cairn->lastStep().pairs, 0U);
+  cairn.reset();
+  world.removeRigidBody(&body);
+}
+
+TEST(InstalledOnAWorld, ServesEveryKindOfWorldSolverAndBroadPhase) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase tree;
+  btSimpleBroadphase list;
+  btAxisSweep3 sweep(btVector3(-50, -50, -50), btVector3(50, 50, 50));
+  for (btBroadphaseInterface* broadphase : std::initializer_list<btBroadphaseInterface*>{&tree, &list, &sweep}) {
+    btDiscreteDynamicsWorld ownsItsSolver(&dispatcher, broadphase, nullptr, &configuration);
+    expectToServe(ownsItsSolver);
+    btMultiBodyConstraintSolver solver;
+    btMultiBodyDynamicsWorld multiBody(&dispatcher, broadphase, &solver, &configuration);
+    expectToServe(multiBody);
+  }
+}
+
+TEST(Install_Threads, AreServedByADispatcherOfTheirOwn) {
+  btSetTaskScheduler(btGetSequentialTaskScheduler());
+  BulletWorld<bullet::Dispatcher<btCollisionDispatcherMt>> w;
+  w.addGround();
+  const btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.52)));
+  w.step(60);
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.5, bullet::kSpeculativeFraction);
 }
 
 // A function of the user's for a pair of types, from before or after ours.

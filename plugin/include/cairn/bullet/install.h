@@ -15,7 +15,7 @@ namespace cairn::bullet {
 ///
 ///     auto cairn = cairn::bullet::install(world);
 ///     if (!cairn) return fail(cairn.error().message);
-///     cairn.value().setBudget({.operations = 50000});
+///     if (!cairn.value().setBudget({.operations = 50000})) return 1;
 ///
 /// **Lifetime.** It must die before the world or dispatcher it was installed on, as it does when declared after them:
 /// Bullet tells nobody when these die, so afterwards is undefined behaviour. Not while either is dispatching (asserted;
@@ -28,7 +28,8 @@ namespace cairn::bullet {
 /// The end of Bullet's pass over the pairs is seen by a broad phase that hands everything on to the one there was, and
 /// whose pair cache tells when that pass begins and ends: while installed, `world.getBroadphase()` is not the object
 /// you made (which you may go on using directly), so do not cast it down. Pairs that Bullet already knew are taken over
-/// in the next step, and given back when the narrow phase dies; contacts of such pairs end and start again.
+/// in the next step, and given back when the narrow phase dies; contacts of such pairs end and start again, and with
+/// them those of all compounds when it dies.
 ///
 /// An error when the world has no `btCollisionDispatcher`, one that has sphere-trees registered, or a
 /// `btCollisionDispatcherMt` (which asks the pair cache for no pass; use `Dispatcher<btCollisionDispatcherMt>`).
