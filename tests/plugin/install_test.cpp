@@ -106,14 +106,13 @@ TEST_P(Installed, MayGoWhileBulletHoldsItsPairs) {
 }
 
 TEST_P(Installed, MovesToAnotherOwner) {
-  StockWorld w;
+  StockWorld w, other;
   addCubeOnBox(w);
   auto result = installOn(w);
   NarrowPhase first = std::move(result).value();
   auto second = std::make_unique<NarrowPhase>(std::move(first));
   ASSERT_TRUE(second->setBudget({1000, {}}).ok());
   w.step(5);
-  StockWorld other;
   *second = installOn(other).value();
   addCubeOnBox(other);
   other.step(5);
