@@ -159,6 +159,7 @@ bool NarrowPhase::Impl::mayBeInterrupted() const {
 void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
+  isAnswering_ = true;
   statistics_ = {};
   errorSum_ = 0;
   reportingPairs_ = 0;
@@ -168,6 +169,7 @@ void NarrowPhase::Impl::endStep() {
   beginPairs(budget);
   scheduler_.run(scheduled_, *priority_, budget);
   finishPairs(budget);
+  isAnswering_ = false;
 
   statistics_.operations = budget.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;

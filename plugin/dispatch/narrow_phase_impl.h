@@ -78,7 +78,7 @@ class NarrowPhase::Impl : public std::enable_shared_from_this<NarrowPhase::Impl>
   btCollisionDispatcher& dispatcher_;
   const StepEnd stepEnd_;
   bool isRetired_ = false;
-  bool isAnswering_ = false;  // in an open step
+  bool isAnswering_ = false;  // users' callbacks may be called
   StepBudget budget_;
   FrameBudget frame_;
   bool hasFrameBudget_ = false;
