@@ -56,6 +56,7 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
   tree_ = placement.tree;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
+  planes_.reserve(kMaxPlanes);
   planes_.clear();
 
   const Box box = ownBox(shape);

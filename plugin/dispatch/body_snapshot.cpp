@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Zlib
 #include "dispatch/body_snapshot.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+
 namespace cairn::bullet {
 
 bool BodySnapshot::take(const btCollisionObjectWrapper& wrapper) {
@@ -20,6 +23,43 @@ bool BodySnapshot::take(const btCollisionObjectWrapper& wrapper) {
     parent = &*level.wrapper;
   }
   return true;
+}
+
+namespace {
+
+// Null when the wrapper's shape is no longer the child it was.
+const btCompoundShape* parentOf(const btCollisionObjectWrapper& child, const btCollisionShape& parent) {
+  if (!parent.isCompound()) return nullptr;
+  const auto& compound = static_cast<const btCompoundShape&>(parent);
+  const bool isChild = child.m_index >= 0 && child.m_index < compound.getNumChildShapes() &&
+                       compound.getChildShape(child.m_index) == child.getCollisionShape();
+  return isChild ? &compound : nullptr;
+}
+
+}  // namespace
+
+bool BodySnapshot::follow() {
+  const btCollisionObject& object = *levels_[0].wrapper->getCollisionObject();
+  if (object.getCollisionShape() != levels_[0].wrapper->getCollisionShape()) return false;
+  levels_[0].transform = object.getWorldTransform();
+  for (std::size_t i = 1; i < depth_; ++i) {
+    const btCollisionObjectWrapper& child = *levels_[i].wrapper;
+    const btCompoundShape* const compound = parentOf(child, *levels_[i - 1].wrapper->getCollisionShape());
+    if (!compound) return false;
+    levels_[i].transform = levels_[i - 1].transform * compound->getChildTransform(child.m_index);
+  }
+  return true;
+}
+
+bool BodySnapshot::hasMoved() const {
+  return !(levels_[0].transform == levels_[0].wrapper->getCollisionObject()->getWorldTransform());
+}
+
+bool BodySnapshot::isOf(const btCollisionObjectWrapper& wrapper) const {
+  const btCollisionObjectWrapper& own = this->wrapper();
+  return own.getCollisionObject() == wrapper.getCollisionObject() &&
+         own.getCollisionShape() == wrapper.getCollisionShape() &&
+         own.getWorldTransform() == wrapper.getWorldTransform();
 }
 
 std::uint32_t childPath(const btCollisionObjectWrapper& wrapper) {

@@ -23,6 +23,13 @@ class BodySnapshot {
 
   /// False when compounds are nested deeper than `kMaxNesting`; then there is no copy.
   bool take(const btCollisionObjectWrapper& wrapper);
+  /// Takes the copy to where its body is now: the object's pose, and those of the compounds' children in it. False
+  /// when the shapes are not those copied; then there is no copy. Precondition: `take` succeeded, the object lives.
+  bool follow();
+  /// Whether the object has another pose than the copy. Precondition: as for `follow`.
+  bool hasMoved() const;
+  /// Whether the copy says what `wrapper` says. Precondition: `take` succeeded.
+  bool isOf(const btCollisionObjectWrapper& wrapper) const;
   /// Precondition: `take` succeeded.
   const btCollisionObjectWrapper& wrapper() const { return *levels_[depth_ - 1].wrapper; }
 

@@ -2,13 +2,16 @@
 #include "dispatch/create_functions.h"
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
-#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
+#include <array>
+#include <cassert>
 #include <optional>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "dispatch/narrow_phase_impl.h"
 #include "dispatch/tree_algorithm.h"
 
 namespace cairn::bullet {
@@ -22,6 +25,14 @@ bool isRegistered(int type) {
          type != IMPLICIT_CONVEX_SHAPES_START_HERE && type != EMPTY_SHAPE_PROXYTYPE;
 }
 
+using Functions = btCollisionAlgorithmCreateFunc* [MAX_BROADPHASE_COLLISION_TYPES][MAX_BROADPHASE_COLLISION_TYPES];
+
+// A dispatcher lets its tables be written by all and read by derived classes.
+struct Tables : btCollisionDispatcher {
+  static Functions& contacts(btCollisionDispatcher& d) { return d.*(&Tables::m_doubleDispatchContactPoints); }
+  static Functions& closestPoints(btCollisionDispatcher& d) { return d.*(&Tables::m_doubleDispatchClosestPoints); }
+};
+
 // Calls `visit(type0, type1)` for every cell of the tables that is ours, once.
 template <class Visit>
 void forEachCell(const Visit& visit) {
@@ -32,10 +43,23 @@ void forEachCell(const Visit& visit) {
   }
 }
 
+}  // namespace
+
+// Stands in for what one table had in our cells, and asks that for what is not ours.
 class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
  public:
-  CreateTreeAlgorithm(btCollisionConfiguration& configuration, NarrowPhase::Impl& narrowPhase, bool isForQueries)
-      : configuration_(configuration), narrowPhase_(narrowPhase), isForQueries_(isForQueries) {}
+  CreateTreeAlgorithm(Functions& table, NarrowPhase::Impl& narrowPhase, bool isForQueries)
+      : table_(table), narrowPhase_(narrowPhase), isForQueries_(isForQueries) {
+    forEachCell([&](int type0, int type1) {
+      original(type0, type1) = table_[type0][type1];
+      table_[type0][type1] = this;
+    });
+  }
+  ~CreateTreeAlgorithm() override {
+    forEachCell([&](int type0, int type1) {
+      if (table_[type0][type1] == this) table_[type0][type1] = original(type0, type1);
+    });
+  }
 
   btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                  const btCollisionObjectWrapper* body0,
@@ -48,40 +72,35 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
     if (!kind)
       return original(shape0.getShapeType(), shape1.getShapeType())->CreateCollisionAlgorithm(info, body0, body1);
     void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(TreeAlgorithm));
-    return new (memory) TreeAlgorithm(info, narrowPhase_, *kind, !isForQueries_);
+    return new (memory) TreeAlgorithm(info, narrowPhase_.shared_from_this(), *kind, !isForQueries_);
   }
 
  private:
-  btCollisionAlgorithmCreateFunc* original(int type0, int type1) const {
-    return isForQueries_ ? configuration_.getClosestPointsAlgorithmCreateFunc(type0, type1)
-                         : configuration_.getCollisionAlgorithmCreateFunc(type0, type1);
+  btCollisionAlgorithmCreateFunc*& original(int type0, int type1) {
+    const bool isFirst = type0 == kOwnType;
+    return originals_[isFirst ? 0 : 1][static_cast<std::size_t>(isFirst ? type1 : type0)];
   }
 
-  btCollisionConfiguration& configuration_;
+  Functions& table_;
   NarrowPhase::Impl& narrowPhase_;
   bool isForQueries_;
+  std::array<std::array<btCollisionAlgorithmCreateFunc*, MAX_BROADPHASE_COLLISION_TYPES>, 2> originals_{};
 };
 
-}  // namespace
-
-Registration::Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase)
-    : dispatcher_(dispatcher),
-      contacts_(std::make_unique<CreateTreeAlgorithm>(*dispatcher.getCollisionConfiguration(), narrowPhase, false)),
-      closestPoints_(
-          std::make_unique<CreateTreeAlgorithm>(*dispatcher.getCollisionConfiguration(), narrowPhase, true)) {
+bool Registration::isOn(btCollisionDispatcher& dispatcher) {
+  bool isFound = false;
   forEachCell([&](int type0, int type1) {
-    dispatcher_.registerCollisionCreateFunc(type0, type1, contacts_.get());
-    dispatcher_.registerClosestPointsCreateFunc(type0, type1, closestPoints_.get());
+    isFound = isFound || dynamic_cast<CreateTreeAlgorithm*>(Tables::contacts(dispatcher)[type0][type1]);
   });
+  return isFound;
 }
 
-Registration::~Registration() {
-  btCollisionConfiguration& configuration = *dispatcher_.getCollisionConfiguration();
-  forEachCell([&](int type0, int type1) {
-    dispatcher_.registerCollisionCreateFunc(type0, type1, configuration.getCollisionAlgorithmCreateFunc(type0, type1));
-    dispatcher_.registerClosestPointsCreateFunc(type0, type1,
-                                                configuration.getClosestPointsAlgorithmCreateFunc(type0, type1));
-  });
+Registration::Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase) {
+  assert(!isOn(dispatcher) && "sphere-trees are registered already");
+  contacts_ = std::make_unique<CreateTreeAlgorithm>(Tables::contacts(dispatcher), narrowPhase, false);
+  closestPoints_ = std::make_unique<CreateTreeAlgorithm>(Tables::closestPoints(dispatcher), narrowPhase, true);
 }
+
+Registration::~Registration() = default;
 
 }  // namespace cairn::bullet

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
-
 #include <memory>
 
 #include "cairn/bullet/narrow_phase.h"
@@ -11,21 +9,25 @@ class btCollisionDispatcher;
 
 namespace cairn::bullet {
 
+class CreateTreeAlgorithm;
+
 /// Enters the tree algorithms into a dispatcher's two tables (contacts and closest points), for sphere-trees against
 /// every shape that is neither a compound nor soft; compounds reach them child by child through Bullet's own algorithm.
-/// A shape of the same type number that is not ours gets what the dispatcher's configuration has for it, and so does a
-/// sphere-tree against a concave shape that cannot show its triangles. Undone on destruction.
+/// A shape of the same type number that is not ours gets what the tables had for it before, and so does a sphere-tree
+/// against a concave shape that cannot show its triangles. On destruction the tables get back what they had, where
+/// nobody has entered anything since.
 class Registration {
  public:
+  /// Precondition: `!isOn(dispatcher)`.
   Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);
   ~Registration();
+  static bool isOn(btCollisionDispatcher& dispatcher);
   Registration(const Registration&) = delete;
   Registration& operator=(const Registration&) = delete;
 
  private:
-  btCollisionDispatcher& dispatcher_;
-  std::unique_ptr<btCollisionAlgorithmCreateFunc> contacts_;
-  std::unique_ptr<btCollisionAlgorithmCreateFunc> closestPoints_;
+  std::unique_ptr<CreateTreeAlgorithm> contacts_;
+  std::unique_ptr<CreateTreeAlgorithm> closestPoints_;
 };
 
 }  // namespace cairn::bullet

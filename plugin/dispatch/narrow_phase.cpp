@@ -1,15 +1,40 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/bullet/narrow_phase.h"
 
+#include <utility>
+
 #include "dispatch/narrow_phase_impl.h"
 
 namespace cairn::bullet {
 
-NarrowPhase::NarrowPhase(btCollisionDispatcher& dispatcher) : impl_(std::make_unique<Impl>(dispatcher)) {}
-NarrowPhase::~NarrowPhase() = default;
+NarrowPhase::NarrowPhase(btCollisionDispatcher& dispatcher)
+    : NarrowPhase(std::make_shared<Impl>(dispatcher, StepEnd::told)) {}
+NarrowPhase::NarrowPhase(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+NarrowPhase::NarrowPhase(NarrowPhase&&) noexcept = default;
+
+NarrowPhase::~NarrowPhase() {
+  retire();
+}
+
+NarrowPhase& NarrowPhase::operator=(NarrowPhase&& other) noexcept {
+  if (this == &other) return *this;
+  retire();
+  impl_ = std::move(other.impl_);
+  return *this;
+}
+
+void NarrowPhase::retire() {
+  if (impl_) impl_->retire();
+}
 
 Status NarrowPhase::setBudget(const StepBudget& budget) {
   return impl_->setBudget(budget);
+}
+Status NarrowPhase::setFrameBudget(const StepBudget& budget) {
+  return impl_->setFrameBudget(budget);
+}
+void NarrowPhase::beginFrame(int steps) {
+  impl_->beginFrame(steps);
 }
 void NarrowPhase::setUnresolved(Unresolved policy) {
   impl_->setUnresolved(policy);

@@ -32,20 +32,51 @@ bool isGhostCache(btOverlappingPairCache& pairs) {
          isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy1->m_clientObject), pairs);
 }
 
-}  // namespace
-
-NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher)
-    : dispatcher_(dispatcher), priority_(std::make_unique<RoundRobin>()), registration_(dispatcher, *this) {}
-
-Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
+Status check(const StepBudget& budget, const std::string& what) {
   if (budget.operations && *budget.operations < 0)
-    return Error{"a step cannot have " + std::to_string(*budget.operations) +
+    return Error{what + " cannot have " + std::to_string(*budget.operations) +
                  " operations: give 0 or more, or leave them unset for no limit"};
   if (budget.microseconds && !(*budget.microseconds >= 0))
-    return Error{"a step cannot have " + std::to_string(*budget.microseconds) +
+    return Error{what + " cannot have " + std::to_string(*budget.microseconds) +
                  " microseconds: give 0 or more, or leave them unset for no limit"};
-  budget_ = budget;
   return {};
+}
+
+}  // namespace
+
+NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd)
+    : dispatcher_(dispatcher), stepEnd_(stepEnd), priority_(std::make_unique<RoundRobin>()) {
+  registration_.emplace(dispatcher, *this);
+}
+
+void NarrowPhase::Impl::hook(btCollisionWorld& world) {
+  hook_.emplace(world, dispatcher_, *this);
+}
+
+void NarrowPhase::Impl::retire() {
+  assert(!isCollecting_ && !isAnswering_ && "a narrow phase must not die while its dispatcher is dispatching");
+  hook_.reset();
+  registration_.reset();
+  isRetired_ = true;
+}
+
+Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
+  const Status status = check(budget, "a step");
+  if (status) budget_ = budget;
+  return status;
+}
+
+Status NarrowPhase::Impl::setFrameBudget(const StepBudget& budget) {
+  const Status status = check(budget, "a frame");
+  if (!status) return status;
+  frame_ = FrameBudget(budget);
+  hasFrameBudget_ = budget.operations || budget.microseconds;
+  return {};
+}
+
+void NarrowPhase::Impl::beginFrame(int steps) {
+  if (stepEnd_ == StepEnd::open) endOpenStep();
+  frame_.begin(steps);
 }
 
 void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
@@ -74,6 +105,7 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
   if (pair->collectedAt() != TreePair::kNotCollected) dismiss(pair->collectedAt());
+  open_.forget(*pair);
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -82,7 +114,8 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   stepBegan_ = ThreadCpuClock::now();
-  left_ = newBudget();
+  began_ = Budget::Clock::now();
+  left_ = budgetOf(stepLimit());
   timeStep_ = info.m_timeStep;
   collected_.clear();
   scheduled_.clear();
@@ -101,12 +134,13 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
-  if (isCollecting_ && mayDefer && isPlain) {
-    if (pair.settleApart(body0, body1)) {
+  if (mayDefer && isPlain && !isRetired_) {
+    if (isCollecting_ && pair.settleApart(body0, body1)) {
       ++apartPairs_;
       return;
     }
-    if (collect(pair, body0, body1)) return;
+    if (isCollecting_ && collect(pair, body0, body1)) return;
+    if (stepEnd_ == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
   }
   answerAtOnce(pair, body0, body1, info, result);
 }
@@ -130,15 +164,20 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
 }
 
-Budget NarrowPhase::Impl::newBudget() const {
+Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
   const std::uint64_t operations =
-      budget_.operations ? static_cast<std::uint64_t>(*budget_.operations) : Budget::kUnlimited;
-  return budget_.microseconds ? Budget::both(operations, *budget_.microseconds) : Budget::operations(operations);
+      limit.operations ? static_cast<std::uint64_t>(*limit.operations) : Budget::kUnlimited;
+  return limit.microseconds ? Budget::both(operations, *limit.microseconds) : Budget::operations(operations);
+}
+
+bool NarrowPhase::Impl::mayBeInterrupted() const {
+  return budget_.operations || budget_.microseconds || hasFrameBudget_;
 }
 
 void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
+  isAnswering_ = true;
   statistics_ = {};
   statistics_.pairs = apartPairs_.exchange(0);
   errorSum_ = seenSum_ = 0;
@@ -149,15 +188,22 @@ void NarrowPhase::Impl::endStep() {
   scheduler_.run(scheduled_, *priority_, left_, this);
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) finishPair(i);
-  pace_.endStep();
-  isScarce_ = statistics_.unresolvedPairs > 0;
-  ++step_;
+  isAnswering_ = false;
+  learnFromStep();
 
   statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
+  const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
+  frame_.spend(left_.used(), elapsed.count());
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
+}
+
+void NarrowPhase::Impl::learnFromStep() {
+  pace_.endStep();
+  isScarce_ = statistics_.unresolvedPairs > 0;
+  ++step_;
 }
 
 // Drops what was destroyed meanwhile, names what is new and orders everything by name.
@@ -172,8 +218,8 @@ void NarrowPhase::Impl::orderPairs() {
   }
 }
 
-// What is resolved already is finished at once, while it is in the cache. From here on a user's callbacks may destroy
-// any pair that is not finished.
+// What is resolved already is finished at once, while it is in the cache (in an open step, when it comes). From here on
+// a user's callbacks may destroy any pair that is not finished.
 void NarrowPhase::Impl::beginPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) beginPair(i);
@@ -186,9 +232,9 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
   // Without a limit nobody has to wait for a turn.
-  if (!isLimited()) pair.scheduled().traversal->refine(left_);
+  if (!mayBeInterrupted()) pair.scheduled().traversal->refine(left_);
   pair.promise(left_, pace_);
-  if (pair.isDone()) return finishPair(index);
+  if (pair.isDone() && stepEnd_ == StepEnd::told) return finishPair(index);
   scheduled_[index] = pair.scheduled();
 }
 
@@ -196,7 +242,7 @@ void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& 
   TreePair* const pair = collected_[index];
   if (!pair) return;
   pair->promise(budget, pace_);
-  if (progress == Progress::done) finishPair(index);
+  if (progress == Progress::done && stepEnd_ == StepEnd::told) finishPair(index);
 }
 
 void NarrowPhase::Impl::finishPair(std::size_t index) {
@@ -206,7 +252,7 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.body0(), &pair.body1());
   const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, isLimited(), left_, scratch_), seen);
+  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), left_, scratch_), seen);
   if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
   dismiss(index);
 }

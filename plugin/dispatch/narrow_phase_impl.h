@@ -8,22 +8,35 @@
 #include <optional>
 #include <vector>
 
+#include "cairn/bullet/frame_budget.h"
 #include "cairn/bullet/narrow_phase.h"
 #include "cairn/core/tree_pair_traversal.h"
 #include "dispatch/create_functions.h"
 #include "dispatch/emission_pace.h"
+#include "dispatch/open_step.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/tree_pair.h"
+#include "dispatch/world_hook.h"
 
 namespace cairn::bullet {
 
+/// Whether somebody says when a step ends. If not, pairs are answered as they come: see `open_step.h`.
+enum class StepEnd : std::uint8_t { told, open };
+
 /// One step: `beginStep`, then Bullet's own pass, in which every algorithm calls `process` and is collected or answered
-/// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads.
-class NarrowPhase::Impl final : private TurnListener {
+/// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads, and these only
+/// where the end of a step is told.
+class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase::Impl>, private TurnListener {
  public:
-  explicit Impl(btCollisionDispatcher& dispatcher);
+  Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd);
+  /// Has steps begin and end with the world's own pass. Precondition: the dispatcher is the world's.
+  void hook(btCollisionWorld& world);
+  /// Leaves dispatcher and world as they were; what algorithms are left are answered at once and in full.
+  void retire();
 
   Status setBudget(const StepBudget& budget);
+  Status setFrameBudget(const StepBudget& budget);
+  void beginFrame(int steps);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
   void setPriority(std::unique_ptr<Priority> priority);
   Status setViewer(const std::optional<Viewer>& viewer);
@@ -44,8 +57,9 @@ class NarrowPhase::Impl final : private TurnListener {
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
-  bool isLimited() const { return budget_.operations || budget_.microseconds; }
-  Budget newBudget() const;
+  StepBudget stepLimit() const { return tighter(budget_, frame_.share()); }
+  static Budget budgetOf(const StepBudget& limit);
+  bool mayBeInterrupted() const;
   bool isWorlds(btOverlappingPairCache& pairs);
   void orderPairs();
   void nameNewPairs();
@@ -53,13 +67,32 @@ class NarrowPhase::Impl final : private TurnListener {
   void beginPair(std::size_t index);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
+  void learnFromStep();
   void dismiss(std::size_t index);
   void count(const PairReport& report, const ScheduledPair& pair);
 
+  // Open steps (open_step_answers.cpp).
+  bool answerInOpenStep(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                        const btDispatcherInfo& info, btManifoldResult& result);
+  bool answerOpenly(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                    btManifoldResult& result);
+  void beginOpenStep();
+  void endOpenStep();
+  void dropUnansweredPairs();
+  bool refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  void bookRefinement(const Budget& used, Budget::Clock::time_point began);
+  void book(const Budget& used, Budget::Clock::time_point began);
+
   btCollisionDispatcher& dispatcher_;
+  const StepEnd stepEnd_;
+  bool isRetired_ = false;
+  bool isAnswering_ = false;  // users' callbacks may be called
   StepBudget budget_;
   Budget left_ = Budget::unlimited();  // of the current step's
+  Budget::Clock::time_point began_;    // when the current step did
   EmissionPace pace_;
+  FrameBudget frame_;
+  bool hasFrameBudget_ = false;
   Unresolved policy_ = Unresolved::guard;
   std::unique_ptr<Priority> priority_;
   std::optional<Viewer> viewer_;
@@ -91,7 +124,10 @@ class NarrowPhase::Impl final : private TurnListener {
   TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
-  Registration registration_;  // last: algorithms may be made as soon as it stands
+  OpenStep open_;
+  StepBudget openLeft_;  // for refinement in the open step at hand
+  std::optional<WorldHook> hook_;
+  std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
 };
 
 }  // namespace cairn::bullet

@@ -3,22 +3,27 @@
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
+#include <utility>
+
 #include "dispatch/narrow_phase_impl.h"
 
 namespace cairn::bullet {
 
-TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, NarrowPhase::Impl& narrowPhase,
-                             CounterpartKind kind, bool mayDefer)
-    : btCollisionAlgorithm(info), narrowPhase_(narrowPhase), pair_(narrowPhase.acquire(kind)), mayDefer_(mayDefer) {}
+TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
+                             std::shared_ptr<NarrowPhase::Impl> narrowPhase, CounterpartKind kind, bool mayDefer)
+    : btCollisionAlgorithm(info),
+      narrowPhase_(std::move(narrowPhase)),
+      pair_(narrowPhase_->acquire(kind)),
+      mayDefer_(mayDefer) {}
 
 TreeAlgorithm::~TreeAlgorithm() {
   pair_->releaseManifolds(*m_dispatcher);
-  narrowPhase_.release(pair_);
+  narrowPhase_->release(pair_);
 }
 
 void TreeAlgorithm::processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                                      const btDispatcherInfo& info, btManifoldResult* result) {
-  narrowPhase_.process(*pair_, *body0, *body1, info, *result, mayDefer_);
+  narrowPhase_->process(*pair_, *body0, *body1, info, *result, mayDefer_);
 }
 
 btScalar TreeAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,

@@ -4,6 +4,8 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 
+#include <memory>
+
 #include "cairn/bullet/narrow_phase.h"
 #include "counterparts/counterpart.h"
 
@@ -11,12 +13,13 @@ namespace cairn::bullet {
 
 class TreePair;
 
-/// What Bullet keeps for a pair with a sphere-tree: a handle on the pair's state. It must stay small, because Bullet's
-/// pool of algorithms hands out elements of one size whatever is asked for.
+/// What Bullet keeps for a pair with a sphere-tree: a handle on the pair's state, and a share of the narrow phase,
+/// which may be taken off the dispatcher while Bullet still holds this. It must stay small, because Bullet's pool of
+/// algorithms hands out elements of one size whatever is asked for.
 class TreeAlgorithm final : public btCollisionAlgorithm {
  public:
-  TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, NarrowPhase::Impl& narrowPhase, CounterpartKind kind,
-                bool mayDefer);
+  TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, std::shared_ptr<NarrowPhase::Impl> narrowPhase,
+                CounterpartKind kind, bool mayDefer);
   ~TreeAlgorithm() override;
   TreeAlgorithm(const TreeAlgorithm&) = delete;
   TreeAlgorithm& operator=(const TreeAlgorithm&) = delete;
@@ -30,7 +33,7 @@ class TreeAlgorithm final : public btCollisionAlgorithm {
   void getAllContactManifolds(btManifoldArray& manifolds) override;
 
  private:
-  NarrowPhase::Impl& narrowPhase_;
+  std::shared_ptr<NarrowPhase::Impl> narrowPhase_;
   TreePair* pair_;
   bool mayDefer_;
 };

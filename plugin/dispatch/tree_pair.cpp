@@ -69,6 +69,8 @@ void TreePair::reset() {
   promised_ = {};
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
+  knownAt_ = kUnknown;
+  answeredIn_ = 0;
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {

@@ -52,6 +52,16 @@ class TreePair {
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  /// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
+  /// their shapes have changed), tells whether they are elsewhere, and whether they are these. Precondition: `collect`
+  /// succeeded; for the first two, the bodies live.
+  bool follow() { return bodies_[0].follow() && bodies_[1].follow(); }
+  bool hasMoved() const { return bodies_[0].hasMoved() || bodies_[1].hasMoved(); }
+  bool isOf(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+    return bodies_[0].isOf(body0) && bodies_[1].isOf(body1);
+  }
+  const btCollisionObject* object0() const { return body0().getCollisionObject(); }
+  const btCollisionObject* object1() const { return body1().getCollisionObject(); }
   PairKey key(std::size_t arrival) const;
   const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
   const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
@@ -69,6 +79,7 @@ class TreePair {
 
   /// Holds back what finishing the pair would take now, in place of what was held back for it before.
   void promise(Budget& budget, const EmissionPace& pace);
+  void withdrawPromise(Budget& budget) { budget.redeem(std::exchange(promised_, {})); }
   /// Brings the manifolds up to date through `result`, and redeems the promise. `mayBeInterrupted`: whether the next
   /// step can stop half-way.
   PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
@@ -86,9 +97,15 @@ class TreePair {
 
   /// What is held back for finishing this pair.
   const Promise& promised() const { return promised_; }
+  /// Position among the pairs an open step knows, or `kUnknown`, and the last such step that answered this one.
+  std::size_t knownAt() const { return knownAt_; }
+  void setKnownAt(std::size_t index) { knownAt_ = index; }
+  std::uint64_t answeredIn() const { return answeredIn_; }
+  void setAnsweredIn(std::uint64_t step) { answeredIn_ = step; }
 
   static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
   static constexpr std::size_t kNotCollected = ~std::size_t{0};
+  static constexpr std::size_t kUnknown = ~std::size_t{0};
 
  private:
   // What the state is about. A body's shape may be replaced between steps, and the old one destroyed; the traversal
@@ -133,6 +150,8 @@ class TreePair {
   Promise promised_;
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;
+  std::size_t knownAt_ = kUnknown;
+  std::uint64_t answeredIn_ = 0;  // open steps count from 1
 };
 
 }  // namespace cairn::bullet

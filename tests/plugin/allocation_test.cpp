@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "bullet_world.h"
+#include "front_ends.h"
 #include "priorities.h"
 
 // The address sanitizer has to own `new` itself.
@@ -63,36 +63,39 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 namespace cairn::test {
 namespace {
 
-class Allocation : public testing::TestWithParam<std::pair<std::optional<std::int64_t>, const char*>> {};
+class Allocation : public testing::TestWithParam<std::tuple<std::optional<std::int64_t>, const char*, FrontEnd>> {};
 
 TEST_P(Allocation, IsNoneAfterWarmUp) {
-  BulletWorld<> w;
-  ASSERT_TRUE(w.dispatcher.setBudget({GetParam().first, {}}).ok());
-  w.dispatcher.setPriority(makePriority(GetParam().second));
-  w.addGround();
-  w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
-  btTriangleMesh mesh;
-  mesh.addTriangle(btVector3(-9, -9, btScalar(0.1)), btVector3(9, -9, btScalar(0.1)), btVector3(0, 9, btScalar(0.1)));
-  w.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
-  const auto tree = plainTree(ball(0.3, 5));
-  for (int i = 0; i < 8; ++i) {
-    btRigidBody& body =
-        w.add(treeShape(tree), 1,
-              btVector3(btScalar(0.35 * (i % 3) - 0.3), btScalar(0.3 * (i % 2)), btScalar(0.8 + 0.4 * i)));
-    body.setActivationState(DISABLE_DEACTIVATION);
-  }
-  w.step(300);
-  const std::size_t before = gAllocations;
-  w.step(1000);
-  EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
-  EXPECT_EQ(gAllocations - before, 0U);
+  inWorldOf(std::get<2>(GetParam()), [](auto& w) {
+    ASSERT_TRUE(w.dispatcher.setBudget({std::get<0>(GetParam()), {}}).ok());
+    w.dispatcher.setPriority(makePriority(std::get<1>(GetParam())));
+    w.addGround();
+    w.add(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.2))), 0, btVector3(0, 0, btScalar(0.2)));
+    btTriangleMesh mesh;
+    mesh.addTriangle(btVector3(-9, -9, btScalar(0.1)), btVector3(9, -9, btScalar(0.1)), btVector3(0, 9, btScalar(0.1)));
+    w.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
+    const auto tree = plainTree(ball(0.3, 5));
+    for (int i = 0; i < 8; ++i) {
+      btRigidBody& body =
+          w.add(treeShape(tree), 1,
+                btVector3(btScalar(0.35 * (i % 3) - 0.3), btScalar(0.3 * (i % 2)), btScalar(0.8 + 0.4 * i)));
+      body.setActivationState(DISABLE_DEACTIVATION);
+    }
+    w.step(1000);
+    const std::size_t before = gAllocations;
+    w.step(1000);
+    EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
+    EXPECT_EQ(gAllocations - before, 0U);
+  });
 }
 
-using Budgeted = std::pair<std::optional<std::int64_t>, const char*>;
 INSTANTIATE_TEST_SUITE_P(Budgets, Allocation,
-                         testing::Values(Budgeted{{}, "RoundRobin"}, Budgeted{4000, "RoundRobin"},
-                                         Budgeted{4000, "TwoClasses"}, Budgeted{4000, "WorstErrorFirst"},
-                                         Budgeted{4000, "Perceptual"}));
+                         testing::Combine(testing::Values(std::optional<std::int64_t>(), 4000),
+                                          testing::Values("RoundRobin"), testing::ValuesIn(kEveryFrontEnd)));
+INSTANTIATE_TEST_SUITE_P(Priorities, Allocation,
+                         testing::Combine(testing::Values(std::optional<std::int64_t>(4000)),
+                                          testing::Values("TwoClasses", "WorstErrorFirst", "Perceptual"),
+                                          testing::Values(FrontEnd::dispatcher)));
 
 }  // namespace
 }  // namespace cairn::test

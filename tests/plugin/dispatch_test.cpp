@@ -11,12 +11,25 @@
 #include <limits>
 #include <random>
 
-#include "bullet_world.h"
+#include "front_ends.h"
 
 namespace cairn::test {
 namespace {
 
 constexpr btScalar kRestTolerance = bullet::kSpeculativeFraction;
+
+CAIRN_FRONT_END_SUITE(Queries_ContactPairTest, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Queries_ContactTest, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Queries_Compound, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Compound, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Foreign, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Callbacks, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Contacts, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Ghost, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Statistics, StepFrontEnds);
+CAIRN_FRONT_END_SUITE(Dispatch_Pairs, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Errors, EveryFrontEnd);
+CAIRN_FRONT_END_SUITE(Dispatch_Scale, EveryFrontEnd);
 
 struct Points final : btCollisionWorld::ContactResultCallback {
   int count = 0;
@@ -33,8 +46,8 @@ struct Points final : btCollisionWorld::ContactResultCallback {
   }
 };
 
-TEST(Queries_ContactPairTest, ReportsDepthAndNormalInBothOrders) {
-  BulletWorld<> w;
+TYPED_TEST(Queries_ContactPairTest, ReportsDepthAndNormalInBothOrders) {
+  BulletWorld<TypeParam> w;
   btRigidBody& ground = w.addGround();
   btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.45)));
   for (const bool bodyFirst : {true, false}) {
@@ -47,8 +60,8 @@ TEST(Queries_ContactPairTest, ReportsDepthAndNormalInBothOrders) {
   EXPECT_EQ(w.dispatcher.getNumManifolds(), 0) << "a query leaves nothing behind";
 }
 
-TEST(Queries_ContactTest, FindsWhatTheBroadPhaseFinds) {
-  BulletWorld<> w;
+TYPED_TEST(Queries_ContactTest, FindsWhatTheBroadPhaseFinds) {
+  BulletWorld<TypeParam> w;
   w.addGround();
   btRigidBody& body = w.add(treeShape(plainTree(ball(0.5, 6))), 1, btVector3(0, 0, btScalar(0.48)));
   Points points;
@@ -57,8 +70,8 @@ TEST(Queries_ContactTest, FindsWhatTheBroadPhaseFinds) {
   EXPECT_NEAR(points.deepest, -0.02, 0.001);
 }
 
-TEST(Queries_ContactPairTest, HonoursTheDistanceThreshold) {
-  BulletWorld<> w;
+TYPED_TEST(Queries_ContactPairTest, HonoursTheDistanceThreshold) {
+  BulletWorld<TypeParam> w;
   w.add(std::make_shared<btBoxShape>(btVector3(2, 2, 1)), 0, btVector3(0, 0, -1));
   btRigidBody& body = w.add(treeShape(plainTree(ball(0.5, 6))), 1, btVector3(0, 0, btScalar(0.6)));
   Points near;
@@ -71,8 +84,8 @@ TEST(Queries_ContactPairTest, HonoursTheDistanceThreshold) {
   EXPECT_NEAR(far.deepest, 0.1, 0.005);
 }
 
-TEST(Queries_Compound, FindTheTreeInside) {
-  BulletWorld<> w;
+TYPED_TEST(Queries_Compound, FindTheTreeInside) {
+  BulletWorld<TypeParam> w;
   btRigidBody& ground = w.addGround();
   auto compound = std::make_shared<btCompoundShape>();
   const auto child = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
@@ -84,9 +97,9 @@ TEST(Queries_Compound, FindTheTreeInside) {
   EXPECT_NEAR(touching.deepest, -0.05, 1e-4);
 }
 
-TEST(Dispatch_Compound, ChildTreeRestsOnPlaneAndTree) {
+TYPED_TEST(Dispatch_Compound, ChildTreeRestsOnPlaneAndTree) {
   for (const bool onTree : {false, true}) {
-    BulletWorld<> w;
+    BulletWorld<TypeParam> w;
     if (onTree)
       w.add(treeShape(plainTree(cuboid({4, 4, 1}, 6))), 0, btVector3(0, 0, btScalar(-0.5)));
     else
@@ -105,8 +118,8 @@ TEST(Dispatch_Compound, ChildTreeRestsOnPlaneAndTree) {
 }
 
 // Compounds against each other dispatch with a result whose bodies may stand the other way round.
-TEST(Dispatch_Compound, TwoCompoundsOfTreesStack) {
-  BulletWorld<> w;
+TYPED_TEST(Dispatch_Compound, TwoCompoundsOfTreesStack) {
+  BulletWorld<TypeParam> w;
   w.addGround();
   const auto child = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 3)));
   std::vector<btRigidBody*> bodies;
@@ -129,7 +142,7 @@ TEST(Dispatch_Unregistered, BoxStillMeetsTheTriangles) {
       << "Bullet's own triangle contacts, with its margins";
 }
 
-TEST(Dispatch_Foreign, ShapeOfOurTypeKeepsBulletsAlgorithm) {
+TYPED_TEST(Dispatch_Foreign, ShapeOfOurTypeKeepsBulletsAlgorithm) {
   struct Foreign final : btBvhTriangleMeshShape {
     explicit Foreign(btStridingMeshInterface* mesh) : btBvhTriangleMeshShape(mesh, true) {
       m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
@@ -137,7 +150,7 @@ TEST(Dispatch_Foreign, ShapeOfOurTypeKeepsBulletsAlgorithm) {
   };
   btTriangleMesh mesh;
   mesh.addTriangle(btVector3(-9, -9, 0), btVector3(9, -9, 0), btVector3(0, 9, 0));
-  BulletWorld<> w;
+  BulletWorld<TypeParam> w;
   w.add(std::make_shared<Foreign>(&mesh), 0, btVector3(0, 0, 0));
   btRigidBody& box = w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 1, btVector3(0, 0, btScalar(1.1)));
   btRigidBody& tree = w.add(treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2))), 1, btVector3(2, 0, btScalar(0.3)));
@@ -149,7 +162,7 @@ TEST(Dispatch_Foreign, ShapeOfOurTypeKeepsBulletsAlgorithm) {
 
 int gAdded = 0, gStarted = 0, gEnded = 0, gProcessed = 0;
 
-TEST(Dispatch_Callbacks, StartOnceWhileABodyRests) {
+TYPED_TEST(Dispatch_Callbacks, StartOnceWhileABodyRests) {
   gContactAddedCallback = [](btManifoldPoint&, const btCollisionObjectWrapper*, int part0, int index0,
                              const btCollisionObjectWrapper*, int, int) {
     gAdded += part0 >= 0 && index0 >= 0;
@@ -163,7 +176,7 @@ TEST(Dispatch_Callbacks, StartOnceWhileABodyRests) {
   };
   gAdded = gStarted = gEnded = gProcessed = 0;
   {
-    BulletWorld<> w;
+    BulletWorld<TypeParam> w;
     btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.501)));
     w.addGround();
     body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
@@ -180,8 +193,8 @@ TEST(Dispatch_Callbacks, StartOnceWhileABodyRests) {
   gContactProcessedCallback = nullptr;
 }
 
-TEST(Dispatch_Contacts, KeepTheirImpulses) {
-  BulletWorld<> w;
+TYPED_TEST(Dispatch_Contacts, KeepTheirImpulses) {
+  BulletWorld<TypeParam> w;
   w.addGround();
   btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
   body.setActivationState(DISABLE_DEACTIVATION);
@@ -197,9 +210,9 @@ TEST(Dispatch_Contacts, KeepTheirImpulses) {
   EXPECT_NEAR(sum, 9.81 / 60, 0.02);
 }
 
-TEST(Dispatch_Ghost, CharacterLooksAroundWithoutSpendingTheStep) {
+TYPED_TEST(Dispatch_Ghost, CharacterLooksAroundWithoutSpendingTheStep) {
   btGhostPairCallback pairs;  // outlives the broad phase that is told of it
-  BulletWorld<> w;
+  BulletWorld<TypeParam> w;
   btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
   w.addGround();
   w.world.getBroadphase()->getOverlappingPairCache()->setInternalGhostPairCallback(&pairs);
@@ -226,9 +239,9 @@ TEST(Dispatch_Ghost, CharacterLooksAroundWithoutSpendingTheStep) {
   w.world.removeCollisionObject(&ghost);
 }
 
-TEST(Dispatch_Ghost, CharacterWithNothingAroundLeavesTheStatistics) {
+TYPED_TEST(Dispatch_Ghost, CharacterWithNothingAroundLeavesTheStatistics) {
   btGhostPairCallback pairs;
-  BulletWorld<> w;
+  BulletWorld<TypeParam> w;
   w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
   w.add(std::make_shared<btBoxShape>(btVector3(5, 5, 1)), 0, btVector3(0, 0, -1));
   w.world.getBroadphase()->getOverlappingPairCache()->setInternalGhostPairCallback(&pairs);
@@ -247,8 +260,8 @@ TEST(Dispatch_Ghost, CharacterWithNothingAroundLeavesTheStatistics) {
   w.world.removeCollisionObject(&ghost);
 }
 
-TEST(Dispatch_Statistics, AreThoseOfAWorldThatBecameEmpty) {
-  BulletWorld<> w;
+TYPED_TEST(Dispatch_Statistics, AreThoseOfAWorldThatBecameEmpty) {
+  BulletWorld<TypeParam> w;
   btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
   w.addGround();
   w.step(2);
@@ -306,9 +319,9 @@ TEST(Dispatch_WithoutTriangles, IsLeftToTheConfiguration) {
   EXPECT_EQ(callsFor(gimpactMesh), 0) << "has triangles";
 }
 
-TEST(Dispatch_Pairs, ComeAndGoAtRandom) {
+TYPED_TEST(Dispatch_Pairs, ComeAndGoAtRandom) {
   std::mt19937_64 engine(5);
-  BulletWorld<> w;
+  BulletWorld<TypeParam> w;
   w.addGround();
   w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 0, btVector3(0, 0, 0));
   const auto tree = plainTree(ball(0.3, 4));
@@ -332,8 +345,8 @@ TEST(Dispatch_Pairs, ComeAndGoAtRandom) {
   EXPECT_EQ(w.dispatcher.getNumManifolds(), 0);
 }
 
-TEST(Dispatch_Errors, RefuseImpossibleBudgets) {
-  BulletWorld<> w;
+TYPED_TEST(Dispatch_Errors, RefuseImpossibleBudgets) {
+  BulletWorld<TypeParam> w;
   EXPECT_FALSE(w.dispatcher.setBudget({-1, {}}).ok());
   EXPECT_FALSE(w.dispatcher.setBudget({{}, -0.5}).ok());
   const Status nan = w.dispatcher.setBudget({{}, std::numeric_limits<double>::quiet_NaN()});
@@ -343,9 +356,9 @@ TEST(Dispatch_Errors, RefuseImpossibleBudgets) {
   EXPECT_TRUE(w.dispatcher.setBudget({}).ok());
 }
 
-TEST(Dispatch_Scale, SameBodyAtEveryScaleRestsOnItsMesh) {
+TYPED_TEST(Dispatch_Scale, SameBodyAtEveryScaleRestsOnItsMesh) {
   for (const double scale : {0.01, 0.1, 1.0, 10.0, 100.0}) {
-    BulletWorld<> w;
+    BulletWorld<TypeParam> w;
     w.world.setGravity(btVector3(0, 0, btScalar(-9.81 * scale)));  // the same motion, seen from farther away
     w.addGround();
     btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.6, 0.5, 0.4}, 3)), btScalar(scale)), 1,

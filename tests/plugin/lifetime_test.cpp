@@ -2,7 +2,7 @@
 // Shapes replaced and bodies removed while the narrow phase holds on to them.
 #include <gtest/gtest.h>
 
-#include "bullet_world.h"
+#include "front_ends.h"
 
 namespace cairn::test {
 namespace {
@@ -15,8 +15,9 @@ int contactsOf(btDispatcher& dispatcher) {
 }
 
 // Two cubes of one metre side by side, overlapping by a tenth; their traversal is stopped half-way.
+template <class FrontEnd>
 struct UnfinishedPair {
-  BulletWorld<> w;
+  BulletWorld<FrontEnd> w;
   std::unique_ptr<bullet::SphereTreeShape> shape;
   std::weak_ptr<const SphereTree> tree;
   btRigidBody* body = nullptr;
@@ -42,64 +43,68 @@ struct UnfinishedPair {
   }
 };
 
-class ReplacedShape : public testing::TestWithParam<bool> {};
+CAIRN_FRONT_END_SUITE(ReplacedShape, EveryFrontEnd);
 
-TEST_P(ReplacedShape, StartsAnewWithAnotherTree) {
-  UnfinishedPair pair(GetParam());
-  const auto small = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 1)));
-  pair.body->setCollisionShape(small.get());
-  pair.shape.reset();
-  EXPECT_FALSE(pair.tree.expired()) << "the unfinished traversal still refers to it";
-  ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_TRUE(pair.tree.expired()) << "nobody refers to it any more";
-  EXPECT_EQ(pair.w.dispatcher.lastStep().unresolvedPairs, 0U);
-  EXPECT_EQ(contactsOf(pair.w.dispatcher), 0) << "the new shape is 15 cm away";
+TYPED_TEST(ReplacedShape, StartsAnewWithAnotherTree) {
+  for (const bool isFirst : {false, true}) {
+    UnfinishedPair<TypeParam> pair(isFirst);
+    const auto small = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 1)));
+    pair.body->setCollisionShape(small.get());
+    pair.shape.reset();
+    EXPECT_FALSE(pair.tree.expired()) << "the unfinished traversal still refers to it";
+    ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_TRUE(pair.tree.expired()) << "nobody refers to it any more";
+    EXPECT_EQ(pair.w.dispatcher.lastStep().unresolvedPairs, 0U);
+    EXPECT_EQ(contactsOf(pair.w.dispatcher), 0) << "the new shape is 15 cm away";
 
-  pair.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.74), 0, 0)));
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_GE(contactsOf(pair.w.dispatcher), 3) << "and now it touches";
+    pair.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.74), 0, 0)));
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_GE(contactsOf(pair.w.dispatcher), 3) << "and now it touches";
+  }
 }
 
-TEST_P(ReplacedShape, LeavesNoStaleContactsOfAnotherKind) {
-  UnfinishedPair pair(GetParam());
-  ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
-  pair.w.world.performDiscreteCollisionDetection();
-  ASSERT_GE(contactsOf(pair.w.dispatcher), 3);
-  btBoxShape small(btVector3(btScalar(0.2), btScalar(0.2), btScalar(0.2)));
-  pair.body->setCollisionShape(&small);
-  pair.shape.reset();
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_EQ(contactsOf(pair.w.dispatcher), 0) << "the box is 20 cm away";
-  EXPECT_EQ(pair.w.dispatcher.lastStep().pairs, 1U);
+TYPED_TEST(ReplacedShape, LeavesNoStaleContactsOfAnotherKind) {
+  for (const bool isFirst : {false, true}) {
+    UnfinishedPair<TypeParam> pair(isFirst);
+    ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
+    pair.w.world.performDiscreteCollisionDetection();
+    ASSERT_GE(contactsOf(pair.w.dispatcher), 3);
+    btBoxShape small(btVector3(btScalar(0.2), btScalar(0.2), btScalar(0.2)));
+    pair.body->setCollisionShape(&small);
+    pair.shape.reset();
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_EQ(contactsOf(pair.w.dispatcher), 0) << "the box is 20 cm away";
+    EXPECT_EQ(pair.w.dispatcher.lastStep().pairs, 1U);
 
-  pair.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.69), 0, 0)));
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_GE(contactsOf(pair.w.dispatcher), 3);
+    pair.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.69), 0, 0)));
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_GE(contactsOf(pair.w.dispatcher), 3);
 
-  const auto back = treeShape(plainTree(cuboid({0.4, 0.4, 0.4}, 3)));
-  pair.body->setCollisionShape(back.get());
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_GE(contactsOf(pair.w.dispatcher), 3) << "box to tree";
-  pair.body->setCollisionShape(&small);  // outlives the world, unlike `back`
+    const auto back = treeShape(plainTree(cuboid({0.4, 0.4, 0.4}, 3)));
+    pair.body->setCollisionShape(back.get());
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_GE(contactsOf(pair.w.dispatcher), 3) << "box to tree";
+    pair.body->setCollisionShape(&small);  // outlives the world, unlike `back`
+  }
 }
 
-TEST_P(ReplacedShape, ForgetsItsContactsWhenNothingIsLeftToMeet) {
-  UnfinishedPair pair(GetParam());
-  ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
-  pair.w.world.performDiscreteCollisionDetection();
-  ASSERT_GE(contactsOf(pair.w.dispatcher), 3);
-  btCompoundShape empty;
-  pair.body->setCollisionShape(&empty);
-  pair.w.world.performDiscreteCollisionDetection();
-  EXPECT_EQ(contactsOf(pair.w.dispatcher), 0);
-  EXPECT_EQ(pair.w.dispatcher.lastStep().pairs, 0U);
+TYPED_TEST(ReplacedShape, ForgetsItsContactsWhenNothingIsLeftToMeet) {
+  for (const bool isFirst : {false, true}) {
+    UnfinishedPair<TypeParam> pair(isFirst);
+    ASSERT_TRUE(pair.w.dispatcher.setBudget({}).ok());
+    pair.w.world.performDiscreteCollisionDetection();
+    ASSERT_GE(contactsOf(pair.w.dispatcher), 3);
+    btCompoundShape empty;
+    pair.body->setCollisionShape(&empty);
+    pair.w.world.performDiscreteCollisionDetection();
+    EXPECT_EQ(contactsOf(pair.w.dispatcher), 0);
+    EXPECT_EQ(pair.w.dispatcher.lastStep().pairs, 0U);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Order, ReplacedShape, testing::Bool());
 
 struct Removal {
-  BulletWorld<>* w = nullptr;
+  btDiscreteDynamicsWorld* world = nullptr;
   btRigidBody* victim = nullptr;
   bool isDone = false;
 };
@@ -110,12 +115,14 @@ bool removeVictim(btManifoldPoint&, const btCollisionObjectWrapper* a, int, int,
   const btRigidBody* victim = gRemoval.victim;
   if (gRemoval.isDone || a->getCollisionObject() == victim || b->getCollisionObject() == victim) return false;
   gRemoval.isDone = true;
-  gRemoval.w->world.removeRigidBody(gRemoval.victim);
+  gRemoval.world->removeRigidBody(gRemoval.victim);
   return false;
 }
 
-TEST(RemovedBody_InAContactCallback, IsNamedByNoManifold) {
-  BulletWorld<> w;
+CAIRN_FRONT_END_SUITE(RemovedBody_InAContactCallback, EveryFrontEnd);
+
+TYPED_TEST(RemovedBody_InAContactCallback, IsNamedByNoManifold) {
+  BulletWorld<TypeParam> w;
   w.addGround();
   std::vector<btRigidBody*> bodies;
   for (int i = 0; i < 6; ++i) {
@@ -124,7 +131,7 @@ TEST(RemovedBody_InAContactCallback, IsNamedByNoManifold) {
     bodies.back()->setCollisionFlags(bodies.back()->getCollisionFlags() |
                                      btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   }
-  gRemoval = {&w, bodies.back(), false};
+  gRemoval = {&w.world, bodies.back(), false};
   gContactAddedCallback = removeVictim;
   w.world.performDiscreteCollisionDetection();
   gContactAddedCallback = nullptr;

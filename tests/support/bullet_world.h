@@ -15,14 +15,17 @@
 
 namespace cairn::test {
 
-/// A Bullet world with our dispatcher (or another), owning what is put into it.
+/// A Bullet world with our dispatcher (or another), owning what is put into it. A dispatcher that can attach itself to
+/// the world does so.
 template <class DispatcherType = bullet::Dispatcher<>>
 class BulletWorld {
  public:
   BulletWorld() : dispatcher(&configuration_), world(&dispatcher, &broadphase_, &solver_, &configuration_) {
     world.setGravity(btVector3(0, 0, btScalar(-9.81)));
+    if constexpr (requires(DispatcherType d, btDiscreteDynamicsWorld w) { d.attach(w); }) dispatcher.attach(world);
   }
   ~BulletWorld() {
+    if constexpr (requires(DispatcherType d) { d.detach(); }) dispatcher.detach();
     while (world.getNumCollisionObjects() > 0) {
       btCollisionObject* object = world.getCollisionObjectArray()[world.getNumCollisionObjects() - 1];
       world.removeCollisionObject(object);

@@ -18,15 +18,22 @@ namespace cairn::bullet {
 /// traversal refines them together until the budget is spent, then their manifolds are written. Queries (contactTest
 /// and the like) and dispatches for a pair cache other than the world's are answered at once.
 ///
-/// `Base` is the dispatcher to extend; its constructor's arguments are passed on.
+/// `Base` is the dispatcher to extend; its constructor's arguments are passed on. Where the dispatcher is made already,
+/// `install` (install.h) does the same from outside. As with any dispatcher, the worlds it serves must die before it.
 template <class Base = btCollisionDispatcher>
 class Dispatcher : public Base {
  public:
   template <class... Args>
   explicit Dispatcher(Args&&... args) : Base(std::forward<Args>(args)...), narrowPhase_(*this) {}
+  Dispatcher(const Dispatcher&) = delete;
+  Dispatcher& operator=(const Dispatcher&) = delete;
 
   /// Refuses negative amounts and NaN.
   Status setBudget(const StepBudget& budget) { return narrowPhase_.setBudget(budget); }
+  /// Of all steps of a frame together, on top of that of each step; `stepFrame` then steps the world. Refuses negative
+  /// amounts and NaN.
+  Status setFrameBudget(const StepBudget& budget) { return narrowPhase_.setFrameBudget(budget); }
+  void beginFrame(int steps) { narrowPhase_.beginFrame(steps); }
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
   /// Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }

@@ -10,22 +10,34 @@
 #include "cairn/core/viewer.h"
 
 class btCollisionDispatcher;
+class btCollisionWorld;
 class btOverlappingPairCache;
 struct btDispatcherInfo;
 
 namespace cairn::bullet {
 
 /// The sphere-tree narrow phase of one dispatcher: registers the collision algorithms, collects their pairs during a
-/// dispatch, refines all of them under one budget and emits the contacts. Users meet it through `Dispatcher`.
+/// dispatch, refines all of them under one budget and emits the contacts. Users meet it inside a `Dispatcher`, or as
+/// what `install` returns; it is gone with all it registered when it is destroyed, which must happen before the
+/// dispatcher is and not while that dispatches (asserted).
 class NarrowPhase {
  public:
-  /// Registers with `dispatcher`, which must outlive this.
+  /// Registers with `dispatcher`, which must outlive this and have no sphere-trees registered. Whoever calls this says
+  /// with `beginStep` and `endStep` where steps begin and end; others call `install`.
   explicit NarrowPhase(btCollisionDispatcher& dispatcher);
   ~NarrowPhase();
+  NarrowPhase(NarrowPhase&&) noexcept;
+  NarrowPhase& operator=(NarrowPhase&&) noexcept;
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
 
+  /// Of every step from now on. Refuses negative amounts and NaN.
   Status setBudget(const StepBudget& budget);
+  /// Of all steps of a frame together (see `FrameBudget`), on top of that of each step. Refuses negative amounts and
+  /// NaN.
+  Status setFrameBudget(const StepBudget& budget);
+  /// A frame of `steps` steps begins; `stepFrame` calls this.
+  void beginFrame(int steps);
   void setUnresolved(Unresolved policy);
   /// Which pair is refined next; `RoundRobin` until told. See docs/algorithms/priorities.md. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority);
@@ -34,13 +46,19 @@ class NarrowPhase {
   Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const;
 
+  /// Around the dispatcher's pass over `pairs`.
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 
   class Impl;
 
  private:
-  std::unique_ptr<Impl> impl_;
+  friend Result<NarrowPhase> install(btCollisionWorld& world);
+  friend Result<NarrowPhase> install(btCollisionDispatcher& dispatcher);
+  explicit NarrowPhase(std::shared_ptr<Impl> impl);
+  void retire();
+
+  std::shared_ptr<Impl> impl_;  // shared with the algorithms that Bullet still holds
 };
 
 }  // namespace cairn::bullet

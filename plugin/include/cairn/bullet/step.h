@@ -26,7 +26,8 @@ enum class Unresolved : std::uint8_t {
 /// What the narrow phase did in the last step.
 struct StepStatistics {
   std::uint64_t operations = 0;  ///< all work charged, re-testing included
-  double microseconds = 0;       ///< CPU time of the whole dispatch, pairs without a sphere-tree included
+  double microseconds = 0;  ///< CPU time of the whole dispatch, pairs without a sphere-tree included (installed on a
+                            ///< dispatcher: elapsed time of the narrow phase alone)
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;

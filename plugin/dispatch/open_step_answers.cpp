@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Zlib
+// The narrow phase on a dispatcher that does not say where steps end: pairs are refined together when the first of a
+// step comes, and answered one by one as they come.
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "dispatch/narrow_phase_impl.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// New pairs share what is kept for them, or left by others, first come first served: each may take an eighth.
+constexpr int kNewcomersShare = 8;
+
+bool isGhost(const btCollisionObject& object) {
+  return (object.getInternalType() & btCollisionObject::CO_GHOST_OBJECT) != 0;
+}
+
+double microsecondsSince(Budget::Clock::time_point began) {
+  return std::chrono::duration<double, std::micro>(Budget::Clock::now() - began).count();
+}
+
+StepBudget fractionOf(const StepBudget& budget, double fraction) {
+  StepBudget part = budget;
+  if (part.operations) part.operations = static_cast<std::int64_t>(static_cast<double>(*part.operations) * fraction);
+  if (part.microseconds) *part.microseconds *= fraction;
+  return part;
+}
+
+}  // namespace
+
+// False, and nothing done, for what is answered at once: pairs of ghosts, and those nested too deep to be remembered.
+bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                         const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                         btManifoldResult& result) {
+  if (isGhost(*body0.getCollisionObject()) || isGhost(*body1.getCollisionObject())) return false;
+  timeStep_ = info.m_timeStep;
+  isAnswering_ = true;
+  const bool isAnswered = answerOpenly(pair, body0, body1, result);
+  isAnswering_ = false;
+  return isAnswered;
+}
+
+bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                     const btCollisionObjectWrapper& body1, btManifoldResult& result) {
+  const auto isPreparedNow = [&] { return pair.collectedAt() != TreePair::kNotCollected && pair.isOf(body0, body1); };
+  if (open_.isOver(pair, isPreparedNow())) beginOpenStep();
+
+  const bool isPrepared = isPreparedNow();
+  const bool wasExpected = pair.collectedAt() != TreePair::kNotCollected;
+  if (wasExpected) dismiss(pair.collectedAt());
+  if (!isPrepared && !pair.collect(body0, body1)) {
+    open_.forget(pair);
+    return false;
+  }
+  open_.answered(pair, wasExpected);
+  if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;
+
+  const auto began = Budget::Clock::now();
+  Budget budget = budgetOf(openLeft_);
+  ++statistics_.pairs;
+  const ScheduledPair seen = pair.scheduled();
+  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_), seen);
+  if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
+  if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
+  book(budget, began);
+  return true;
+}
+
+void NarrowPhase::Impl::beginOpenStep() {
+  endOpenStep();
+  dropUnansweredPairs();
+  learnFromStep();
+  statistics_ = {};
+  errorSum_ = seenSum_ = 0;
+  reportingPairs_ = 0;
+  openLeft_ = stepLimit();
+
+  const auto began = Budget::Clock::now();
+  open_.begin(dispatcher_, collected_);
+  left_ = budgetOf(fractionOf(openLeft_, 1 - open_.reserve(collected_.size())));
+  scheduled_.clear();
+  orderPairs();
+  beginPairs();
+  statistics_.pairs = 0;
+  scheduler_.run(scheduled_, *priority_, left_, this);
+  // What was held back is left for the pairs as they come.
+  for (TreePair* pair : collected_)
+    if (pair) pair->withdrawPromise(left_);
+  bookRefinement(left_, began);
+}
+
+void NarrowPhase::Impl::endOpenStep() {
+  if (open_.hasEnded()) return;
+  open_.end();
+  frame_.spend(statistics_.operations, statistics_.microseconds);
+}
+
+void NarrowPhase::Impl::dropUnansweredPairs() {
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (TreePair* const pair = collected_[i]) {
+      dismiss(i);
+      open_.forget(*pair);
+    }
+  collected_.clear();
+}
+
+// Also for an expected pair whose bodies are not where they were when the step began. False when its shapes have no
+// contacts.
+bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                       const btCollisionObjectWrapper& body1) {
+  const auto began = Budget::Clock::now();
+  StepBudget share = fractionOf(openLeft_, 1.0 / kNewcomersShare);
+  if (share.operations)
+    share.operations =
+        std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
+  Budget budget = budgetOf(share);
+  const bool hasBegun = pair.begin(body0, body1, timeStep_, 0, false, budget);
+  if (hasBegun) pair.scheduled().traversal->refine(budget);
+  bookRefinement(budget, began);
+  return hasBegun;
+}
+
+void NarrowPhase::Impl::bookRefinement(const Budget& used, Budget::Clock::time_point began) {
+  if (openLeft_.operations)
+    openLeft_.operations = std::max<std::int64_t>(*openLeft_.operations - static_cast<std::int64_t>(used.used()), 0);
+  if (openLeft_.microseconds)
+    openLeft_.microseconds = std::max(*openLeft_.microseconds - microsecondsSince(began), 0.0);
+  book(used, began);
+}
+
+void NarrowPhase::Impl::book(const Budget& used, Budget::Clock::time_point began) {
+  statistics_.operations += used.used();
+  statistics_.microseconds += microsecondsSince(began);
+}
+
+}  // namespace cairn::bullet

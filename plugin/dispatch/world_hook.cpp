@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/world_hook.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+
+#include <cassert>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "dispatch/narrow_phase_impl.h"
+#include "dispatch/passing_broadphase.h"
+#include "dispatch/tree_algorithm.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+bool hasTree(const btCollisionShape& shape) {
+  if (asSphereTree(&shape)) return true;
+  if (!shape.isCompound()) return false;
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i)
+    if (hasTree(*compound.getChildShape(i))) return true;
+  return false;
+}
+
+bool isOfTree(const btBroadphaseProxy& proxy) {
+  return hasTree(*static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape());
+}
+
+bool hasTree(const btBroadphasePair& pair) {
+  return isOfTree(*pair.m_pProxy0) || isOfTree(*pair.m_pProxy1);
+}
+
+// Looks at no shape: when all is taken down, they may be gone before their bodies.
+bool mayBeOurs(const btBroadphasePair& pair) {
+  return dynamic_cast<const TreeAlgorithm*>(pair.m_algorithm) ||
+         dynamic_cast<const btCompoundCollisionAlgorithm*>(pair.m_algorithm);  // whose children may be
+}
+
+template <class IsWanted>
+void forgetAlgorithms(btOverlappingPairCache& cache, btDispatcher& dispatcher, const IsWanted& isWanted) {
+  btBroadphasePairArray& pairs = cache.getOverlappingPairArray();
+  for (int i = 0; i < pairs.size(); ++i)
+    if (pairs[i].m_algorithm && isWanted(pairs[i])) cache.cleanOverlappingPair(pairs[i], &dispatcher);
+}
+
+// In the world's own cache and those of its ghosts.
+template <class IsWanted>
+void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher, const IsWanted& isWanted) {
+  forgetAlgorithms(*world.getPairCache(), dispatcher, isWanted);
+  for (int i = 0; i < world.getNumCollisionObjects(); ++i)
+    if (auto* ghost = dynamic_cast<btPairCachingGhostObject*>(world.getCollisionObjectArray()[i]))
+      forgetAlgorithms(*ghost->getOverlappingPairCache(), dispatcher, isWanted);
+}
+
+}  // namespace
+
+void PassingPairCache::processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher,
+                                                  const btDispatcherInfo& info) {
+  const bool isStep = dispatcher == &dispatcher_;
+  if (isStep) narrowPhase_.beginStep(*this, info);
+  to().processAllOverlappingPairs(callback, dispatcher, info);
+  if (isStep) narrowPhase_.endStep();
+}
+
+WorldHook::WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase)
+    : world_(world),
+      dispatcher_(dispatcher),
+      broadphase_(std::make_unique<PassingBroadphase>(*world.getBroadphase(), dispatcher, narrowPhase)) {
+  forgetAlgorithms(world_, dispatcher_, [](const btBroadphasePair& pair) { return hasTree(pair); });
+  world_.setBroadphase(broadphase_.get());
+}
+
+WorldHook::~WorldHook() {
+  const bool isOurs = world_.getBroadphase() == broadphase_.get();
+  assert(isOurs && "the world's broad phase was replaced while a narrow phase was installed on the world");
+  if (isOurs) world_.setBroadphase(&broadphase_->original());
+  forgetAlgorithms(world_, dispatcher_, mayBeOurs);
+}
+
+}  // namespace cairn::bullet
