@@ -18,6 +18,7 @@ Budget Budget::both(std::uint64_t operations, double microseconds) {
 }
 
 bool Budget::lookAtClock() {
+  if (used_ < guaranteedUntil_) return false;
   const auto promised = std::chrono::duration<double, std::nano>(promisedNanoseconds_);
   if (Clock::now() + std::chrono::duration_cast<Clock::duration>(promised) >= deadline_)
     return true;  // sinceClock_ stays high: once the time is up, every look says so

@@ -158,6 +158,15 @@ TEST(Budget, Time_EndsALongRun) {
   EXPECT_EQ(budget.used(), used);
 }
 
+TEST(Budget, WhatIsGuaranteed_IsDoneWhenTheTimeIsUp) {
+  Budget budget = Budget::time(0);
+  budget.guarantee(3 * Budget::kClockInterval);
+  std::uint64_t done = 0;
+  while (budget.charge(8)) done += 8;
+  EXPECT_GE(done, 3 * Budget::kClockInterval);
+  EXPECT_LE(done, 4 * Budget::kClockInterval);
+}
+
 TEST(Budget, Both_EndsAtWhicheverComesFirst) {
   Budget budget = Budget::both(20, 1e9);
   EXPECT_TRUE(budget.charge(15));

@@ -66,6 +66,9 @@ class Budget {
     promisedNanoseconds_ -= work.nanoseconds;
   }
 
+  /// Lets the next `operations` through whatever the clock says: what is given no time at all would never end.
+  void guarantee(std::uint64_t operations) { guaranteedUntil_ = used_ + operations; }
+
   std::uint64_t used() const { return used_; }
   /// What may still be charged: promised work is held back.
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, promisedOperations_); }
@@ -80,6 +83,7 @@ class Budget {
   std::uint64_t promisedOperations_ = 0;
   double promisedNanoseconds_ = 0;
   std::uint64_t used_ = 0;
+  std::uint64_t guaranteedUntil_ = 0;
   std::uint64_t sinceClock_ = kClockInterval;  // look at once: a budget of zero microseconds does nothing
   Clock::time_point deadline_;
 };
