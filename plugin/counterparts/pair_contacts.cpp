@@ -2,7 +2,6 @@
 #include "counterparts/pair_contacts.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace cairn::bullet {
 
@@ -32,19 +31,7 @@ void PairContacts::reset() {
   started_ = false;
   isRetested_ = false;
   isKept_ = false;
-  forgetGaps();
-}
-
-void PairContacts::forgetGaps() {
-  gaps_.clear();
-  measuredInVain_ = 0;
-  leastGap_ = -std::numeric_limits<float>::infinity();
-}
-
-bool PairContacts::stillApart(const RelativePlacement& now, float reach) const {
-  if (leastGap_ < reach) return false;
-  return static_cast<float>(now.displacementSince(startedAt_)) <= skin_ &&
-         reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
+  kept_.reset();
 }
 
 void PairContacts::settleApart(const Vec3& centers) {
@@ -64,37 +51,16 @@ void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
-  // What moves on at once gains nothing from looking farther.
-  const float skin = kSkinFraction * motion.smallerSize;
-  const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
-  skin_ = counterpart.keepsAnswer() && isSlow ? skin : 0;
-  counterpart.start(known_, skin_);
-  startedAt_ = motion.placement;
+  counterpart.start(known_, kept_.begin(counterpart, motion));
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   seenLeafPairs_ = 0;
-  forgetGaps();
   started_ = true;
 }
 
-// Pairs whose surfaces were farther apart than the bodies have moved since still are.
 bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
-  if (!started_ || skin_ == 0 || !counterpart.traversal().done()) return false;
-  if (static_cast<float>(motion.placement.displacementSince(startedAt_)) > skin_) return false;
-  const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+  if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement)) return false;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
-  measuresAll_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
-  if (measuresAll_) {
-    near_.assign(leafPairs.begin(), leafPairs.end());
-    return true;
-  }
-  if (isThrifty && !known_.empty()) {
-    near_.assign(known_.begin(), known_.end());
-    return true;
-  }
-  const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
-  near_.clear();
-  for (std::size_t i = 0; i < leafPairs.size(); ++i)
-    if (gaps_[i] < near) near_.push_back(leafPairs[i]);
+  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, isThrifty);
   return true;
 }
 
@@ -108,38 +74,24 @@ void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
 std::span<const NodePair> PairContacts::unmeasured(const Counterpart& counterpart) const {
-  if (isKept_) return near_;
+  if (isKept_) return kept_.near();
   const bool anew = counterpart.traversal().done() && counterpart.measuresTogether();
   return counterpart.traversal().leafPairs().subspan(anew ? 0 : seenLeafPairs_);
-}
-
-// Whether or not they are wanted now, so that a pair which slows down later allocates nothing.
-void PairContacts::makeRoomForGaps(std::size_t leafPairs) {
-  if (gaps_.capacity() >= leafPairs) return;
-  gaps_.reserve(leafPairs + leafPairs / 2);
-  near_.reserve(leafPairs + leafPairs / 2);
 }
 
 void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                                     std::vector<Contact>& contacts) {
   const std::span<const NodePair> pairs = unmeasured(counterpart);
   const std::size_t leafPairs = counterpart.traversal().leafPairs().size();
-  const bool areAll = isKept_ ? measuresAll_ : seenLeafPairs_ == 0;
-  seenLeafPairs_ = leafPairs;
   budget.chargeAnyway(kContactCost * pairs.size());
-  makeRoomForGaps(leafPairs);
-  const std::size_t before = contacts.size();
-  if (skin_ > 0 && counterpart.traversal().done() && areAll) {
-    gaps_.resize(leafPairs);
-    measuredAt_ = motion.placement;
-    counterpart.appendContacts(pairs, gaps_, contacts);
-    leastGap_ = std::numeric_limits<float>::infinity();
-    for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
-    measuredInVain_ = 0;
-  } else {
+  kept_.makeRoom(leafPairs);
+  if (isKept_)
+    kept_.measureNear(counterpart, motion, contacts);
+  else if (kept_.isWanted() && counterpart.traversal().done() && seenLeafPairs_ == 0)
+    kept_.measureAll(counterpart, motion, contacts);
+  else
     counterpart.appendContacts(pairs, contacts);
-    measuredInVain_ += pairs.size() - std::min(pairs.size(), contacts.size() - before);
-  }
+  seenLeafPairs_ = leafPairs;
 }
 
 std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const {

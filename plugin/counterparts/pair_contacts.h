@@ -10,6 +10,7 @@
 #include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 #include "counterparts/counterpart.h"
+#include "counterparts/kept_answer.h"
 
 namespace cairn::bullet {
 
@@ -28,9 +29,6 @@ class PairContacts {
   static constexpr std::size_t kMaxKnownPairs = 32;
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 32;
-  /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size: until they
-  /// have moved by as much, its leaf pairs hold all that can touch, and only those that were near are measured anew.
-  static constexpr float kSkinFraction = 0.006F;
 
   /// Forgets everything; for a pair that is new.
   void reset();
@@ -40,7 +38,7 @@ class PairContacts {
   void settleApart(const Vec3& centers);
 
   /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
-  bool stillApart(const RelativePlacement& now, float reach) const;
+  bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
@@ -76,8 +74,6 @@ class PairContacts {
     float sunk;
   };
 
-  void forgetGaps();
-  void makeRoomForGaps(std::size_t leafPairs);
   bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget);
@@ -111,18 +107,8 @@ class PairContacts {
   bool isAnswered_ = false;         // was the traversal ever done
   bool answerHadContacts_ = false;  // and did it find any
   Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
-  // Of a traversal that looked farther than needed: where it began, how much farther it looked, and how far apart its
-  // leaf pairs were when all of them were measured.
-  RelativePlacement startedAt_, measuredAt_;
-  float skin_ = 0;
-  std::vector<float> gaps_;  // one for each leaf pair, or none if they were not measured together
-  float leastGap_ = 0;       // of them; minus infinity if they were not
-  // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
-  // again costs no more than what it will save is likely to.
-  std::size_t measuredInVain_ = 0;
-  std::vector<NodePair> near_;  // those of a kept answer that are to be measured
+  KeptAnswer kept_;
   bool isKept_ = false;
-  bool measuresAll_ = false;  // near_ is all leaf pairs, in their order
   bool started_ = false;
   bool isRetested_ = false;
 };

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/kept_answer.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+void KeptAnswer::reset() {
+  skin_ = 0;
+  gaps_.clear();
+  leastGap_ = kUnknown;
+  measuredInVain_ = 0;
+}
+
+// What moves on at once gains nothing from looking farther.
+float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& motion) {
+  reset();
+  const float skin = kSkinFraction * motion.smallerSize;
+  const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
+  if (counterpart.keepsAnswer() && isSlow) skin_ = skin;
+  beganAt_ = motion.placement;
+  return skin_;
+}
+
+bool KeptAnswer::holdsAt(const RelativePlacement& now) const {
+  return skin_ > 0 && static_cast<float>(now.displacementSince(beganAt_)) <= skin_;
+}
+
+bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
+  if (leastGap_ < reach) return false;
+  return holdsAt(now) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
+}
+
+// Pairs whose surfaces were farther apart than the bodies have moved since still are.
+void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
+                      std::span<const NodePair> known, bool isThrifty) {
+  areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
+  if (areAllNear_) {
+    near_.assign(leafPairs.begin(), leafPairs.end());
+    return;
+  }
+  if (isThrifty && !known.empty()) {
+    near_.assign(known.begin(), known.end());
+    return;
+  }
+  const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
+  near_.clear();
+  for (std::size_t i = 0; i < leafPairs.size(); ++i)
+    if (gaps_[i] < near) near_.push_back(leafPairs[i]);
+}
+
+void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts) {
+  const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+  gaps_.resize(leafPairs.size());
+  counterpart.appendContacts(leafPairs, gaps_, contacts);
+  measuredAt_ = motion.placement;
+  measuredInVain_ = 0;
+  leastGap_ = -kUnknown;
+  for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
+}
+
+void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts) {
+  if (areAllNear_) return measureAll(counterpart, motion, contacts);
+  const std::size_t before = contacts.size();
+  counterpart.appendContacts(near_, contacts);
+  measuredInVain_ += near_.size() - std::min(near_.size(), contacts.size() - before);
+}
+
+void KeptAnswer::makeRoom(std::size_t count) {
+  if (gaps_.capacity() >= count) return;
+  gaps_.reserve(count + count / 2);
+  near_.reserve(count + count / 2);
+}
+
+}  // namespace cairn::bullet

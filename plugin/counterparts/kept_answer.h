@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "contacts/relative_motion.h"
+#include "counterparts/counterpart.h"
+
+namespace cairn::bullet {
+
+/// What a finished traversal found, for as long as it holds: a traversal of slow bodies looks a skin farther than it
+/// must, and until they have moved by as much, its leaf pairs are all that can touch. Of these, only those that were
+/// near are measured anew. See docs/algorithms/kept-answers.md.
+class KeptAnswer {
+ public:
+  /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size.
+  static constexpr float kSkinFraction = 0.006F;
+
+  void reset();
+  /// A traversal begins at these poses. Returns how much farther it is to look, world length; 0 for fast bodies, and
+  /// where the counterpart decides by more than poses.
+  float begin(const Counterpart& counterpart, const RelativeMotion& motion);
+
+  /// Whether the traversal at hand looks farther than needed, so that it pays to know how far apart its pairs are.
+  bool isWanted() const { return skin_ > 0; }
+
+  /// Whether the leaf pairs of the last traversal still are all that can touch. Precondition: it is done.
+  bool holdsAt(const RelativePlacement& now) const;
+  /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
+  bool isApartAt(const RelativePlacement& now, float reach) const;
+
+  /// Picks the leaf pairs that may be in contact at poses where the answer holds; see `near`. `known` are those that
+  /// were, and suffice where they are not empty and the step `isThrifty`.
+  void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
+            bool isThrifty);
+  /// What was picked. Valid until the next `pick`.
+  std::span<const NodePair> near() const { return near_; }
+
+  /// Measures all leaf pairs of a traversal that is done, and how far apart they are.
+  void measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
+  /// Measures what was picked.
+  void measureNear(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
+
+  /// Allocates what `count` leaf pairs may need, wanted now or not: a pair that slows down later allocates nothing.
+  void makeRoom(std::size_t count);
+
+ private:
+  static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
+
+  RelativePlacement beganAt_, measuredAt_;
+  float skin_ = 0;
+  std::vector<float> gaps_;    // one for each leaf pair, or none if they were not measured together
+  float leastGap_ = kUnknown;  // of them
+  // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
+  // again costs no more than what it is likely to save.
+  std::size_t measuredInVain_ = 0;
+  std::vector<NodePair> near_;
+  bool areAllNear_ = false;
+};
+
+}  // namespace cairn::bullet
