@@ -4,28 +4,29 @@
 #include <algorithm>
 #include <utility>
 
-#include "hierarchy/relieve_level.h"
-
 namespace cairn::builder {
 
 namespace {
 
 constexpr int kRounds = 8;
+/// Attempts of each relief after the first: those repair, and most points need one attempt.
+constexpr std::size_t kRepairs = 20;
 /// Within this factor of what the points need, the dense points have nothing to add.
 constexpr double kComplete = 1.01;
 
 }  // namespace
 
-CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, std::size_t attempts) {
+CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, const ReliefEffort& effort) {
   const Reach denseReach = reachThrough(surface.above, surface.dense);
   CoverLevel best;
+  const ReliefEffort repair{std::min(effort.attempts, kRepairs), effort.redraws};
   double settled = surface.negligible;  // what the first relief ended at: the next ones repair, they do not try again
   for (int round = 0; round < kRounds; ++round) {
     const Reach reach = reachThrough(surface.above, surface.points);
     LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};
     problem.keepGoing = surface.keepGoing;
     if (!problem.goesOn()) return level;
-    level.balls = relieveLevel(problem, level.balls, attempts);
+    level.balls = relieveLevel(problem, level.balls, round == 0 ? effort : repair);
     level.limit = std::max(coverStandOff(problem, level.balls), surface.negligible);
     settled = std::max(settled, round == 0 ? level.limit : 0);
     CoverLevel whole = level;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hierarchy/cover_level.h"
+#include "hierarchy/relieve_level.h"
 
 namespace cairn::builder {
 
@@ -21,7 +22,7 @@ struct LevelSurface {
 
 /// Lowers the level's worst (`relieveLevel`), then what lies between its points: those of the dense points that cost
 /// most join them and the families there are relieved again, a few times. Returns the level with the lowest limit seen;
-/// limits hold for the dense points. `attempts`: of each relief at most. Deterministic.
-CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, std::size_t attempts);
+/// limits hold for the dense points. `effort`: of the first relief; the others spend less. Deterministic.
+CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, const ReliefEffort& effort);
 
 }  // namespace cairn::builder

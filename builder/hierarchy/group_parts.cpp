@@ -16,7 +16,7 @@ namespace {
 
 /// Starts, how far each displaces the parents (in parts of their radius), and how often assigning and refitting
 /// alternate at most.
-constexpr std::uint64_t kStarts = 40;
+constexpr std::uint64_t kStarts = 8;
 constexpr double kDisplacement = 0.15;
 constexpr int kRounds = 8;
 /// Alternating ends when a round gains less than this part.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grow_levels.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,9 +8,8 @@
 #include "hierarchy/body_frame.h"
 #include "hierarchy/complete_level.h"
 #include "hierarchy/divide_among_leaves.h"
+#include "hierarchy/fit_families.h"
 #include "hierarchy/two_levels.h"
-#include "spheres/ball_fit.h"
-#include "spheres/optimise.h"
 
 namespace cairn::builder {
 
@@ -23,8 +20,8 @@ constexpr std::size_t kPointsPerBall = 100, kMinPoints = 1500;
 /// Points of one family's first fit, and swaps tried to improve it.
 constexpr std::size_t kFamilyPoints = 400;
 constexpr int kFamilySwapRounds = 1;
-/// Attempts of each relief of a level.
-constexpr std::size_t kReliefAttempts = 60;
+/// Attempts to relieve a level.
+constexpr ReliefEffort kRelief{.attempts = 80, .redraws = 8};
 
 /// Points of the surface, close enough for a level of `balls` balls.
 PointSet pointsFor(const TriangleMesh& mesh, double balls) {
@@ -32,30 +29,6 @@ PointSet pointsFor(const TriangleMesh& mesh, double balls) {
   const auto points = static_cast<std::size_t>(kPointsPerBall * balls);
   refinePieces(pieces, 2 * std::max(points, kMinPoints));  // a closed surface has twice as many triangles as corners
   return PointSet(cornersOf(pieces));
-}
-
-/// The best cover of one family's own points, for itself.
-SphereSet fitFamily(const std::vector<std::uint32_t>& owned, const PointSet& points, const DepthField& field,
-                    const SplitSettings& settings) {
-  std::vector<Vec3d> list;
-  for (const std::uint32_t p : owned) list.push_back(points[p]);
-  const PointSet few(farthestPointSample(list, kFamilyPoints, settings.seed % list.size()));
-  const CoverProblem problem{few, field, settings.branching};
-  const SphereSet one{fitBall(few[0], few, field)};
-  if (one[0].standOff() <= settings.negligible) return one;
-  return optimiseBySwaps(problem, one, kFamilySwapRounds);
-}
-
-std::vector<ChildBall> fitFamilies(const Reach& owned, const PointSet& points, const DepthField& field,
-                                   const SplitSettings& settings) {
-  std::vector<SphereSet> families(owned.size());
-  tbb::parallel_for(std::size_t{0}, owned.size(), [&](std::size_t i) {
-    if (!owned[i].empty() && settings.keepGoing()) families[i] = fitFamily(owned[i], points, field, settings);
-  });
-  std::vector<ChildBall> level;
-  for (std::uint32_t parent = 0; parent < families.size(); ++parent)
-    for (const Ball& ball : families[parent]) level.push_back({ball, parent});
-  return level;
 }
 
 /// The level below `levels`: each family for itself first, then all at once, then where it is worst and for what lies
@@ -68,10 +41,12 @@ CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const 
   CoverLevel level;
   LevelProblem problem{points, field, reach, settings.branching, settings.negligible};
   problem.keepGoing = &settings.keepGoing;
-  level.balls = optimiseLevel(problem, fitFamilies(owned, points, field, settings));
+  const FamilySettings alone{settings.branching, kFamilyPoints,       kFamilySwapRounds,
+                             settings.seed,      settings.negligible, &settings.keepGoing};
+  level.balls = optimiseLevel(problem, fitFamilies(owned, points, field, alone));
   const LevelSurface surface{
       points, dense, levels, field, settings.branching, settings.negligible, &settings.keepGoing};
-  return completeLevel(surface, std::move(level), kReliefAttempts);
+  return completeLevel(surface, std::move(level), kRelief);
 }
 
 /// All levels, fitted in the frame of `solid`. Empty when `progress` cancelled.
@@ -81,7 +56,7 @@ std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& sol
   PointSet points = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U)));
   PointSet dense = pointsFor(solid.mesh(), ballsOf(std::min(depth, 2U) + 1));
   const TwoLevelProblem upper{
-      points, dense, solid, settings.branching, settings.seed, settings.negligible, &settings.keepGoing};
+      points, dense, solid, settings.branching, settings.seed, settings.negligible, depth > 2, &settings.keepGoing};
   std::vector<CoverLevel> levels = depth == 1 ? std::vector{coverOneLevel(upper)} : coverTwoLevels(upper);
   if (!settings.keepGoing()) return {};
   while (levels.size() < depth) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -22,7 +23,7 @@ constexpr std::uint32_t kNowhere = ~0U;
 constexpr double kRequest = 0.02, kWorthAStep = 0.002;
 /// Families optimised together, if those that reach the worst point are fewer.
 constexpr std::size_t kFamilies = 3;
-/// Balls taken away in turn before a point is given up.
+/// Balls taken away in turn before the family is drawn anew.
 constexpr std::size_t kSwaps = 12;
 
 /// A few families of a level, with the points that are left to them.
@@ -72,8 +73,9 @@ class Relief {
     }
   }
 
-  void run(std::size_t attempts) {
-    attempts_ = attempts;
+  void run(const ReliefEffort& effort) {
+    attempts_ = effort.attempts;
+    redraws_ = effort.redraws;
     while (attempts_ > 0 && problem_.goesOn()) {
       const std::vector<double> least = leastCosts({});
       const auto worst = std::max_element(least.begin(), least.end());
@@ -170,11 +172,40 @@ class Relief {
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(order[n]));
       found = better(part, std::move(fewer), goal, worst);
     }
+    if (!found && redraws_ > 0) found = redrawn(part, goal, worst);
     if (!found) return false;
     for (const std::uint32_t k : part.parents) families_[k].clear();
     for (const ChildBall& child : *found) families_[part.parents[child.parent]].push_back(child.ball);
     for (const std::uint32_t k : part.parents) measure(k);
     return true;
+  }
+
+  /// The family that pays most begins anew, from first balls spread over what it may hold.
+  std::optional<std::vector<ChildBall>> redrawn(const Part& part, double goal, double worst) {
+    const std::uint32_t k = mostStrained(part);
+    PointSet reached;
+    for (const std::uint32_t p : part.reach[k]) reached.push(part.points[p]);
+    std::vector<ChildBall> others;
+    std::ranges::copy_if(part.balls, std::back_inserter(others), [&](const ChildBall& c) { return c.parent != k; });
+    const PointSet firsts = evenSample(reached, redraws_, 0);
+    std::optional<std::vector<ChildBall>> found;
+    for (std::size_t n = 0; n < firsts.size() && !found && attempts_ > 0 && problem_.goesOn(); ++n) {
+      std::vector<ChildBall> start = others;
+      start.push_back({{firsts[n], 0, problem_.solid.depth(firsts[n])}, k});
+      found = better(part, std::move(start), goal, worst);
+    }
+    return found;
+  }
+
+  static std::uint32_t mostStrained(const Part& part) {
+    std::vector<double> least(part.points.size(), kInfinity);
+    for (const ChildBall& child : part.balls)
+      for (const std::uint32_t p : part.reach[child.parent])
+        least[p] = std::min(least[p], costOf(child.ball, part.points[p]));
+    const auto worst = static_cast<std::uint32_t>(std::max_element(least.begin(), least.end()) - least.begin());
+    std::uint32_t k = 0;
+    while (!std::ranges::binary_search(part.reach[k], worst)) ++k;
+    return k;
   }
 
   /// One attempt: the part's families optimised from a start, if that is worth a step.
@@ -190,6 +221,7 @@ class Relief {
 
   const LevelProblem& problem_;
   std::size_t attempts_ = 0;                // left
+  std::size_t redraws_ = 0;                 // of a family, before a point is given up
   std::vector<SphereSet> families_;         // by parent
   std::vector<std::vector<double>> costs_;  // by parent, by slot of its reach: of its family's cheapest ball
   std::vector<PointSet> reachPoints_;       // by parent
@@ -198,9 +230,9 @@ class Relief {
 }  // namespace
 
 std::vector<ChildBall> relieveLevel(const LevelProblem& problem, const std::vector<ChildBall>& level,
-                                    std::size_t attempts) {
+                                    const ReliefEffort& effort) {
   Relief relief(problem, level);
-  relief.run(attempts);
+  relief.run(effort);
   return relief.level();
 }
 

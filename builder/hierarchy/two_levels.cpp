@@ -4,15 +4,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "hierarchy/complete_level.h"
-#include "hierarchy/group_parts.h"
+#include "hierarchy/draw_families.h"
+#include "hierarchy/fit_families.h"
 #include "hierarchy/level_field.h"
-#include "hierarchy/share_parts.h"
 #include "hierarchy/upper_covers.h"
 
 namespace cairn::builder {
@@ -20,19 +19,25 @@ namespace cairn::builder {
 namespace {
 
 /// Of two pairs of levels the better has the smaller product of limits, the upper's to this power: a traversal stopped
-/// early sees the upper one, so what that gives up has to buy twice as much below. Upper levels within `kAsGood` of
-/// the best are all as good: which one is found is chance, and the level below should decide.
-constexpr double kUpperWeight = 2, kAsGood = 1.03;
-/// Sizes of the flat covers families are formed from, in parts of a full lower level: the fewer balls, the easier to
-/// group; families are filled up afterwards.
-constexpr std::array kFlatShares{0.625, 0.75, 0.8125, 0.875};
+/// early sees the upper one, so what that gives up has to buy three times as much below. Upper levels within `kAsGood`
+/// of the best are all as good: which one is found is chance, and the level below should decide.
+constexpr double kUpperWeight = 3, kAsGood = 1.03;
+/// What the third level would need counts as well, to this power: it differs from pair to pair twice as much as the
+/// second does, and what is looked ahead at is only an estimate.
+constexpr double kNextWeight = 0.5;
+/// Families drawn; of these the most promising are filled up, and the best of the pairs gone on with.
+constexpr std::size_t kDraws = 12, kFilledUp = 6, kTightened = 4;
 /// The upper level's limit on its way down: this factor a step, to this part of what it needs for itself at least.
 constexpr double kTightening = 0.975, kTightest = 1.02;
-/// Pairs that are completed between the points, and attempts of each relief of their lower levels.
-constexpr std::size_t kCompleted = 2, kReliefAttempts = 25;
+/// Pairs that are completed between the points, and attempts to relieve their lower levels.
+constexpr std::size_t kCompleted = 3;
+constexpr ReliefEffort kRelief{.attempts = 25, .redraws = 0};
+/// Looked ahead at: this part of the dense points, and most points of a family that is fitted alone.
+constexpr std::size_t kAheadPart = 3, kFamilyPoints = 150;
 
 struct TwoLevels {
   CoverLevel upper, lower;
+  double next = 1;  // about what the level below needs; the same for all while unknown
 };
 
 class Search {
@@ -41,23 +46,24 @@ class Search {
       : problem_(problem),
         uppers_(upperCovers(problem)),
         points_(uppers_.points),
+        ahead_(problem.deeper ? evenSample(problem.dense, problem.dense.size() / kAheadPart, 0) : PointSet()),
         all_(reachOfAll(points_.size())),
         plain_(problem.solid) {}
 
   TwoLevels run() {
     const std::size_t full = problem_.branching * problem_.branching;
-    const double standOff = standOffIn(all_, fitFlat(plain_, full, {}));
+    const double standOff = standOffIn(all_, optimiseLevel(level(plain_, all_, full), {}));
     lowerField_ = fieldNear(problem_.solid, std::max(standOff, problem_.negligible));
-    const std::size_t covers = uppers_.covers.size();
-    std::vector<TwoLevels> found(covers + kFlatShares.size());
+    std::vector<TwoLevels> found = pairs();
+    keepBest(found, kTightened);
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = tightened(std::move(found[i])); });
+    keepBest(found, kCompleted);
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-      found[i] = i < covers ? lowerBelow(uppers_.covers[i], {}) : fromFlat(kFlatShares[i - covers]);
+      found[i] = completed(std::move(found[i]));
+      if (problem_.deeper) found[i].next = nextStandOff(found[i]);
     });
-    const auto better = [&](const TwoLevels& x, const TwoLevels& y) { return scoreOf(x) < scoreOf(y); };
-    std::stable_sort(found.begin(), found.end(), better);
-    const std::size_t count = std::min(kCompleted, found.size());
-    for (std::size_t i = 0; i < count; ++i) found[i] = completed(std::move(found[i]));
-    return *std::min_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), better);
+    keepBest(found, 1);
+    return std::move(found[0]);
   }
 
  private:
@@ -70,13 +76,31 @@ class Search {
     return coverStandOff(level(plain_, reach, 1), balls);
   }
   double tightest() const { return uppers_.covers[0].limit; }
+  double scoreOf(const CoverLevel& upper, double lower) const {
+    return std::pow(std::max(upper.limit, kAsGood * tightest()), kUpperWeight) * lower;
+  }
   double scoreOf(const TwoLevels& levels) const {
-    return std::pow(std::max(levels.upper.limit, kAsGood * tightest()), kUpperWeight) * levels.lower.limit;
+    return scoreOf(levels.upper, levels.lower.limit) * std::pow(levels.next, kNextWeight);
+  }
+  void keepBest(std::vector<TwoLevels>& found, std::size_t count) const {
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const TwoLevels& x, const TwoLevels& y) { return scoreOf(x) < scoreOf(y); });
+    found.resize(std::min(count, found.size()));
   }
 
-  std::vector<ChildBall> fitFlat(const DepthField& field, std::size_t count, std::vector<ChildBall> start) const {
-    for (ChildBall& child : start) child.ball.depth = field.depth(child.ball.center);
-    return optimiseLevel(level(field, all_, count), std::move(start));
+  /// Lower levels below each of the upper covers, and below the most promising of the drawn families.
+  std::vector<TwoLevels> pairs() const {
+    std::vector<DrawnFamilies> drawn = drawFamilies(problem_, uppers_, *lowerField_, kDraws);
+    std::stable_sort(drawn.begin(), drawn.end(), [&](const DrawnFamilies& x, const DrawnFamilies& y) {
+      return scoreOf(x.upper, x.promise) < scoreOf(y.upper, y.promise);
+    });
+    drawn.resize(kFilledUp);
+    for (const CoverLevel& cover : uppers_.covers) drawn.push_back({cover, {}, 0});
+    std::vector<TwoLevels> found(drawn.size());
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+      found[i] = lowerBelow(std::move(drawn[i].upper), std::move(drawn[i].children));
+    });
+    return found;
   }
 
   /// The lower level below an upper one, from a start whose parents are the upper one's balls.
@@ -85,41 +109,7 @@ class Search {
     CoverLevel lower;
     lower.balls = optimiseLevel(level(*lowerField_, reach, problem_.branching), std::move(start));
     lower.limit = std::max(standOffIn(reach, lower.balls), problem_.negligible);
-    return {std::move(upper), std::move(lower)};
-  }
-
-  /// From a cover of the whole surface by that part of a full lower level.
-  TwoLevels fromFlat(double share) const {
-    const auto full = static_cast<double>(problem_.branching * problem_.branching);
-    const auto count = static_cast<std::size_t>(std::lround(share * full));
-    const std::vector<ChildBall> flat = fitFlat(*lowerField_, count, fitFlat(plain_, count, {}));
-    return tightened(families(flat));
-  }
-
-  /// Families of the flat cover's balls below an upper level that is as tight as the search finds. A ball that two
-  /// parents hold together becomes two.
-  TwoLevels families(const std::vector<ChildBall>& flat) const {
-    const std::vector<PointSet> parts = partsOf(flat);
-    SphereSet start = ballsOf(uppers_.covers[0].balls);
-    for (std::size_t i = 0; start.size() < problem_.branching; ++i) start.push_back(start[i]);
-    start = groupParts(parts, *uppers_.field, std::move(start), problem_.branching, problem_.seed);
-    SharedParts shared =
-        shareParts(parts, *uppers_.field, std::move(start), tightest(), problem_.branching, problem_.seed);
-    CoverLevel upper{levelOf(shared.parents, 0), shared.limit};
-    upper.limit = std::max(upper.limit, standOffIn(all_, upper.balls));
-    std::vector<ChildBall> children;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-      for (const std::uint32_t parent : shared.parentsOf[i]) children.push_back({flat[i].ball, parent});
-    return lowerBelow(std::move(upper), std::move(children));
-  }
-
-  /// By ball of a flat cover: the points it holds most cheaply.
-  std::vector<PointSet> partsOf(const std::vector<ChildBall>& flat) const {
-    std::vector<PointSet> parts(flat.size());
-    const Reach owned = ownedBy({flat, 0}, points_, all_);
-    for (std::size_t i = 0; i < owned.size(); ++i)
-      for (const std::uint32_t p : owned[i]) parts[i].push(points_[p]);
-    return parts;
+    return {std::move(upper), std::move(lower), 1};
   }
 
   /// Lowers the upper level's limit step by step towards what it needs for itself, as far as its balls follow, and
@@ -141,21 +131,41 @@ class Search {
 
   /// Takes in what lies between the points, and lowers the lower level where it is worst. The upper level stays, or
   /// families would fall apart; its limit is raised to what the dense points need.
-  TwoLevels completed(TwoLevels levels) {
+  TwoLevels completed(TwoLevels levels) const {
     const Reach dense = reachOfAll(problem_.dense.size());
     levels.upper.limit = std::max(standOffOf(levels.upper, problem_.dense, dense), levels.upper.limit);
     const Reach reach = reachOf(levels.upper, problem_.dense, dense);
-    for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points_.push(p);
-    const LevelSurface surface{points_,           problem_.dense,     std::span(&levels.upper, 1),
-                               *lowerField_,      problem_.branching, problem_.negligible,
+    PointSet points = points_;  // a copy: each pair has its own that join
+    for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points.push(p);
+    const LevelSurface surface{points,
+                               problem_.dense,
+                               std::span(&levels.upper, 1),
+                               *lowerField_,
+                               problem_.branching,
+                               problem_.negligible,
                                problem_.keepGoing};
-    levels.lower = completeLevel(surface, std::move(levels.lower), kReliefAttempts);
+    levels.lower = completeLevel(surface, std::move(levels.lower), kRelief);
     return levels;
+  }
+
+  /// About what a third level needs, on few points: one family that is left with more than its share, and neighbours
+  /// that cannot reach it, would decide that level's error, and neither limit tells.
+  double nextStandOff(const TwoLevels& levels) const {
+    const PointSet& points = ahead_;
+    std::vector<CoverLevel> above{levels.upper, levels.lower};
+    widenLimits(above, points);
+    const Reach owned = ownedBy(above[1], points, reachThrough(std::span(above).first(1), points));
+    const Reach reach = reachThrough(above, points);
+    LevelProblem next{points, plain_, reach, problem_.branching, problem_.negligible};
+    next.keepGoing = problem_.keepGoing;
+    const FamilySettings alone{problem_.branching, kFamilyPoints,       0,
+                               problem_.seed,      problem_.negligible, problem_.keepGoing};
+    return coverStandOff(next, optimiseLevel(next, fitFamilies(owned, points, plain_, alone)));
   }
 
   const TwoLevelProblem& problem_;
   UpperCovers uppers_;
-  PointSet points_;
+  PointSet points_, ahead_;
   Reach all_;
   SolidDepth plain_;
   std::unique_ptr<DepthField> lowerField_;

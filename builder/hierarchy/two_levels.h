@@ -17,6 +17,7 @@ struct TwoLevelProblem {
   std::size_t branching = 8;
   std::uint64_t seed = 1;
   double negligible = 0;                 ///< stand-off not worth lowering, > 0
+  bool deeper = false;                   ///< a third level follows: what it will need counts as well
   const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 

@@ -23,12 +23,6 @@ constexpr int kSwapRounds = 6;
 /// How often the covers are fitted to the dense points that cost most.
 constexpr int kSeamRounds = 3;
 
-PointSet evenSample(const PointSet& points, std::uint64_t seed) {
-  std::vector<Vec3d> list(points.size());
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = points[i];
-  return PointSet(farthestPointSample(list, kPoints, seed % list.size()));
-}
-
 SphereSet randomBalls(const PointSet& points, const DepthField& field, std::size_t count, RandomStream random) {
   SphereSet balls;
   while (balls.size() < count) {
@@ -41,7 +35,9 @@ SphereSet randomBalls(const PointSet& points, const DepthField& field, std::size
 class UpperSearch {
  public:
   explicit UpperSearch(const TwoLevelProblem& problem)
-      : problem_(problem), plain_(problem.solid), few_(evenSample(problem.points, problem.seed)) {
+      : problem_(problem),
+        plain_(problem.solid),
+        few_(evenSample(problem.points, kPoints, problem.seed % problem.points.size())) {
     result_.points = problem.points;
   }
 

@@ -131,5 +131,11 @@ void PointSet::distances(const Vec3d& center, double offset, std::span<double> o
   HWY_DYNAMIC_DISPATCH(distances)(x_.data(), y_.data(), z_.data(), size(), center, offset, out.data());
 }
 
+PointSet evenSample(const PointSet& points, std::size_t count, std::size_t first) {
+  std::vector<Vec3d> list(points.size());
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = points[i];
+  return PointSet(farthestPointSample(list, count, first));
+}
+
 }  // namespace cairn::builder
 #endif

@@ -39,4 +39,7 @@ class PointSet {
   std::vector<double> x_, y_, z_;
 };
 
+/// `farthestPointSample` of a set.
+PointSet evenSample(const PointSet& points, std::size_t count, std::size_t first);
+
 }  // namespace cairn::builder

@@ -130,7 +130,7 @@ TEST_P(LevelOfABall, RelievingNeverMakesItWorse_AndKeepsFamiliesSmall) {
   }
   double last = coverStandOff(problem, start);
   for (const std::size_t attempts : {1U, 5U, 50U}) {
-    const std::vector<ChildBall> level = relieveLevel(problem, start, attempts);
+    const std::vector<ChildBall> level = relieveLevel(problem, start, {attempts, 4});
     std::vector<std::size_t> members(reach.size(), 0);
     for (const ChildBall& child : level) ++members[child.parent];
     for (const std::size_t count : members) EXPECT_LE(count, 3U);
@@ -148,22 +148,48 @@ TEST_P(LevelOfABall, RelievingNeverMakesItWorse_AndKeepsFamiliesSmall) {
   }
 }
 
+/// Eight balls for the whole of a lumpy ball, where optimising leaves them.
+struct OptimisedLumpyBall {
+  explicit OptimisedLumpyBall(std::uint64_t seed) : mesh(test::lumpyBall(2, seed)), solid(mesh), depth(solid) {
+    Pieces pieces = piecesOf(mesh);
+    refinePieces(pieces, 1500);
+    points = PointSet(cornersOf(pieces));
+    all = reachOfAll(points.size());
+    level = optimiseLevel(problem(), {});
+  }
+  LevelProblem problem() const { return {points, depth, all, 8}; }
+  double relieved(const ReliefEffort& effort) const {
+    return coverStandOff(problem(), relieveLevel(problem(), level, effort));
+  }
+
+  TriangleMesh mesh;
+  SignedDistance solid;
+  SolidDepth depth;
+  PointSet points;
+  Reach all;
+  std::vector<ChildBall> level;
+};
+
 /// Where optimising ends, second chances still find something on most bodies.
 TEST(RelieveLevel, LowersWhatOptimisingLeaves) {
   int lowered = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const TriangleMesh mesh = test::lumpyBall(2, seed);
-    const SignedDistance solid(mesh);
-    const SolidDepth depth(solid);
-    Pieces pieces = piecesOf(mesh);
-    refinePieces(pieces, 1500);
-    const PointSet points(cornersOf(pieces));
-    const Reach all = reachOfAll(points.size());
-    const LevelProblem problem{points, depth, all, 8};
-    const std::vector<ChildBall> level = optimiseLevel(problem, {});
-    if (coverStandOff(problem, relieveLevel(problem, level, 20)) < coverStandOff(problem, level)) ++lowered;
+    const OptimisedLumpyBall ball(seed);
+    if (ball.relieved({20, 0}) < coverStandOff(ball.problem(), ball.level)) ++lowered;
   }
   EXPECT_GE(lowered, 3);
+}
+
+/// Where moving balls and setting them down anew ends, a family begun anew goes on.
+TEST(RelieveLevel, LowersMoreWhereFamiliesAreDrawnAnew) {
+  int lowered = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const OptimisedLumpyBall ball(seed);
+    const double moved = ball.relieved({60, 0}), drawn = ball.relieved({60, 8});
+    EXPECT_LE(drawn, moved) << "seed " << seed;
+    if (drawn < moved) ++lowered;
+  }
+  EXPECT_GE(lowered, 2);
 }
 
 TEST(Adaptive, RefusesMoreSpheresThanItCanFitAtOnce) {
@@ -185,6 +211,26 @@ TEST(Adaptive, FitsBetterThanRegionByRegion) {
   const auto adaptive = buildTree(mesh, options);
   ASSERT_TRUE(combined && adaptive);
   EXPECT_LT(adaptive.value().levelError(2), combined.value().levelError(2));
+}
+
+/// Measured: 1.10, over ten seeds 1.15. With one draw of the families for each size of their flat cover it was 1.42,
+/// so 1.2 tells a search that chooses among draws from one that depends on them.
+TEST(Adaptive, NoSeedLosesTheSecondLevel) {
+  constexpr double kMostApart = 1.2;
+  const TriangleMesh mesh = test::lumpyBall(2, 1);
+  double best = std::numeric_limits<double>::infinity(), worst = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    BuildOptions options;
+    options.method = Method::adaptive;
+    options.branching = 4;
+    options.depth = 3;
+    options.seed = seed;
+    const auto tree = buildTree(mesh, options);
+    ASSERT_TRUE(tree) << "seed " << seed;
+    best = std::min(best, static_cast<double>(tree.value().levelError(2)));
+    worst = std::max(worst, static_cast<double>(tree.value().levelError(2)));
+  }
+  EXPECT_LE(worst, kMostApart * best);
 }
 
 }  // namespace
