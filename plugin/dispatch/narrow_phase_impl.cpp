@@ -186,7 +186,7 @@ void NarrowPhase::Impl::endStep() {
   orderPairs();
   beginPairs();
   // However short the time, some turns are given: pairs without an answer would hold each other off for ever.
-  if (budget_.microseconds.value_or(0) > 0) left_.guarantee(kLeastOperations);
+  if (stepLimit().microseconds.value_or(0) > 0) left_.guarantee(kLeastOperations);
   scheduler_.run(scheduled_, *priority_, left_, this);
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) finishPair(i);
