@@ -7,6 +7,7 @@ namespace cairn::bullet {
 
 void KeptAnswer::reset() {
   skin_ = 0;
+  wandered_ = 0;
   gaps_.clear();
   leastGap_ = kUnknown;
   measuredInVain_ = 0;
@@ -19,16 +20,22 @@ float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& mo
   const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
   if (counterpart.keepsAnswer() && isSlow) skin_ = skin;
   beganAt_ = motion.placement;
+  reach_ = motion.reach;
   return skin_;
 }
 
-bool KeptAnswer::holdsAt(const RelativePlacement& now) const {
-  return skin_ > 0 && static_cast<float>(now.displacementSince(beganAt_)) <= skin_;
+void KeptAnswer::resume(const RelativePlacement& now) {
+  if (skin_ > 0) wandered_ = std::max(wandered_, static_cast<float>(now.displacementSince(beganAt_)));
+}
+
+// From wherever something was ruled out, the bodies have moved by no more than the way there and the way here.
+bool KeptAnswer::holdsAt(const RelativePlacement& now, float reach) const {
+  return skin_ > 0 && reach <= reach_ && wandered_ + static_cast<float>(now.displacementSince(beganAt_)) <= skin_;
 }
 
 bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
   if (leastGap_ < reach) return false;
-  return holdsAt(now) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
+  return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
 // Pairs whose surfaces were farther apart than the bodies have moved since still are.

@@ -26,8 +26,10 @@ class KeptAnswer {
   /// Whether the traversal at hand looks farther than needed, so that it pays to know how far apart its pairs are.
   bool isWanted() const { return skin_ > 0; }
 
-  /// Whether the leaf pairs of the last traversal still are all that can touch. Precondition: it is done.
-  bool holdsAt(const RelativePlacement& now) const;
+  /// The traversal goes on at these poses: what it rules out from now on, it rules out here.
+  void resume(const RelativePlacement& now);
+  /// Whether the leaf pairs of the last traversal still are all that can come within `reach`. Precondition: it is done.
+  bool holdsAt(const RelativePlacement& now, float reach) const;
   /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
   bool isApartAt(const RelativePlacement& now, float reach) const;
 
@@ -50,7 +52,9 @@ class KeptAnswer {
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
   RelativePlacement beganAt_, measuredAt_;
+  float reach_ = 0;
   float skin_ = 0;
+  float wandered_ = 0;         // greatest displacement from where it began while the traversal was under way
   std::vector<float> gaps_;    // one for each leaf pair, or none if they were not measured together
   float leastGap_ = kUnknown;  // of them
   // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all

@@ -44,10 +44,9 @@ void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
   isRetested_ = false;
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
   if (isKept_) return;
-  if (started_ && !counterpart.traversal().done() && counterpart.resume())
-    retest(counterpart, budget);
-  else
-    start(counterpart, motion);
+  if (!started_ || counterpart.traversal().done() || !counterpart.resume()) return start(counterpart, motion);
+  kept_.resume(motion.placement);
+  retest(counterpart, budget);
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
@@ -58,7 +57,7 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
 }
 
 bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
-  if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement)) return false;
+  if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement, motion.reach)) return false;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   kept_.pick(counterpart.traversal().leafPairs(), motion, known_, isThrifty);
   return true;

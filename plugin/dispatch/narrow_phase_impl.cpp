@@ -81,7 +81,14 @@ void NarrowPhase::Impl::beginFrame(int steps) {
 
 void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
   assert(priority);
-  priority_ = std::move(priority);
+  nextPriority_ = std::move(priority);
+  if (!isAnswering_) adoptPriority();
+}
+
+// Not while one is at work: a user's callback may ask for another.
+void NarrowPhase::Impl::adoptPriority() {
+  if (!nextPriority_) return;
+  priority_ = std::move(nextPriority_);
   priority_->setViewer(viewer_);
 }
 
@@ -104,7 +111,10 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
-  if (pair->collectedAt() != TreePair::kNotCollected) dismiss(pair->collectedAt());
+  if (pair->collectedAt() != TreePair::kNotCollected) {
+    pair->withdrawPromise(left_);
+    dismiss(pair->collectedAt());
+  }
   open_.forget(*pair);
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
@@ -191,6 +201,7 @@ void NarrowPhase::Impl::endStep() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) finishPair(i);
   isAnswering_ = false;
+  adoptPriority();
   learnFromStep();
 
   statistics_.operations = left_.used();
@@ -230,7 +241,7 @@ void NarrowPhase::Impl::beginPairs() {
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
-  const bool isThrifty = isScarce_ && (pair.id() + step_) % kStepsOfThrift != 0;
+  const bool isThrifty = isScarce_ && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
   // Without a limit nobody has to wait for a turn.

@@ -68,6 +68,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
   void learnFromStep();
+  void adoptPriority();
   void dismiss(std::size_t index);
   void count(const PairReport& report, const ScheduledPair& pair);
 
@@ -94,7 +95,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   FrameBudget frame_;
   bool hasFrameBudget_ = false;
   Unresolved policy_ = Unresolved::guard;
-  std::unique_ptr<Priority> priority_;
+  std::unique_ptr<Priority> priority_, nextPriority_;
   std::optional<Viewer> viewer_;
   Scheduler scheduler_;
   StepStatistics statistics_;

@@ -43,6 +43,7 @@ bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObject
   isAnswering_ = true;
   const bool isAnswered = answerOpenly(pair, body0, body1, result);
   isAnswering_ = false;
+  adoptPriority();
   return isAnswered;
 }
 

@@ -3,6 +3,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
@@ -47,6 +48,10 @@ float inverseMass(const btCollisionObject& object) {
   return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
+const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
+  return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
+}
+
 RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree, const btTransform& other) {
   RelativePlacement placement;
   placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
@@ -74,10 +79,14 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  if (stillApart(body0, body1)) return true;
-  if (!areRootsApart(body0, body1)) return false;
-  contacts_.settleApart(toVec3(body0.getWorldTransform().getOrigin() - body1.getWorldTransform().getOrigin()));
-  clearManifolds();
+  if (!stillApart(body0, body1)) {
+    if (!areRootsApart(body0, body1)) return false;
+    treeIsBody0_ = true;
+    adopt(asSphereTree(body0.getCollisionShape()), *body1.getCollisionShape());
+    contacts_.settleApart(toVec3(body0.getCollisionObject()->getWorldTransform().getOrigin() -
+                                 body1.getCollisionObject()->getWorldTransform().getOrigin()));
+  }
+  clearManifolds();  // a guard may have been left
   return true;
 }
 
@@ -103,6 +112,7 @@ PairKey TreePair::key(std::size_t arrival) const {
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
                      btScalar threshold, bool isThrifty, Budget& budget) {
+  promised_ = {};  // of a step that an exception ended
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
@@ -136,18 +146,28 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
               otherTree ? otherTree->scale() : 0,
               tree->getMargin(),
               otherTree ? otherTree->getMargin() : 0,
+              tree->bodyFrame(),
+              otherTree ? otherTree->bodyFrame() : BodyFrame{},
               &other};
+  if (const btStaticPlaneShape* const plane = asPlane(other)) {
+    subject_.planeNormal = plane->getPlaneNormal();
+    subject_.planeConstant = plane->getPlaneConstant();
+  }
   return true;
 }
 
 bool TreePair::isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree,
                          const btCollisionShape& other) const {
   if (subject_.tree.get() != &tree.tree() || subject_.treeScale != tree.scale() ||
-      subject_.treeMargin != tree.getMargin() || subject_.otherShape != &other)
+      subject_.treeMargin != tree.getMargin() || subject_.treeFrame != tree.bodyFrame() ||
+      subject_.otherShape != &other)
     return false;
+  if (const btStaticPlaneShape* const plane = asPlane(other))
+    return !subject_.otherTree && subject_.planeNormal == plane->getPlaneNormal() &&
+           subject_.planeConstant == plane->getPlaneConstant();
   if (!otherTree) return !subject_.otherTree;
   return subject_.otherTree.get() == &otherTree->tree() && subject_.otherScale == otherTree->scale() &&
-         subject_.otherMargin == otherTree->getMargin();
+         subject_.otherMargin == otherTree->getMargin() && subject_.otherFrame == otherTree->bodyFrame();
 }
 
 void TreePair::forget() {

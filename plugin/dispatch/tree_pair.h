@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/bullet/step.h"
 #include "cairn/core/scheduler.h"
 #include "counterparts/pair_contacts.h"
@@ -113,7 +114,10 @@ class TreePair {
   struct Subject {
     std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
     btScalar treeScale = 0, otherScale = 0, treeMargin = 0, otherMargin = 0;  // the other's if it is a tree
-    const btCollisionShape* otherShape = nullptr;                             // never followed: it may be gone
+    BodyFrame treeFrame{}, otherFrame{};
+    const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
+    btVector3 planeNormal{0, 0, 0};                // if it is a plane: another may stand at the same address
+    btScalar planeConstant = 0;
   };
 
   void clearManifolds();

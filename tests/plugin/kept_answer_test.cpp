@@ -134,6 +134,55 @@ TEST(KeptAnswer, LapsesWhenABodyIsSetElsewhere) {
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(touchesAt(0.65));
 }
 
+// What was ruled out where it went is not ruled out where it came from.
+TEST(KeptAnswer, OfATraversalThatWasMovedOn_DoesNotHoldWhereItBegan) {
+  for (const std::int64_t operations : {0, 10, 20, 40}) {
+    const auto tree = plainTree(cuboid({1, 1, 1}, 4));
+    const auto at = [](double z) { return btTransform(btQuaternion::getIdentity(), btVector3(3, 0, btScalar(z))); };
+    Two two(tree, tree, at(2));
+    ASSERT_TRUE(two.w.dispatcher.setBudget({operations, {}}).ok());
+    two.detectAt(at(0.1));
+    ASSERT_GT(two.w.dispatcher.lastStep().unresolvedPairs, 0U) << "the budget was no limit: the test shows nothing";
+    ASSERT_TRUE(two.w.dispatcher.setBudget({}).ok());
+    two.detectAt(at(0.54));
+    EXPECT_EQ(two.w.dispatcher.lastStep().unresolvedPairs, 0U);
+    for (int i = 0; i < 3; ++i) two.detectAt(at(0.1));
+    EXPECT_TRUE(two.deepest(1).has_value()) << operations;
+  }
+}
+
+// The same tree, turned about another origin: the body's pose is the same, its surface is elsewhere.
+TEST(KeptAnswer, LapsesWithTheBodysFrame) {
+  Solid solid = cuboid({0.5, 0.5, 0.5}, 3);
+  for (Vec3d& v : solid.vertices) v.z += 2;
+  const auto tree = plainTree(solid);
+  auto centred = bullet::SphereTreeShape::create(tree, bullet::BodyFrame::principalAxes);
+  ASSERT_TRUE(centred.ok());
+  const std::unique_ptr<bullet::SphereTreeShape> shape = std::move(centred).value();
+  const btTransform pose(btQuaternion::getIdentity(), btVector3(3, 0, btScalar(-0.2)));
+  Two two(plainTree(ball(0.1, 3)), tree, pose);
+  for (int i = 0; i < 5; ++i) two.detectAt(pose);
+  EXPECT_FALSE(two.deepest(1).has_value());
+  two.moving->setCollisionShape(shape.get());
+  two.detectAt(pose);
+  EXPECT_TRUE(two.deepest(1).has_value());
+}
+
+// A guard was put up where the answer was too old; it must go when there is nothing.
+TEST(KeptAnswer, ThatNothingTouches_LeavesNoGuard) {
+  const auto tree = plainTree(cuboid({0.8, 0.8, 0.8}, 4));
+  const btTransform pose(btQuaternion::getIdentity(), btVector3(btScalar(0.05), 0, 2));
+  Two two(plainTree(twoCuboids({0.3, 0.3, 0.3}, {2, 0, 0}, 3)), tree, pose);
+  const btTransform between(btQuaternion::getIdentity(), btVector3(btScalar(0.05), 0, btScalar(0.15)));
+  two.w.world.getDispatchInfo().m_timeStep = btScalar(1.0 / 60);
+  two.moving->setLinearVelocity(btVector3(btScalar(0.2), 0, 0));
+  ASSERT_TRUE(two.w.dispatcher.setBudget({0, {}}).ok());
+  for (int i = 0; i < 5; ++i) two.detectAt(between);
+  ASSERT_TRUE(two.w.dispatcher.setBudget({}).ok());
+  for (int i = 0; i < 5; ++i) two.detectAt(between);
+  EXPECT_FALSE(two.deepest(0).has_value());
+}
+
 // Nobody moves, yet what touches changes.
 TEST(KeptAnswer, LapsesWithTheMargin) {
   const auto tree = plainTree(ball(0.3, 6));

@@ -62,8 +62,8 @@ class Budget {
   }
   /// Precondition: the same was promised.
   void redeem(const Promise& work) {
-    promisedOperations_ -= work.operations;
-    promisedNanoseconds_ -= work.nanoseconds;
+    promisedOperations_ -= std::min(promisedOperations_, work.operations);
+    promisedNanoseconds_ = std::max(promisedNanoseconds_ - work.nanoseconds, 0.0);
   }
 
   /// Lets the next `operations` through whatever the clock says: what is given no time at all would never end.
