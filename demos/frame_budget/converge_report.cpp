@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "outputs.h"
-#include "scenes/heap_report_json.h"
+#include "scenes/heap/heap_report_json.h"
 #include "table.h"
 
 namespace cairn::frame_budget {

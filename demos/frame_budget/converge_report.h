@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "options.h"
-#include "scenes/converge_run.h"
+#include "scenes/converge/converge_run.h"
 
 namespace cairn::frame_budget {
 

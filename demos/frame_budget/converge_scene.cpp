@@ -6,7 +6,7 @@
 
 #include "converge_report.h"
 #include "outputs.h"
-#include "scenes/program.h"
+#include "scenes/command/program.h"
 
 namespace cairn::frame_budget {
 namespace {

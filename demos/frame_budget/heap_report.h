@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "options.h"
-#include "scenes/crush_run.h"
+#include "scenes/heap/crush_run.h"
 
 namespace cairn::frame_budget {
 

@@ -7,9 +7,9 @@
 
 #include "heap_report.h"
 #include "outputs.h"
-#include "scenes/heap_picture.h"
-#include "scenes/povray.h"
-#include "scenes/program.h"
+#include "scenes/command/program.h"
+#include "scenes/pictures/heap_picture.h"
+#include "scenes/pictures/povray.h"
 
 namespace cairn::frame_budget {
 namespace {

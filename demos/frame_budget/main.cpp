@@ -8,7 +8,7 @@
 #include "heap_scenes.h"
 #include "options.h"
 #include "outputs.h"
-#include "scenes/program.h"
+#include "scenes/command/program.h"
 
 namespace cairn::frame_budget {
 namespace {

@@ -9,9 +9,9 @@
 #include <map>
 #include <string_view>
 
-#include "scenes/budget_options.h"
-#include "scenes/priority_choice.h"
-#include "scenes/program.h"
+#include "scenes/command/budget_options.h"
+#include "scenes/command/program.h"
+#include "scenes/world/priority_choice.h"
 
 namespace cairn::frame_budget {
 namespace {

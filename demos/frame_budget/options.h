@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "scenes/converge.h"
-#include "scenes/heap.h"
-#include "scenes/tree_source.h"
+#include "scenes/command/tree_source.h"
+#include "scenes/converge/converge.h"
+#include "scenes/heap/heap.h"
 
 namespace cairn::frame_budget {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/body_shape.h"
-#include "scenes/world.h"
+#include "scenes/bodies/body_shape.h"
+#include "scenes/world/world.h"
 
 namespace cairn::frame_budget {
 

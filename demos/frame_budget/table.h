@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/run_cost.h"
-#include "scenes/spread.h"
+#include "scenes/figures/spread.h"
+#include "scenes/world/run_cost.h"
 
 namespace cairn::frame_budget {
 

@@ -5,8 +5,8 @@
 
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
-#include "scenes/program.h"
-#include "scenes/rock.h"
+#include "scenes/bodies/rock.h"
+#include "scenes/command/program.h"
 
 int main(int argc, char** argv) {
   using namespace cairn;

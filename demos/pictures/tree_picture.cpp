@@ -5,9 +5,9 @@
 #include <string>
 
 #include "cairn/core/tree_file.h"
-#include "scenes/povray.h"
-#include "scenes/program.h"
-#include "scenes/tree_picture.h"
+#include "scenes/command/program.h"
+#include "scenes/pictures/povray.h"
+#include "scenes/pictures/tree_picture.h"
 
 namespace {
 

@@ -11,10 +11,10 @@
 
 #include "cairn/core/atomic_file.h"
 #include "options.h"
-#include "scenes/program.h"
-#include "scenes/quantiles.h"
-#include "scenes/rockfall.h"
-#include "scenes/tree_source.h"
+#include "scenes/command/program.h"
+#include "scenes/command/tree_source.h"
+#include "scenes/figures/quantiles.h"
+#include "scenes/rockfall/rockfall.h"
 #include "second_table.h"
 #include "trajectory_log.h"
 

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "scenes/budget_options.h"
-#include "scenes/program.h"
+#include "scenes/command/budget_options.h"
+#include "scenes/command/program.h"
 
 namespace cairn::rockfall {
 

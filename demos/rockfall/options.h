@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "scenes/rockfall.h"
+#include "scenes/rockfall/rockfall.h"
 
 namespace cairn::rockfall {
 

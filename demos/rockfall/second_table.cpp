@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "scenes/quantiles.h"
+#include "scenes/figures/quantiles.h"
 
 namespace cairn::rockfall {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "scenes/world.h"
+#include "scenes/world/world.h"
 
 namespace cairn::rockfall {
 

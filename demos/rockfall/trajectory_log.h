@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cairn/core/result.h"
-#include "scenes/world.h"
+#include "scenes/world/world.h"
 
 namespace cairn::rockfall {
 

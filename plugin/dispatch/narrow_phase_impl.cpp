@@ -169,7 +169,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
                                      btManifoldResult& result) {
   Budget budget = Budget::unlimited();
   if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
-  pair.scheduled().traversal->refine(budget);
+  pair.refine(budget);
   ContactScratch scratch;  // queries may come from any thread
   pair.finish(dispatcher_, result, policy_, false, budget, scratch);
 }
@@ -245,7 +245,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
   // Without a limit nobody has to wait for a turn.
-  if (!mayBeInterrupted()) pair.scheduled().traversal->refine(left_);
+  if (!mayBeInterrupted()) pair.refine(left_);
   pair.promise(left_, pace_);
   if (pair.isDone() && stepEnd_ == StepEnd::told) return finishPair(index);
   scheduled_[index] = pair.scheduled();

@@ -122,7 +122,7 @@ bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWr
         std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = budgetOf(share);
   const bool hasBegun = pair.begin(body0, body1, timeStep_, 0, false, budget);
-  if (hasBegun) pair.scheduled().traversal->refine(budget);
+  if (hasBegun) pair.refine(budget);
   bookRefinement(budget, began);
   return hasBegun;
 }

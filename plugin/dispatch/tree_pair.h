@@ -75,6 +75,7 @@ class TreePair {
              btScalar threshold, bool isThrifty, Budget& budget);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
+  Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }
 
   bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
 

@@ -59,14 +59,6 @@ void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher, const I
 
 }  // namespace
 
-void PassingPairCache::processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher,
-                                                  const btDispatcherInfo& info) {
-  const bool isStep = dispatcher == &dispatcher_;
-  if (isStep) narrowPhase_.beginStep(*this, info);
-  to().processAllOverlappingPairs(callback, dispatcher, info);
-  if (isStep) narrowPhase_.endStep();
-}
-
 WorldHook::WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase)
     : world_(world),
       dispatcher_(dispatcher),

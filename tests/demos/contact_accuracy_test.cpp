@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/contact_accuracy.h"
+#include "scenes/truth/contact_accuracy.h"
 
 #include <gtest/gtest.h>
 
-#include "scenes/interpenetration.h"
+#include "scenes/heap/interpenetration.h"
 #include "test_solids.h"
 
 namespace cairn::scenes {

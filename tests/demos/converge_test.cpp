@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/converge.h"
+#include "scenes/converge/converge.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "scene_trees.h"
-#include "scenes/converge_run.h"
-#include "scenes/interpenetration.h"
+#include "scenes/converge/converge_run.h"
+#include "scenes/heap/interpenetration.h"
 
 namespace cairn::scenes {
 namespace {
@@ -149,8 +149,10 @@ TEST_P(ConvergeShape, MissesNothingDeepAndIsAsWrongAsItsKindIs) {
   std::vector<std::unique_ptr<Player>> players;
   auto player = makePlayer(rock(), scene.bodies, options, {});
   if (!player) {
+    // Only peers whose library was not there at build time; `cairn.sh test` installs both.
+    EXPECT_TRUE(GetParam() == ShapeKind::fcl || GetParam() == ShapeKind::compound) << player.error().message;
     EXPECT_NE(player.error().message.find("install lib"), std::string::npos) << player.error().message;
-    GTEST_SKIP() << player.error().message;
+    return;
   }
   players.push_back(std::move(player).value());
   const auto reports = playRecording(record(scene), rock(), players, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/crush_run.h"
+#include "scenes/heap/crush_run.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "distance_oracle.h"
 #include "scene_trees.h"
-#include "scenes/placed_body.h"
+#include "scenes/truth/placed_body.h"
 
 namespace cairn::scenes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/exact_check.h"
+#include "scenes/truth/exact_check.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "distance_oracle.h"
-#include "scenes/random.h"
-#include "scenes/rock.h"
+#include "scenes/bodies/rock.h"
+#include "scenes/figures/random.h"
 #include "test_solids.h"
 
 namespace cairn::scenes {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/heap.h"
+#include "scenes/heap/heap.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "scene_trees.h"
-#include "scenes/heap_report_json.h"
-#include "scenes/heap_run.h"
+#include "scenes/heap/heap_report_json.h"
+#include "scenes/heap/heap_run.h"
 
 namespace cairn::scenes {
 namespace {

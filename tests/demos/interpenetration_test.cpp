@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/interpenetration.h"
+#include "scenes/heap/interpenetration.h"
 
 #include <gtest/gtest.h>
 

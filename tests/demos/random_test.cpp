@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/random.h"
+#include "scenes/figures/random.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "scenes/quantiles.h"
+#include "scenes/figures/quantiles.h"
 
 namespace cairn::scenes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/rock.h"
+#include "scenes/bodies/rock.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "cairn/builder/import.h"
-#include "scenes/exact_check.h"
-#include "scenes/random.h"
+#include "scenes/figures/random.h"
+#include "scenes/truth/exact_check.h"
 
 namespace cairn::scenes {
 namespace {

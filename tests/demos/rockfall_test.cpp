@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenes/rockfall.h"
+#include "scenes/rockfall/rockfall.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "scene_trees.h"
-#include "scenes/random.h"
+#include "scenes/figures/random.h"
 
 namespace cairn::scenes {
 namespace {

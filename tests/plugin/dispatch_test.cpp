@@ -3,7 +3,6 @@
 // go.
 #include <gtest/gtest.h>
 
-#include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
@@ -11,6 +10,7 @@
 #include <limits>
 #include <random>
 
+#include "counting_create.h"
 #include "front_ends.h"
 
 namespace cairn::test {
@@ -272,16 +272,6 @@ TYPED_TEST(Dispatch_Statistics, AreThoseOfAWorldThatBecameEmpty) {
 }
 
 // What has no triangles to show is left to whoever knows it.
-struct CountingCreate final : btCollisionAlgorithmCreateFunc {
-  int calls = 0;
-  btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                 const btCollisionObjectWrapper*,
-                                                 const btCollisionObjectWrapper*) override {
-    ++calls;
-    return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btEmptyAlgorithm))) btEmptyAlgorithm(info);
-  }
-};
-
 struct ConfigurationWithSdf final : btDefaultCollisionConfiguration {
   CountingCreate create;
   btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
-#include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
@@ -12,6 +11,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <LinearMath/btThreads.h>
 
+#include "counting_create.h"
 #include "front_ends.h"
 
 namespace cairn::test {
@@ -216,19 +216,8 @@ TEST(Install_Threads, AreServedByADispatcherOfTheirOwn) {
   EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.5, bullet::kSpeculativeFraction);
 }
 
-// A function of the user's for a pair of types, from before or after ours.
-struct EmptyCreate final : btCollisionAlgorithmCreateFunc {
-  int calls = 0;
-  btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                 const btCollisionObjectWrapper*,
-                                                 const btCollisionObjectWrapper*) override {
-    ++calls;
-    return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btEmptyAlgorithm))) btEmptyAlgorithm(info);
-  }
-};
-
 TEST_P(Installed, GivesTheTablesBackWhatTheyHad) {
-  EmptyCreate before, after;
+  CountingCreate before, after;
   StockWorld w;
   w.dispatcher.registerCollisionCreateFunc(FAST_CONCAVE_MESH_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &before);
   w.dispatcher.registerCollisionCreateFunc(BOX_SHAPE_PROXYTYPE, FAST_CONCAVE_MESH_PROXYTYPE, &before);

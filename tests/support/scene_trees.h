@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "scenes/tree_source.h"
+#include "scenes/command/tree_source.h"
 
 namespace cairn::test {
 

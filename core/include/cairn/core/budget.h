@@ -16,10 +16,6 @@ inline constexpr std::uint32_t kOverlapTestCost = 1;
 struct Promise {
   std::uint64_t operations = 0;
   double nanoseconds = 0;  ///< expected
-
-  friend Promise operator-(const Promise& x, const Promise& y) {
-    return {x.operations - y.operations, x.nanoseconds - y.nanoseconds};
-  }
 };
 
 /// How much work may still be done: operations (reproducible), time (not), or whichever ends first.
@@ -60,13 +56,14 @@ class Budget {
     promisedOperations_ += work.operations;
     promisedNanoseconds_ += work.nanoseconds;
   }
-  /// Precondition: the same was promised.
+  /// What was promised before; never more than all promises come to.
   void redeem(const Promise& work) {
     promisedOperations_ -= std::min(promisedOperations_, work.operations);
     promisedNanoseconds_ = std::max(promisedNanoseconds_ - work.nanoseconds, 0.0);
   }
 
-  /// Lets the next `operations` through whatever the clock says: what is given no time at all would never end.
+  /// Lets the next `operations`, if there are as many, through whatever the clock says: what is given no time at all
+  /// would never end.
   void guarantee(std::uint64_t operations) { guaranteedUntil_ = used_ + operations; }
 
   std::uint64_t used() const { return used_; }

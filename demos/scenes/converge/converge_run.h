@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scenes/converge/converge.h"
+#include "scenes/converge/player.h"
+#include "scenes/truth/contact_accuracy.h"
+#include "scenes/world/run_cost.h"
+
+namespace cairn::scenes {
+
+struct ConvergeReport {
+  RunCost cost;
+  ContactAccuracy accuracy;
+  std::vector<StepRecord> records;  ///< one a frame, run after run
+};
+
+/// Told after each player's turn how much is done, from 0 to 1; returns false to stop.
+using PlayCallback = std::function<bool(double fraction)>;
+
+/// Shows a recording to every player, run by run in turn, so that a busy machine disturbs all of them alike. Every
+/// `truthEvery`-th frame (>= 1) is judged, after the turn: the check must not cool the caches of what is timed. The
+/// truth of a frame is found once, whoever is judged by it. Reports in the players' order. Fails with
+/// `builder::kCancelled` if the callback stops it, and if the mesh is not closed.
+Result<std::vector<ConvergeReport>> playRecording(const Recording& recording, const Model& model,
+                                                  std::span<const std::unique_ptr<Player>> players,
+                                                  std::uint32_t truthEvery, const PlayCallback& afterTurn = {});
+
+}  // namespace cairn::scenes

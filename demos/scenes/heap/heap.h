@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scenes/world/pit.h"
+
+namespace cairn::scenes {
+
+struct HeapOptions {
+  std::uint32_t bodies = 100;  ///< at least 1
+  std::uint64_t seed = 1;      ///< of the bodies' orientations and places
+  bool isWatched = false;      ///< by somebody who stands at the pit's edge, see `heapViewer`
+  WorldOptions world;          ///< its shape is what the bodies collide as; its viewer is set when the heap is watched
+  ShapeOptions shape;
+  /// Where the bodies start, one pose a body; empty: in the column.
+  std::vector<btTransform> start;
+};
+
+/// Somebody who stands well outside a pit and looks at the middle of its heap: 1.5 times the pit's width away, 60
+/// degrees of view.
+Viewer heapViewer(const Pit& pit);
+
+/// Bodies of one mesh in a pit. Unless told where to start they are dropped in a column, at random orientations, no two
+/// touching.
+class Heap {
+ public:
+  /// Fails for what the shape or the dispatcher refuses.
+  static Result<std::unique_ptr<Heap>> create(const Model& model, const HeapOptions& options);
+
+  StepRecord step() { return world_->step(); }
+
+  const World& world() const { return *world_; }
+  const Pit& pit() const { return pit_; }
+  const Model& model() const { return model_; }
+
+  /// Bodies that left the pit through ground or walls by more than half their size, or whose place is no longer a
+  /// number.
+  std::uint32_t countLost() const;
+
+ private:
+  Heap(const Model& model, const HeapOptions& options);
+  void dropBodies(const HeapOptions& options);
+  void placeBodies(const HeapOptions& options);
+
+  Model model_;
+  std::uint32_t bodiesPerSide_;  // of one layer of the column
+  Pit pit_;
+  std::unique_ptr<BodyShape> shape_;
+  std::unique_ptr<World> world_;  // last, so that it goes first: it refers to the shapes
+};
+
+}  // namespace cairn::scenes

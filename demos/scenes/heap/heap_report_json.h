@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "scenes/figures/spread.h"
+#include "scenes/heap/heap_run.h"
+
+namespace cairn::scenes {
+
+/// The measured keys of frame_budget's JSON. A key only the sphere-tree can answer (operations, certified error,
+/// unresolved pairs) is null for other shapes, never left out.
+nlohmann::ordered_json toJson(const RunCost& cost);
+nlohmann::ordered_json toJson(const HeapReport& report);
+
+nlohmann::ordered_json toJson(const Spread& spread);
+
+}  // namespace cairn::scenes

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cairn/core/result.h"
+#include "scenes/heap/heap.h"
+#include "scenes/heap/interpenetration.h"
+#include "scenes/world/run_cost.h"
+
+namespace cairn::scenes {
+
+struct HeapReport {
+  std::uint32_t steps = 0;
+  RunCost cost;
+  Interpenetration end;
+  double peakSpeed = 0;         ///< m/s, any body at the end of any step
+  double kineticEnergyEnd = 0;  ///< J/kg, mean over bodies
+  std::uint32_t lost = 0, asleep = 0;
+  std::vector<StepRecord> records;  ///< one a step
+  std::string stateHash;            ///< over poses and velocities after every `kHashInterval` steps and at the end
+};
+
+inline constexpr std::uint32_t kHashInterval = 60;
+
+/// Told after each step how many are done; returns false to stop the run.
+using StepCallback = std::function<bool(std::uint32_t done)>;
+
+/// Runs a heap and judges how it ends. Fails with `builder::kCancelled` if `afterStep` stops it, and if the mesh is not
+/// closed.
+Result<HeapReport> runHeap(Heap& heap, std::uint32_t steps, const StepCallback& afterStep = {});
+
+}  // namespace cairn::scenes

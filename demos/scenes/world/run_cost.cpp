@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenes/world/run_cost.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cairn::scenes {
+namespace {
+
+Quantiles quantilesOver(const std::vector<StepRecord>& records, double (*value)(const StepRecord&)) {
+  std::vector<double> sample;
+  for (const StepRecord& record : records) sample.push_back(value(record));
+  return quantilesOf(std::move(sample));
+}
+
+std::optional<TreeRunStatistics> treeStatistics(const std::vector<StepRecord>& records) {
+  if (records.empty() || !records.front().tree) return {};
+  TreeRunStatistics statistics;
+  std::uint64_t pairs = 0, unresolved = 0, stepsWithContacts = 0;
+  for (const StepRecord& record : records) {
+    const bullet::StepStatistics& step = *record.tree;
+    pairs += step.pairs;
+    unresolved += step.unresolvedPairs;
+    statistics.maxErrorFraction = std::max(statistics.maxErrorFraction, step.worstErrorFraction);
+    statistics.maxSeenError = std::max(statistics.maxSeenError, step.worstSeenError);
+    if (step.contacts == 0) continue;
+    statistics.meanErrorFraction += step.meanErrorFraction;
+    statistics.meanSeenError += step.meanSeenError;
+    ++stepsWithContacts;
+  }
+  if (stepsWithContacts > 0) {
+    statistics.meanErrorFraction /= static_cast<double>(stepsWithContacts);
+    statistics.meanSeenError /= static_cast<double>(stepsWithContacts);
+  }
+  if (pairs > 0) statistics.unresolvedPairFraction = static_cast<double>(unresolved) / static_cast<double>(pairs);
+  statistics.operations =
+      quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.tree->operations); });
+  return statistics;
+}
+
+}  // namespace
+
+RunCost runCost(const std::vector<StepRecord>& records) {
+  RunCost cost;
+  cost.narrowPhaseCpuUs = quantilesOver(records, [](const StepRecord& r) { return r.narrowPhaseCpuUs; });
+  cost.stepCpuUs = quantilesOver(records, [](const StepRecord& r) { return r.stepCpuUs; });
+  cost.contacts = quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.contacts); });
+  cost.manifolds = quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.manifolds); });
+  cost.tree = treeStatistics(records);
+  return cost;
+}
+
+}  // namespace cairn::scenes

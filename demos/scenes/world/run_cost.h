@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scenes/figures/quantiles.h"
+#include "scenes/world/world.h"
+
+namespace cairn::scenes {
+
+/// What only the sphere-tree narrow phase can say of itself, over all steps.
+struct TreeRunStatistics {
+  Quantiles operations;               ///< of Eq. 2.1, a step
+  double meanErrorFraction = 0;       ///< certified, mean over the steps with contacts
+  double maxErrorFraction = 0;        ///< certified, worst pair of any step
+  double meanSeenError = 0;           ///< of a watched scene, radians: mean over the steps with contacts
+  double maxSeenError = 0;            ///< of a watched scene, radians: worst pair of any step
+  double unresolvedPairFraction = 0;  ///< of all pairs of all steps
+};
+
+/// What the collision of a run cost, over its steps.
+struct RunCost {
+  Quantiles narrowPhaseCpuUs, stepCpuUs, contacts, manifolds;  ///< a step
+  std::optional<TreeRunStatistics> tree;                       ///< nothing for other shapes
+};
+
+RunCost runCost(const std::vector<StepRecord>& records);
+
+}  // namespace cairn::scenes
