@@ -25,7 +25,7 @@ constexpr double kBudgetAllowance = 1.10;
 /// p99.9 of the narrow phase over what it may be; nothing without a budget in microseconds.
 std::optional<double> shareOfAllowance(const Options& options, const HeapRun& run) {
   const auto& budget = options.heap.world.budget.microseconds;
-  if (!budget || run.shape != scenes::ShapeKind::tree || !run.course) return {};
+  if (!budget || !scenes::isSphereTree(run.shape) || !run.course) return {};
   return run.report.cost.narrowPhaseCpuUs.p999 / (kBudgetAllowance * *budget + run.course->emptyStepCpuUs);
 }
 

@@ -29,6 +29,8 @@ struct Contact {
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
+  bool isExact = false;    ///< measured between source triangles
+  bool isSettled = false;  ///< exact, or nothing finer can be told
   bool isWhole = false;    ///< of whole bodies: whatever is nearest in its direction, so that its id may change
 
   Vec3 onTree() const { return position + normal * (0.5F * gap); }

@@ -16,7 +16,8 @@ namespace cairn::bullet {
 
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
-  ClusteredContacts contacts;  ///< of the pair at hand
+  ClusteredContacts contacts;    ///< of the pair at hand
+  std::vector<Contact> cluster;  ///< one of them, as it is measured anew
   std::vector<Contact> guards, wholes;
 };
 

@@ -78,6 +78,25 @@ void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, i
   contacts.push_back(contact);
 }
 
+// No point of a triangle is lower than its lowest corner, and no point of the region lower than that of its triangles.
+bool PlaneCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
+  const SphereTree& tree = tree_.tree();
+  const auto region = tree.regionTriangles(rough.pair.a);
+  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * region.size()))) return false;
+  Vec3 lowest = rough.onTree();
+  for (const std::uint32_t triangle : region)
+    for (const std::uint32_t vertex : tree.triangles()[triangle]) {
+      const Vec3 corner = tree_.toPair() * tree.vertices()[vertex];
+      if (dot(normal_, corner) < dot(normal_, lowest)) lowest = corner;
+    }
+  Contact contact = rough;
+  contact.isExact = true;
+  contact.gap = dot(normal_, lowest) - offset_ - margin_;
+  contact.position = lowest - normal_ * (margin_ + 0.5F * contact.gap);
+  contacts.push_back(contact);
+  return true;
+}
+
 Contact PlaneCounterpart::boundingContact(const NodePair& pair) {
   const Sphere s = tree_.sphere(pair.a);
   Contact contact;

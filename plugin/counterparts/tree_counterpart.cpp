@@ -155,6 +155,10 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
   return tests;
 }
 
+bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
+  return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
+}
+
 Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, const Vec3& last) {
   const Vec3 normal = planarNormal_.find(a_, b_, cluster, last);
   if (lengthSq(normal) == 0) return {};

@@ -3,6 +3,7 @@
 
 #include "cairn/core/tree_pair_traversal.h"
 #include "counterparts/counterpart.h"
+#include "counterparts/exact_contacts.h"
 #include "counterparts/planar_normal.h"
 
 namespace cairn::bullet {
@@ -22,6 +23,7 @@ class TreeCounterpart final : public Counterpart {
   /// the smaller one's, at most eight families.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   Vec3 flatten(std::span<Contact> cluster, const Vec3& last) override;
+  bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
@@ -44,6 +46,7 @@ class TreeCounterpart final : public Counterpart {
   TreePairTraversal traversal_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;
+  ExactContacts exactContacts_;
 };
 
 }  // namespace cairn::bullet

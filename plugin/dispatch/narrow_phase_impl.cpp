@@ -171,7 +171,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
   pair.refine(budget);
   ContactScratch scratch;  // queries may come from any thread
-  pair.finish(dispatcher_, result, policy_, false, budget, scratch);
+  pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
 }
 
 Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
@@ -182,6 +182,12 @@ Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
 
 bool NarrowPhase::Impl::mayBeInterrupted() const {
   return budget_.operations || budget_.microseconds || hasFrameBudget_;
+}
+
+// While it is in the cache; in an open step, when it comes. But what goes on to triangles first leaves the others what
+// they need to find their leaves.
+bool NarrowPhase::Impl::finishesResolvedAtOnce() const {
+  return stepEnd_ == StepEnd::told && !(finest_ == Finest::triangles && mayBeInterrupted());
 }
 
 void NarrowPhase::Impl::endStep() {
@@ -231,8 +237,7 @@ void NarrowPhase::Impl::orderPairs() {
   }
 }
 
-// What is resolved already is finished at once, while it is in the cache (in an open step, when it comes). From here on
-// a user's callbacks may destroy any pair that is not finished.
+// From here on a user's callbacks may destroy any pair that is not finished.
 void NarrowPhase::Impl::beginPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) beginPair(i);
@@ -247,7 +252,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   // Without a limit nobody has to wait for a turn.
   if (!mayBeInterrupted()) pair.refine(left_);
   pair.promise(left_, pace_);
-  if (pair.isDone() && stepEnd_ == StepEnd::told) return finishPair(index);
+  if (pair.isDone() && finishesResolvedAtOnce()) return finishPair(index);
   scheduled_[index] = pair.scheduled();
 }
 
@@ -255,7 +260,7 @@ void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& 
   TreePair* const pair = collected_[index];
   if (!pair) return;
   pair->promise(budget, pace_);
-  if (progress == Progress::done && stepEnd_ == StepEnd::told) finishPair(index);
+  if (progress == Progress::done && finishesResolvedAtOnce()) finishPair(index);
 }
 
 void NarrowPhase::Impl::finishPair(std::size_t index) {
@@ -265,7 +270,7 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.body0(), &pair.body1());
   const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), left_, scratch_), seen);
+  count(pair.finish(dispatcher_, result, answerPolicy(), left_, scratch_), seen);
   if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
   dismiss(index);
 }
@@ -290,6 +295,7 @@ void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pai
   const double seen = viewer_ ? seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size) : 0;
   statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
   statistics_.contacts += report.contacts;
+  statistics_.exactContacts += report.exactContacts;
   statistics_.manifolds += report.manifolds;
   statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
   statistics_.worstSeenError = std::max(statistics_.worstSeenError, seen);

@@ -38,6 +38,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Status setFrameBudget(const StepBudget& budget);
   void beginFrame(int steps);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
+  void setFinest(Finest finest) { finest_ = finest; }
   void setPriority(std::unique_ptr<Priority> priority);
   Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const { return statistics_; }
@@ -60,6 +61,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   StepBudget stepLimit() const { return tighter(budget_, frame_.share()); }
   static Budget budgetOf(const StepBudget& limit);
   bool mayBeInterrupted() const;
+  AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
+  bool finishesResolvedAtOnce() const;
   bool isWorlds(btOverlappingPairCache& pairs);
   void orderPairs();
   void nameNewPairs();
@@ -95,6 +98,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   FrameBudget frame_;
   bool hasFrameBudget_ = false;
   Unresolved policy_ = Unresolved::guard;
+  Finest finest_ = Finest::leaves;
   std::unique_ptr<Priority> priority_, nextPriority_;
   std::optional<Viewer> viewer_;
   Scheduler scheduler_;

@@ -66,7 +66,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   Budget budget = budgetOf(openLeft_);
   ++statistics_.pairs;
   const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_), seen);
+  count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   book(budget, began);

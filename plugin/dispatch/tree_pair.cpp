@@ -249,23 +249,47 @@ btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) 
   return m;
 }
 
-void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, ContactScratch& scratch,
-                            PairReport& report) {
-  const std::span<Contact> members = scratch.contacts.cluster(k);
+// The contacts that would be chosen are measured between source triangles, and what comes of it is chosen from again,
+// until all that are chosen are settled. Triangles are never deeper than their regions (up to what sixteen support
+// points leave out), so nothing deeper is left behind, and most contacts never have to be looked at.
+std::span<Contact> TreePair::goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held,
+                                             Budget& budget, ContactScratch& scratch) const {
+  std::vector<Contact>& members = scratch.cluster;
+  members.assign(cluster.begin(), cluster.end());
+  const auto isOpen = [](const Contact& c) { return !c.isSettled && !c.ofSpheres; };
+  while (true) {
+    const ContactChoice choice = chooseContacts(members, held, kSeparationFactor * speculative_, speculative_);
+    const auto chosen = std::span(choice.index).first(static_cast<std::size_t>(choice.count));
+    const auto open = std::ranges::find_if(chosen, [&](int i) { return isOpen(members[static_cast<std::size_t>(i)]); });
+    if (open == chosen.end()) return members;
+    const auto rough = members.begin() + *open;
+    Contact contact = *rough;
+    contact.isSettled = true;
+    members.erase(rough);
+    if (!counterpart_->sharpen(contact, budget, members)) members.push_back(contact);
+    std::sort(members.begin(), members.end(), deeper);
+  }
+}
+
+void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
+                            ContactScratch& scratch, PairReport& report) {
+  std::span<Contact> members = scratch.contacts.cluster(k);
   const bool isHeld = manifolds_[static_cast<std::size_t>(k)] != nullptr;
   if (members.empty() && !isHeld) return;
   btPersistentManifold* const m = manifold(dispatcher, k);
   if (!m) return;
   ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
   const HeldContacts held = writer.held(*m);
+  if (finest == Finest::triangles) members = goOnToTriangles(members, held.span(), budget, scratch);
   const ContactChoice choice = chooseContacts(members, held.span(), kSeparationFactor * speculative_, speculative_);
   writer.write(*m, members, choice);
 
   for (int i = 0; i < choice.count; ++i) {
     const Contact& chosen = members[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])];
     contacts_.remember(chosen);
-    const double error = double(counterpart_->traversal().pairError(chosen.pair)) / double(smallerSize_);
-    report.errorFraction = std::max(report.errorFraction, error);
+    const float error = chosen.isExact ? 0 : counterpart_->traversal().pairError(chosen.pair);
+    report.errorFraction = std::max(report.errorFraction, double(error) / double(smallerSize_));
+    report.exactContacts += chosen.isExact ? 1 : 0;
   }
   report.contacts += static_cast<std::uint32_t>(choice.count);
   report.manifolds += choice.count > 0 ? 1 : 0;
@@ -278,15 +302,15 @@ void TreePair::promise(Budget& budget, const EmissionPace& pace) {
   budget.promise(promised_);
 }
 
-PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy,
-                            bool mayBeInterrupted, Budget& budget, ContactScratch& scratch) {
+PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy,
+                            Budget& budget, ContactScratch& scratch) {
   budget.redeem(std::exchange(promised_, {}));
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy, motion_, placement_.reach, budget, scratch);
-  for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, scratch, report);
-  if (mayBeInterrupted) contacts_.rememberDeepest(scratch);
+  contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, budget, scratch);
+  for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
+  if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   return report;
 }
 

@@ -23,9 +23,17 @@ namespace cairn::bullet {
 /// What one pair contributes to the statistics of a step.
 struct PairReport {
   std::uint32_t contacts = 0;
+  std::uint32_t exactContacts = 0;  ///< of these, measured between source triangles
   std::uint32_t manifolds = 0;
   bool isUnresolved = false;
   double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
+};
+
+/// How pairs answer in a step.
+struct AnswerPolicy {
+  Unresolved unresolved = Unresolved::guard;
+  Finest finest = Finest::leaves;
+  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
 };
 
 /// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
@@ -82,10 +90,9 @@ class TreePair {
   /// Holds back what finishing the pair would take now, in place of what was held back for it before.
   void promise(Budget& budget, const EmissionPace& pace);
   void withdrawPromise(Budget& budget) { budget.redeem(std::exchange(promised_, {})); }
-  /// Brings the manifolds up to date through `result`, and redeems the promise. `mayBeInterrupted`: whether the next
-  /// step can stop half-way.
-  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
-                    Budget& budget, ContactScratch& scratch);
+  /// Brings the manifolds up to date through `result`, and redeems the promise.
+  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy, Budget& budget,
+                    ContactScratch& scratch);
 
   void appendManifolds(btManifoldArray& manifolds) const;
   void releaseManifolds(btDispatcher& dispatcher);
@@ -132,8 +139,10 @@ class TreePair {
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
-  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, ContactScratch& scratch,
-                    PairReport& report);
+  std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
+                                     ContactScratch& scratch) const;
+  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
+                    ContactScratch& scratch, PairReport& report);
 
   CounterpartKind kind_;
   std::unique_ptr<Counterpart> counterpart_;

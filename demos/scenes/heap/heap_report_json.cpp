@@ -30,6 +30,7 @@ Json toJson(const RunCost& cost) {
   json["certified_error_fraction"] = tree ? Json{{"mean", tree->meanErrorFraction}, {"max", tree->maxErrorFraction}}
                                           : Json{{"mean", nullptr}, {"max", nullptr}};
   json["unresolved_pairs_fraction"] = tree ? Json(tree->unresolvedPairFraction) : Json(nullptr);
+  json["exact_contacts_fraction"] = tree ? Json(tree->exactContactFraction) : Json(nullptr);
   return json;
 }
 

@@ -31,9 +31,10 @@ World::World(const WorldOptions& options) : options_(options) {
 }
 
 void World::makeDispatcher() {
-  if (options_.shape == ShapeKind::tree) {
+  if (isSphereTree(options_.shape)) {
     auto dispatcher = std::make_unique<TimedDispatcher<TreeDispatcher>>(narrowPhaseCpuUs_, &configuration_);
     dispatcher->setUnresolved(options_.unresolved);
+    if (options_.shape == ShapeKind::treeTriangles) dispatcher->setFinest(bullet::Finest::triangles);
     dispatcher->setPriority(makePriority(options_.priority));
     treeDispatcher_ = dispatcher.get();
     dispatcher_ = std::move(dispatcher);
