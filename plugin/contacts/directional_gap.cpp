@@ -102,7 +102,7 @@ DirectionalGap::Box DirectionalGap::boxOf(const Corners& p) {
 void DirectionalGap::addUpper(const Corners& p) {
   const Vec3 outwards = cross(p[1] - p[0], p[2] - p[0]);
   if (!(outwards.z < 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return;
-  const Patch patch{p, boxOf(p), std::min({p[0].z, p[1].z, p[2].z})};
+  const Patch patch{p, boxOf(p), std::min({p[0].z, p[1].z, p[2].z}), outwards};
   if (patch.box.meets(frame_)) uppers_.push_back(patch);
 }
 
@@ -111,6 +111,7 @@ void DirectionalGap::addLower(const Corners& p) {
   if (!(outwards.z > 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return;
   Facet facet;
   facet.box = boxOf(p);
+  facet.outwards = outwards;
   if (!facet.box.meets(frame_)) return;
   facet.ceiling = std::max({p[0].z, p[1].z, p[2].z});
   facet.anchor = p[0];
@@ -146,6 +147,10 @@ bool DirectionalGap::counts(const Vec3& p, float below) const {
          below <= window_.lowerCeiling;
 }
 
+Vec3 DirectionalGap::inCallersFrame(const Vec3& direction) const {
+  return window_.across[0] * direction.x + window_.across[1] * direction.y + window_.normal * direction.z;
+}
+
 void DirectionalGap::compare(const Patch& upper, const Facet& lower, float reach) {
   if (upper.floor - lower.ceiling >= reach || !upper.box.meets(lower.box)) return;
   const Polygon polygon = common(upper, lower);
@@ -155,9 +160,8 @@ void DirectionalGap::compare(const Patch& upper, const Facet& lower, float reach
     anyOverlap_ = true;
     if (q.z - below >= reach) continue;
     deepest_ = std::min(deepest_, q.z - below);
-    const Vec3 position =
-        window_.center + window_.across[0] * q.x + window_.across[1] * q.y + window_.normal * (0.5F * (q.z + below));
-    points_.push_back({q.z - below, position});
+    points_.push_back({q.z - below, window_.center + inCallersFrame({q.x, q.y, 0.5F * (q.z + below)}),
+                       normalized(inCallersFrame(upper.outwards)), normalized(inCallersFrame(lower.outwards))});
   }
 }
 

@@ -38,8 +38,9 @@ WindowView viewThrough(const GapWindow& window, const Similarity& toWindows);
 
 /// A place where one surface stands over another.
 struct GapPoint {
-  float gap = 0;  ///< height of the upper surface over the lower one there, negative where it is below
-  Vec3 position;  ///< half-way between the two
+  float gap = 0;              ///< height of the upper surface over the lower one there, negative where it is below
+  Vec3 position;              ///< half-way between the two
+  Vec3 upperFace, lowerFace;  ///< unit, outward normals of the two triangles there
 };
 
 /// How far one set of triangles can move against another along a direction before they touch: exact, up to rounding,
@@ -75,6 +76,7 @@ class DirectionalGap {
     Corners corners;
     Box box;
     float floor = 0;
+    Vec3 outwards;  // any length
   };
   struct Facet {
     struct Side {
@@ -85,6 +87,7 @@ class DirectionalGap {
     float slopeU = 0, slopeV = 0;
     float ceiling = 0;
     Box box;
+    Vec3 outwards;
 
     float height(const Vec3& p) const { return anchor.z + slopeU * (p.x - anchor.x) + slopeV * (p.y - anchor.y); }
   };
@@ -93,6 +96,7 @@ class DirectionalGap {
   static Box boxOf(const Corners& corners);
   Polygon common(const Patch& upper, const Facet& lower) const;
   bool counts(const Vec3& p, float below) const;
+  Vec3 inCallersFrame(const Vec3& direction) const;
   void compare(const Patch& upper, const Facet& lower, float reach);
   bool overlaps(const Patch& upper, const Facet& lower) const;
 

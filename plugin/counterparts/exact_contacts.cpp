@@ -9,6 +9,8 @@ namespace {
 
 // Points this much (of the reach) above the deepest are as deep: a face on a face touches all over.
 constexpr float kAsDeep = 0.25F;
+// Cosine of half a degree: a face that lies on a face.
+constexpr float kFaceOnFaceCosine = 0.999961923F;
 
 template <class Add>
 void showTriangles(const GapWindow& window, const PlacedTree& tree, NodeId leaf, const Add& add) {
@@ -77,17 +79,36 @@ bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float marg
     const std::span<const GapPoint> points = gap_.run(reach + margins, kAsDeep * reach);
     if (!gap_.anyOverlap()) continue;
     choose(points, reach);
-    for (const GapPoint& p : chosen_) {
-      Contact contact = rough;
-      contact.isExact = true;
-      contact.normal = normal;
-      contact.gap = p.gap - margins;
-      contact.position = p.position;
-      contacts.push_back(contact);
+    if (const std::optional<Vec3> face = faceUnder(normal)) {
+      if (!look(a, b, rough.pair, *face, reach + margins, budget)) return false;
+      choose(gap_.run(reach + margins, kAsDeep * reach), reach);
+      appendChosen(*face, margins, rough, contacts);
+    } else {
+      appendChosen(normal, margins, rough, contacts);
     }
     return true;
   }
   return appendNearest(a, b, margins, reach, rough, budget, contacts);
+}
+
+// A leaf around an edge knows nothing of faces: where one lies on another, its normal is what holds.
+std::optional<Vec3> ExactContacts::faceUnder(const Vec3& normal) const {
+  if (chosen_.empty()) return {};
+  const Vec3& lower = chosen_[0].lowerFace;
+  const bool isFaceOnFace = dot(chosen_[0].upperFace, lower) < -kFaceOnFaceCosine;
+  return isFaceOnFace && dot(lower, normal) < kFaceOnFaceCosine ? std::optional(lower) : std::nullopt;
+}
+
+void ExactContacts::appendChosen(const Vec3& normal, float margins, const Contact& rough,
+                                 std::vector<Contact>& contacts) const {
+  for (const GapPoint& p : chosen_) {
+    Contact contact = rough;
+    contact.isExact = true;
+    contact.normal = normal;
+    contact.gap = p.gap - margins;
+    contact.position = p.position;
+    contacts.push_back(contact);
+  }
 }
 
 // They slide past each other in all directions that were tried; only corners and edges are left to meet. What has

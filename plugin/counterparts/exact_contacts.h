@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,8 @@ class ExactContacts {
             Budget& budget);
   bool appendNearest(const PlacedTree& a, const PlacedTree& b, float margins, float reach, const Contact& rough,
                      Budget& budget, std::vector<Contact>& contacts);
+  std::optional<Vec3> faceUnder(const Vec3& normal) const;
+  void appendChosen(const Vec3& normal, float margins, const Contact& rough, std::vector<Contact>& contacts) const;
   void choose(std::span<const GapPoint> points, float reach);
 
   DirectionalGap gap_;
