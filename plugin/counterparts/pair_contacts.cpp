@@ -124,8 +124,8 @@ void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget&
 
 }  // namespace
 
-// The spheres of the whole bodies first, then the deepest of each direction, then the deepest of all: what overlaps a
-// wall must not be all that is left of the floor.
+// What overlaps for certain first, then the spheres of the whole bodies, then the deepest of each direction, then the
+// deepest of all: what overlaps a wall must not be all that is left of the floor.
 std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
   std::sort(guards.begin(), guards.end(), deeper);
   std::size_t count = 0;
@@ -138,6 +138,11 @@ std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
       ++count;
     }
   };
+  const auto certain = std::ranges::max_element(guards, {}, &Contact::certainDepth);
+  if (certain != guards.end() && certain->certainDepth > 0) {
+    std::rotate(guards.begin(), certain, certain + 1);
+    ++count;
+  }
   choose([](const Contact& c) { return c.isWhole; });
   choose([&](const Contact& c) {
     return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
@@ -173,12 +178,14 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   answer_.approach += closingSpeed * motion.timeStep;
   // What was ruled out may close in while the front stands still: a rod that turns about its end.
   traversal_.approach += motion.greatestSpeed() * motion.timeStep;
-  std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
+  std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, reach); });
   const std::size_t count = putChosenFirst(guards);
   std::array<Guard, kMaxGuards> now;
   for (std::size_t i = 0; i < count; ++i) {
     const float allowed = allowedGap(guards[i]);
+    // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
     guards[i].gap -= allowed;
+    if (guards[i].certainDepth > 0) guards[i].gap = std::min(guards[i].gap, -guards[i].certainDepth);
     now[i] = {guards[i].id, guards[i].isWhole, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
     scratch.contacts.list().push_back(guards[i]);
   }

@@ -103,7 +103,10 @@ Contact PlaneCounterpart::boundingContact(const NodePair& pair) {
   contact.ofSpheres = true;
   contact.pair = pair;
   contact.normal = normal_;
-  contact.gap = dot(normal_, s.center) - offset_ - s.radius - margin_;
+  const float height = dot(normal_, s.center) - offset_;
+  contact.gap = height - s.radius - margin_;
+  if (const float inner = tree_.innerRadius(pair.a); inner > 0)
+    contact.certainDepth = std::max(0.0F, inner - height - kOverlapSlack * (s.radius + std::abs(offset_)));
   contact.position = s.center - normal_ * (s.radius + margin_ + 0.5F * contact.gap);
   contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
   return contact;

@@ -115,7 +115,11 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
   contact.ofSpheres = true;
   contact.pair = pair;
   contact.normal = centerLine(a, b);
-  contact.gap = distance(a.center, b.center) - a.radius - b.radius - margins_;
+  const float apart = distance(a.center, b.center);
+  contact.gap = apart - a.radius - b.radius - margins_;
+  const float innerA = a_.innerRadius(pair.a), innerB = b_.innerRadius(pair.b);
+  if (innerA > 0 && innerB > 0)
+    contact.certainDepth = std::max(0.0F, innerA + innerB - apart - kOverlapSlack * (a.radius + b.radius + apart));
   contact.position = b.center + contact.normal * (b.radius + 0.5F * contact.gap);
   contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
                 static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
