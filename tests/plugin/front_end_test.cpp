@@ -68,6 +68,26 @@ TYPED_TEST(FrontEnd_Budget, OfOperationsIsKeptWhileBodiesAndPairsComeAndGo) {
   limited.expectNobodyLost();
 }
 
+// Pairs that nobody expected measure what an eighth of the budget each found on top of it: five operations for one.
+TYPED_TEST(FrontEnd_Budget, OfOperationsIsKeptByTriangles) {
+  constexpr std::int64_t kOperations = 6000;
+  Pile<TypeParam> pile(kOperations);
+  pile.w.dispatcher.setFinest(bullet::Finest::triangles);
+  std::uint32_t exact = 0, rough = 0;
+  for (int i = 0; i < 240; ++i) {
+    pile.w.step();
+    const auto& s = pile.w.dispatcher.lastStep();
+    EXPECT_LE(s.operations,
+              static_cast<std::uint64_t>(kOperations) * 13 / 8 + s.unresolvedPairs * (32U * 5U + 193U * 3U))
+        << "step " << i;
+    exact += s.exactContacts;
+    rough += s.contacts - s.exactContacts;
+  }
+  EXPECT_GT(exact, 0U) << "nothing went on to triangles: the test shows nothing";
+  EXPECT_GT(rough, 0U) << "the limit never bit: the test shows nothing";
+  pile.expectNobodyLost();
+}
+
 TYPED_TEST(FrontEnd_Budget, OfNothingOrLittleLosesNobody) {
   for (const std::int64_t operations : {0, 1, 100, 2000}) {
     SCOPED_TRACE(operations);
