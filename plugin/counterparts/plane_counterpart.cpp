@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "shape/bullet_math.h"
 
@@ -78,21 +79,27 @@ void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, i
   contacts.push_back(contact);
 }
 
-// No point of a triangle is lower than its lowest corner, and no point of the region lower than that of its triangles.
+// What was measured is a point of the mesh and stays: a flat leaf stands on all its corners. The lowest corner of the
+// triangles joins it where it is lower, if it is in the leaf's ball: others see what is beyond.
 bool PlaneCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
   const SphereTree& tree = tree_.tree();
   const auto region = tree.regionTriangles(rough.pair.a);
   if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * region.size()))) return false;
-  Vec3 lowest = rough.onTree();
+  const Sphere ball = tree_.sphere(rough.pair.a);
+  Contact contact = rough;
+  contact.isExact = true;
+  contacts.push_back(contact);
+  std::optional<Vec3> lowest;
   for (const std::uint32_t triangle : region)
     for (const std::uint32_t vertex : tree.triangles()[triangle]) {
       const Vec3 corner = tree_.toPair() * tree.vertices()[vertex];
-      if (dot(normal_, corner) < dot(normal_, lowest)) lowest = corner;
+      const float gap = dot(normal_, corner) - offset_ - margin_;
+      if (gap >= contact.gap || distance(corner, ball.center) > ball.radius) continue;
+      contact.gap = gap;
+      lowest = corner;
     }
-  Contact contact = rough;
-  contact.isExact = true;
-  contact.gap = dot(normal_, lowest) - offset_ - margin_;
-  contact.position = lowest - normal_ * (margin_ + 0.5F * contact.gap);
+  if (!lowest) return true;
+  contact.position = *lowest - normal_ * (margin_ + 0.5F * contact.gap);
   contacts.push_back(contact);
   return true;
 }

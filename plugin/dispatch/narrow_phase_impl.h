@@ -132,7 +132,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
   OpenStep open_;
-  StepBudget openLeft_;  // for refinement in the open step at hand
+  StepBudget openLeft_;  // for refinement in the open step at hand, triangles included
+  Promise openHeld_;     // of it, for pairs that have still to come: their contacts, and newcomers
   std::optional<WorldHook> hook_;
   std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
 };

@@ -64,12 +64,19 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
 
   const auto began = Budget::Clock::now();
   Budget budget = budgetOf(openLeft_);
+  budget.promise(openHeld_);  // triangles leave the others what they need to be answered
+  const Promise own = pair.promised();
+  openHeld_.operations -= own.operations;
+  openHeld_.nanoseconds -= own.nanoseconds;
   ++statistics_.pairs;
   const ScheduledPair seen = pair.scheduled();
   count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
-  book(budget, began);
+  if (finest_ == Finest::triangles)
+    bookRefinement(budget, began);
+  else
+    book(budget, began);
   return true;
 }
 
@@ -84,16 +91,22 @@ void NarrowPhase::Impl::beginOpenStep() {
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
-  left_ = budgetOf(fractionOf(openLeft_, 1 - open_.reserve(collected_.size())));
+  const double reserve = open_.reserve(collected_.size());
+  left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
   scheduled_.clear();
   orderPairs();
   beginPairs();
   statistics_.pairs = 0;
   scheduler_.run(scheduled_, *priority_, left_, this);
-  // What was held back is left for the pairs as they come.
-  for (TreePair* pair : collected_)
-    if (pair) pair->withdrawPromise(left_);
   bookRefinement(left_, began);
+  // What was held back is left for the pairs as they come.
+  const StepBudget kept = fractionOf(stepLimit(), reserve);
+  openHeld_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
+  for (const TreePair* pair : collected_)
+    if (pair) {
+      openHeld_.operations += pair->promised().operations;
+      openHeld_.nanoseconds += pair->promised().nanoseconds;
+    }
 }
 
 void NarrowPhase::Impl::endOpenStep() {

@@ -251,7 +251,8 @@ btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) 
 
 // The contacts that would be chosen are measured between source triangles, and what comes of it is chosen from again,
 // until all that are chosen are settled. Triangles are never deeper than their regions (up to what sixteen support
-// points leave out), so nothing deeper is left behind, and most contacts never have to be looked at.
+// points leave out), so nothing deeper is left behind, and most contacts never have to be looked at. The first that the
+// budget does not cover ends it: what is left when time is up must cost next to nothing.
 std::span<Contact> TreePair::goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held,
                                              Budget& budget, ContactScratch& scratch) const {
   std::vector<Contact>& members = scratch.cluster;
@@ -262,11 +263,10 @@ std::span<Contact> TreePair::goOnToTriangles(std::span<const Contact> cluster, s
     const auto chosen = std::span(choice.index).first(static_cast<std::size_t>(choice.count));
     const auto open = std::ranges::find_if(chosen, [&](int i) { return isOpen(members[static_cast<std::size_t>(i)]); });
     if (open == chosen.end()) return members;
-    const auto rough = members.begin() + *open;
-    Contact contact = *rough;
-    contact.isSettled = true;
-    members.erase(rough);
-    if (!counterpart_->sharpen(contact, budget, members)) members.push_back(contact);
+    Contact rough = members[static_cast<std::size_t>(*open)];
+    rough.isSettled = true;
+    if (!counterpart_->sharpen(rough, budget, members)) return members;
+    members.erase(members.begin() + *open);
     std::sort(members.begin(), members.end(), deeper);
   }
 }
@@ -280,7 +280,11 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   if (!m) return;
   ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
   const HeldContacts held = writer.held(*m);
-  if (finest == Finest::triangles) members = goOnToTriangles(members, held.span(), budget, scratch);
+  if (finest == Finest::triangles) {
+    const auto began = budget.hasDeadline() ? Budget::Clock::now() : Budget::Clock::time_point();
+    members = goOnToTriangles(members, held.span(), budget, scratch);
+    if (budget.hasDeadline()) report.onTriangles += Budget::Clock::now() - began;
+  }
   const ContactChoice choice = chooseContacts(members, held.span(), kSeparationFactor * speculative_, speculative_);
   writer.write(*m, members, choice);
 

@@ -27,6 +27,7 @@ struct PairReport {
   std::uint32_t manifolds = 0;
   bool isUnresolved = false;
   double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
+  Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
 };
 
 /// How pairs answer in a step.

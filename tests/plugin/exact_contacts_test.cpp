@@ -161,5 +161,29 @@ TEST(ExactContacts, OnAPlaneAreTheLowestCorners) {
   }
 }
 
+// All four, however they are rounded: a body that stands on one of them rocks. A margin counts once.
+TEST(ExactContacts, OfAFaceOnAPlaneAreItsCorners) {
+  for (const btScalar margin : {btScalar(0), btScalar(0.02)}) {
+    BulletWorld<> w;
+    w.dispatcher.setFinest(Finest::triangles);
+    w.addGround();
+    const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1), 2));
+    shape->setMargin(margin);
+    btRigidBody& body = w.add(shape, 1, btVector3(0, 0, btScalar(0.501) + margin));
+    w.world.performDiscreteCollisionDetection();
+    ASSERT_EQ(w.dispatcher.getNumManifolds(), 1);
+    const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(0);
+    ASSERT_EQ(m.getNumContacts(), 4) << margin;
+    for (int k = 0; k < m.getNumContacts(); ++k) {
+      const btManifoldPoint& p = m.getContactPoint(k);
+      EXPECT_NEAR(p.getDistance(), 0.001, kRounding) << margin;
+      EXPECT_NEAR(std::abs(p.getPositionWorldOnA().x()), 0.5, kRounding);
+      EXPECT_NEAR(std::abs(p.getPositionWorldOnA().y()), 0.5, kRounding);
+    }
+    w.step(600);
+    EXPECT_FALSE(body.isActive()) << margin;
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test
