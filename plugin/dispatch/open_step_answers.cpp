@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "dispatch/narrow_phase_impl.h"
 
@@ -59,14 +60,25 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  open_.answered(pair, wasExpected);
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted());
+  open_.answered(pair, wasExpected || pair.isSettled());
+  if (pair.isSettled()) {
+    ++statistics_.pairs;
+    return true;
+  }
   if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;
 
   const auto began = Budget::Clock::now();
   Budget budget = budgetOf(openLeft_);
   ++statistics_.pairs;
-  const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_), seen);
+  if (!pair.isBetterHeld()) {
+    const ScheduledPair seen = pair.scheduled();
+    count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_), seen);
+  } else {
+    budget.chargeAnyway(StepPlan::kHoldingCost);
+    const PairReport report = pair.hold(dispatcher_, result);
+    count(report, pair.seenHeld());
+  }
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   book(budget, began);
@@ -84,12 +96,20 @@ void NarrowPhase::Impl::beginOpenStep() {
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
-  left_ = budgetOf(fractionOf(openLeft_, 1 - open_.reserve(collected_.size())));
+  const bool alsoFromPlanes = mayBeInterrupted();
+  const auto near = std::ranges::count_if(
+      collected_, [&](TreePair* pair) { return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes); });
+  left_ = budgetOf(fractionOf(openLeft_, 1 - open_.reserve(static_cast<std::size_t>(near))));
   scheduled_.clear();
   orderPairs();
+  planStep();
+  const auto planned = Budget::Clock::now();
+  const std::uint64_t operationsBefore = left_.used();
   beginPairs();
   statistics_.pairs = 0;
-  scheduler_.run(scheduled_, *priority_, left_, this);
+  refinePairs();
+  learnUpdates(operationsBefore, planned);
+  left_.redeem(std::exchange(holding_, {}));
   // What was held back is left for the pairs as they come.
   for (TreePair* pair : collected_)
     if (pair) pair->withdrawPromise(left_);
