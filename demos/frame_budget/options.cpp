@@ -108,6 +108,10 @@ void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
 
 void declareNarrowPhase(CLI::App& app, Options& options) {
   scenes::addBudgetOptions(app, options.heap.world.budget);
+  app.add_option("--budget-from", options.heap.stepsWithoutBudget,
+                 "heap and crush: steps before the budget holds; what it then does to the certified error is reported")
+      ->check(scenes::refuseNoWholeNumber)
+      ->capture_default_str();
   scenes::addPriorityOption(app, options.priority);
   app.add_flag("--viewer", options.heap.isWatched,
                "somebody stands at the pit and looks at the middle of the heap: priorities that care serve them, and "

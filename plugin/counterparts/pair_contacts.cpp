@@ -14,6 +14,8 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
+// How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
+constexpr float kHeldFraction = 0.03F;
 
 }  // namespace
 
@@ -40,13 +42,17 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
+bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
   isRetested_ = false;
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
-  if (isKept_) return;
-  if (!started_ || counterpart.traversal().done() || !counterpart.resume()) return start(counterpart, motion);
+  if (isKept_) return false;
+  if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
+    start(counterpart, motion);
+    return true;
+  }
   kept_.resume(motion.placement);
   retest(counterpart, budget);
+  return false;
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
@@ -232,6 +238,42 @@ bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, 
 // An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
   return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
+}
+
+bool PairContacts::isAnsweredWithin(float moved, float smallerSize) const {
+  return isAnswered_ && answer_.approach + moved <= kHeldFraction * smallerSize;
+}
+
+bool PairContacts::holds(float moved, float smallerSize) const {
+  if (isAnsweredWithin(moved, smallerSize)) return true;
+  return !guards_.empty() && traversal_.approach + moved <= kHeldFraction * smallerSize;
+}
+
+Contact PairContacts::holdWhole(Contact whole) {
+  const float allowed = allowedGap(whole);
+  const Guard* const last = lastOf(whole);
+  whole.gap -= allowed;
+  const Guard guard{whole.id, true, whole.normal, allowed, std::max(-whole.gap, 0.0F)};
+  if (last)
+    guards_[static_cast<std::size_t>(last - guards_.data())] = guard;
+  else if (guards_.size() < kMaxGuards)
+    guards_.push_back(guard);
+  else
+    guards_.back() = guard;
+  return whole;
+}
+
+void PairContacts::waited(float moved) {
+  answer_.approach += moved;
+  traversal_.approach += moved;
+}
+
+bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
+  return started_ && counterpart.traversal().done() && kept_.holdsAt(now, reach);
+}
+
+std::uint64_t PairContacts::keptCost(const Counterpart& counterpart) const {
+  return kContactCost * (isKept_ ? kept_.near().size() : counterpart.traversal().leafPairs().size());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {

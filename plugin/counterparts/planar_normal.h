@@ -18,6 +18,8 @@ namespace cairn::bullet {
 /// of the measured comparison.
 class PlanarNormal {
  public:
+  PlanarNormal() { candidates_.reserve(kMaxCandidates); }
+
   /// Zero when the cluster is not flat. `last`: the cluster's common normal in the last step, or zero. Cost: up to
   /// `kMaxCandidates` support evaluations a contact.
   Vec3 find(const PlacedTree& a, const PlacedTree& b, std::span<const Contact> cluster, const Vec3& last);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "dispatch/narrow_phase_impl.h"
 
@@ -59,7 +60,12 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  open_.answered(pair, wasExpected);
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted());
+  open_.answered(pair, wasExpected || pair.isSettled());
+  if (pair.isSettled()) {
+    ++statistics_.pairs;
+    return true;
+  }
   if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;
 
   const auto began = Budget::Clock::now();
@@ -69,8 +75,14 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   openHeld_.operations -= own.operations;
   openHeld_.nanoseconds -= own.nanoseconds;
   ++statistics_.pairs;
-  const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
+  if (!pair.isBetterHeld()) {
+    const ScheduledPair seen = pair.scheduled();
+    count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
+  } else {
+    budget.chargeAnyway(StepPlan::kHoldingCost);
+    const PairReport report = pair.hold(dispatcher_, result);
+    count(report, pair.seenHeld());
+  }
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   if (finest_ == Finest::triangles)
@@ -91,13 +103,21 @@ void NarrowPhase::Impl::beginOpenStep() {
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
-  const double reserve = open_.reserve(collected_.size());
+  const bool alsoFromPlanes = mayBeInterrupted();
+  const auto near = std::ranges::count_if(
+      collected_, [&](TreePair* pair) { return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes); });
+  const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
   scheduled_.clear();
   orderPairs();
+  planStep();
+  const auto planned = Budget::Clock::now();
+  const std::uint64_t operationsBefore = left_.used();
   beginPairs();
   statistics_.pairs = 0;
-  scheduler_.run(scheduled_, *priority_, left_, this);
+  refinePairs();
+  learnUpdates(operationsBefore, planned);
+  left_.redeem(std::exchange(holding_, {}));
   bookRefinement(left_, began);
   // What was held back is left for the pairs as they come.
   const StepBudget kept = fractionOf(stepLimit(), reserve);

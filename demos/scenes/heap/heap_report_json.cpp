@@ -36,6 +36,11 @@ Json toJson(const RunCost& cost) {
 
 Json toJson(const HeapReport& report) {
   Json json = toJson(report.cost);
+  if (report.cut)
+    for (const auto& [name, part] :
+         {std::pair("before_budget", report.cut->before), {"with_budget", report.cut->after}})
+      json[name] = {{"operations", {{"median", part.operations}}},
+                    {"certified_error_fraction", {{"max", part.worstErrorFraction}}}};
   json["penetration_end_fraction"] = toJson(report.end.depth);
   json["gap_end_fraction"] = toJson(report.end.gap);
   json["pit_penetration_end_fraction"] = toJson(report.end.pitDepth);

@@ -24,6 +24,10 @@ Result<std::unique_ptr<World>> World::create(const WorldOptions& options) {
   return world;
 }
 
+Status World::setBudget(const bullet::StepBudget& budget) {
+  return treeDispatcher_ ? treeDispatcher_->setBudget(budget) : Status{};
+}
+
 World::World(const WorldOptions& options) : options_(options) {
   makeDispatcher();
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &broadphase_, &solver_, &configuration_);
