@@ -16,6 +16,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
   ./cairn.sh bench traversal [TREE] [OPTIONS] sphere tests per second of whole traversals (default of generated trees),
                              beside the same blocks merely streamed, on every instruction set
+  ./cairn.sh bench still [OPTIONS] how flat and smooth bodies stand, slide and roll as sphere-trees, beside Bullet's own
+                             shapes and the textbook
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
                              (tests/bench/builder.sh --help lists the options)
@@ -167,8 +169,15 @@ bench_traversal() {
   build/release/bin/traversal_bench "$@"
 }
 
+bench_still() {
+  need "${everything[@]}" tests
+  configure_and_build release --target still_bench
+  build/release/bin/still_bench "$@"
+}
+
 bench() {
   case ${1:-} in
+    still) bench_still "${@:2}"; return ;;
     builder) bench_builder "${@:2}"; return ;;
     traversal) bench_traversal "${@:2}"; return ;;
   esac

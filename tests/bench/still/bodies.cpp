@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "still/bodies.h"
+
+#include <BulletCollision/Gimpact/btGImpactShape.h>
+
+#include <utility>
+
+#include "builder_meshes.h"
+#include "cairn/builder/build.h"
+
+namespace cairn::bench {
+namespace {
+
+btVector3 toBullet(const Vec3d& v) {
+  return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
+}
+
+std::shared_ptr<btCollisionShape> hullOf(const test::Solid& solid, btScalar margin) {
+  auto hull = std::make_shared<btConvexHullShape>();
+  for (const Vec3d& v : solid.vertices) hull->addPoint(toBullet(v), false);
+  hull->optimizeConvexHull();
+  hull->setMargin(margin);
+  hull->recalcLocalAabb();
+  return hull;
+}
+
+std::shared_ptr<btCollisionShape> gimpactOf(const test::Solid& solid, btScalar margin) {
+  auto mesh = std::make_shared<btTriangleMesh>();
+  for (const auto& t : solid.triangles)
+    mesh->addTriangle(toBullet(solid.vertices[t[0]]), toBullet(solid.vertices[t[1]]), toBullet(solid.vertices[t[2]]));
+  // The shape refers to the mesh: both live as long as either.
+  struct Kept {
+    explicit Kept(std::shared_ptr<btTriangleMesh> m) : mesh(std::move(m)), shape(mesh.get()) {}
+    std::shared_ptr<btTriangleMesh> mesh;
+    btGImpactMeshShape shape;
+  };
+  auto kept = std::make_shared<Kept>(std::move(mesh));
+  kept->shape.setMargin(margin);
+  kept->shape.updateBound();
+  return {kept, &kept->shape};
+}
+
+}  // namespace
+
+Result<TriedShapes> tryShapes(const test::Solid& solid, const std::string& name,
+                              std::shared_ptr<btCollisionShape> own) {
+  builder::TriangleMesh mesh = test::meshOf(solid);
+  mesh.name = name;
+  auto built = builder::buildTree(mesh, {});
+  if (!built) return built.error();
+  TriedShapes tried;
+  tried.tree = std::make_shared<const SphereTree>(std::move(built).value());
+  const Mat3d& moments = tried.tree->mass().inertia;
+  const btVector3 inertia = toBullet({moments(0, 0), moments(1, 1), moments(2, 2)});
+  const std::shared_ptr<bullet::SphereTreeShape> tree = test::treeShape(tried.tree);
+  const btScalar size = tree->size();
+  const btScalar hullMargin = size * btScalar(0.01), gimpactMargin = size * btScalar(0.001);
+  tried.shapes = {{"tree", {tree, inertia, 0}},
+                  {"own", {std::move(own), inertia, 0}},
+                  {"hull", {hullOf(solid, hullMargin), inertia, hullMargin}},
+                  {"gimpact", {gimpactOf(solid, gimpactMargin), inertia, gimpactMargin}}};
+  return tried;
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "bullet_world.h"
+
+namespace cairn::test {
+
+/// A body of one kilogram as it collides, and what it resists to turning, which must not depend on the shape.
+struct TriedBody {
+  std::shared_ptr<btCollisionShape> shape;
+  btVector3 inertia;
+  btScalar margin = 0;  ///< by which it reaches beyond its surface: bodies are set down so much farther apart
+};
+
+/// A world in which bodies never sleep.
+class StillWorld : public BulletWorld<> {
+ public:
+  StillWorld() { btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher); }
+
+  btRigidBody& addTried(const TriedBody& tried, const btTransform& at, btScalar friction) {
+    btRigidBody& body = add(tried.shape, 1, at.getOrigin(), at.getRotation());
+    body.setMassProps(1, tried.inertia);
+    body.updateInertiaTensor();
+    body.setFriction(friction);
+    body.setActivationState(DISABLE_DEACTIVATION);
+    return body;
+  }
+};
+
+inline constexpr int kStepsPerSecond = 60;
+
+/// How a column of cubes stood, metres. Whoever has fallen has drifted far.
+struct StackRun {
+  double drift = 0;     ///< greatest horizontal way of any cube from its start
+  double settling = 0;  ///< by which the top is lower than it was; negative where the cubes float
+  double energy = 0;    ///< kinetic, of all cubes at the end, J
+};
+
+struct StackStart {
+  int cubes = 10;
+  int seconds = 20;
+  int iterations = 30;
+  btScalar edge = 1;
+  /// Every cube begins aside of the axis by this, metres, turned about it cube by cube.
+  btScalar aside = 0;
+};
+
+/// Cubes one on another on a plane, friction 0.5 everywhere.
+inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
+  StillWorld w;
+  w.world.getSolverInfo().m_numIterations = start.iterations;
+  w.addGround();
+  std::vector<btRigidBody*> bodies;
+  std::vector<btVector3> places;
+  for (int i = 0; i < start.cubes; ++i) {
+    const btScalar angle = btScalar(2.4) * btScalar(i);
+    const btScalar height = start.edge * (btScalar(i) + btScalar(0.5)) + cube.margin * (2 * btScalar(i) + 1);
+    places.push_back({start.aside * std::cos(angle), start.aside * std::sin(angle), height});
+    bodies.push_back(&w.addTried(cube, btTransform(btQuaternion::getIdentity(), places.back()), btScalar(0.5)));
+  }
+  w.step(start.seconds * kStepsPerSecond);
+  StackRun run;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const btVector3 way = bodies[i]->getWorldTransform().getOrigin() - places[i];
+    run.drift = std::max(run.drift, std::hypot(double(way.x()), double(way.y())));
+    run.settling = -double(way.z());
+    const btVector3 spin = bodies[i]->getWorldTransform().getBasis().transpose() * bodies[i]->getAngularVelocity();
+    run.energy += 0.5 * double(bodies[i]->getLinearVelocity().length2() + (spin * spin).dot(cube.inertia));
+  }
+  return run;
+}
+
+/// How a body went down a slope.
+struct SlopeRun {
+  double acceleration = 0;  ///< m/s^2 downhill, between the two times
+  double slip = 0;          ///< for what rolls: speed less spin times radius over speed, at the end
+  double aside = 0;         ///< metres off the line of steepest descent at the end
+};
+
+struct Slope {
+  double degrees = 10;
+  btScalar friction = 1;                              ///< of the ground; bodies have 1
+  std::shared_ptr<btCollisionShape> ground;           ///< downhill is along its x
+  btScalar top = 0;                                   ///< of the ground over its own origin
+  btScalar height = 0;                                ///< of the body's centre over the ground's top
+  btScalar uphill = 0;                                ///< metres by which it starts uphill of the ground's middle
+  btQuaternion turned = btQuaternion::getIdentity();  ///< of the body against the ground
+  double radius = 0;                                  ///< of what rolls
+  int fromStep = 15, toStep = 75;                     ///< speeds are compared between these
+};
+
+/// One body, set down at rest on a slope that really is turned: nothing but gravity is along an axis.
+inline SlopeRun runSlope(const TriedBody& tried, const Slope& slope) {
+  StillWorld w;
+  const btQuaternion tilt(btVector3(0, 1, 0), btScalar(slope.degrees * M_PI / 180));
+  btRigidBody& ground = w.add(slope.ground, 0, quatRotate(tilt, btVector3(0, 0, -slope.top)), tilt);
+  ground.setFriction(slope.friction);
+  const btVector3 place = quatRotate(tilt, btVector3(-slope.uphill, 0, slope.height + tried.margin));
+  const btVector3 downhill = quatRotate(tilt, btVector3(1, 0, 0)), aside = quatRotate(tilt, btVector3(0, 1, 0));
+  btRigidBody& body = w.addTried(tried, btTransform(tilt * slope.turned, place), 1);
+  w.step(slope.fromStep);
+  const double before = double(body.getLinearVelocity().dot(downhill));
+  w.step(slope.toStep - slope.fromStep);
+  const double after = double(body.getLinearVelocity().dot(downhill));
+  SlopeRun run;
+  run.acceleration = (after - before) * kStepsPerSecond / (slope.toStep - slope.fromStep);
+  run.slip = after == 0 ? 0 : 1 - double(body.getAngularVelocity().dot(aside)) * slope.radius / after;
+  run.aside = double((body.getWorldTransform().getOrigin() - place).dot(aside));
+  return run;
+}
+
+}  // namespace cairn::test
