@@ -22,10 +22,11 @@ struct ContactId {
 /// One possible contact point between a sphere-tree and its counterpart, in the *pair frame*: world axes and unit,
 /// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
 struct Contact {
-  Vec3 position;  ///< half-way between the two surfaces
-  Vec3 normal;    ///< unit, from the counterpart to the tree
-  float gap = 0;  ///< distance of the surfaces along the normal, negative when they overlap
-  NodePair pair;  ///< of the traversal that found it
+  Vec3 position;   ///< half-way between the two surfaces
+  Vec3 normal;     ///< unit, from the counterpart to the tree
+  float gap = 0;   ///< distance of the surfaces along the normal, negative when they overlap
+  float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
+  NodePair pair;   ///< of the traversal that found it
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
