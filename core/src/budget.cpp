@@ -17,6 +17,11 @@ Budget Budget::both(std::uint64_t operations, double microseconds) {
   return Budget(operations, Clock::now() + std::chrono::duration_cast<Clock::duration>(duration));
 }
 
+double Budget::nanosecondsLeft() const {
+  if (!hasDeadline()) return std::numeric_limits<double>::infinity();
+  return std::chrono::duration<double, std::nano>(deadline_ - Clock::now()).count();
+}
+
 bool Budget::lookAtClock() {
   if (used_ < guaranteedUntil_) return false;
   const auto promised = std::chrono::duration<double, std::nano>(promisedNanoseconds_);

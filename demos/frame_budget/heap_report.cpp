@@ -25,7 +25,7 @@ constexpr double kBudgetAllowance = 1.10;
 /// p99.9 of the narrow phase over what it may be; nothing without a budget in microseconds.
 std::optional<double> shareOfAllowance(const Options& options, const HeapRun& run) {
   const auto& budget = options.heap.world.budget.microseconds;
-  if (!budget || run.shape != scenes::ShapeKind::tree || !run.course) return {};
+  if (!budget || !scenes::isSphereTree(run.shape) || !run.course) return {};
   return run.report.cost.narrowPhaseCpuUs.p999 / (kBudgetAllowance * *budget + run.course->emptyStepCpuUs);
 }
 
@@ -39,6 +39,18 @@ void printSeenError(const Table& table, std::span<const scenes::RunCost* const> 
     const auto& tree = costs[c]->tree;
     return tree ? fmt::format("{:.1f} / {:.1f}", kArcMinutes * tree->meanSeenError, kArcMinutes * tree->maxSeenError)
                 : std::string("-");
+  });
+}
+
+void printCut(const Table& table, const std::vector<HeapRun>& runs) {
+  const auto row = [&](const char* title, const std::function<std::string(const scenes::BudgetCut&)>& cell) {
+    table.row(title, [&](std::size_t c) { return runs[c].report.cut ? cell(*runs[c].report.cut) : std::string("-"); });
+  };
+  row("before and after the budget holds:", [](const auto&) { return std::string(); });
+  row("  operations a step: median",
+      [](const auto& cut) { return fmt::format("{:.0f} / {:.0f}", cut.before.operations, cut.after.operations); });
+  row("  worst certified error, % of size", [](const auto& cut) {
+    return percent(cut.before.worstErrorFraction) + " / " + percent(cut.after.worstErrorFraction);
   });
 }
 
@@ -104,6 +116,7 @@ void printHeapTable(const Options& options, const scenes::SourcedTree& tree, con
   const Table table(std::move(names));
   printCost(table, costs);
   if (options.heap.isWatched) printSeenError(table, costs);
+  if (options.heap.stepsWithoutBudget > 0) printCut(table, runs);
   if (start) printCourse(options, table, runs);
   printEnd(table, runs);
 }

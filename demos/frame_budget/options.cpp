@@ -64,10 +64,11 @@ void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
       ->check(scenes::refuseNoWholeNumber)
       ->capture_default_str();
   app.add_flag("--no-sleeping", raw.noSleeping, "keep resting bodies awake");
-  app.add_option(
-         "--shape", raw.shapes,
-         "tree, gimpact, hull, spheres, compound (of the hulls HACD cuts the mesh into) or fcl (only in converge); "
-         "several with commas, compared in one run")
+  app.add_option("--shape", raw.shapes,
+                 "tree, tree+triangles (contacts between source triangles, past the leaves), gimpact, hull, spheres, "
+                 "compound (of the "
+                 "hulls HACD cuts the mesh into) or fcl (only in converge); "
+                 "several with commas, compared in one run")
       ->capture_default_str();
   app.add_option(
          "--margin-fraction", options.heap.shape.marginFraction,
@@ -107,6 +108,10 @@ void declareTree(CLI::App& app, Options& options, RawOptions& raw) {
 
 void declareNarrowPhase(CLI::App& app, Options& options) {
   scenes::addBudgetOptions(app, options.heap.world.budget);
+  app.add_option("--budget-from", options.heap.stepsWithoutBudget,
+                 "heap and crush: steps before the budget holds; what it then does to the certified error is reported")
+      ->check(scenes::refuseNoWholeNumber)
+      ->capture_default_str();
   scenes::addPriorityOption(app, options.priority);
   app.add_flag("--viewer", options.heap.isWatched,
                "somebody stands at the pit and looks at the middle of the heap: priorities that care serve them, and "

@@ -70,6 +70,7 @@ void printWork(const Table& table, Costs costs) {
   };
   treeRow("operations a step: median / max", [](const auto& t) { return medianAndMax(t.operations); });
   treeRow("unresolved pairs, %", [](const auto& t) { return percent(t.unresolvedPairFraction); });
+  treeRow("contacts between triangles, %", [](const auto& t) { return percent(t.exactContactFraction); });
   treeRow("certified error, % of size: mean / max",
           [](const auto& t) { return meanAndMax(t.meanErrorFraction, t.maxErrorFraction); });
   table.row("contacts: median / max", [&](std::size_t c) { return medianAndMax(costs[c]->contacts); });

@@ -26,10 +26,13 @@ struct Contact {
   Vec3 normal;     ///< unit, from the counterpart to the tree
   float gap = 0;   ///< distance of the surfaces along the normal, negative when they overlap
   float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
-  NodePair pair;   ///< of the traversal that found it
+  float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
+  NodePair pair;           ///< of the traversal that found it
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
+  bool isExact = false;    ///< measured between source triangles
+  bool isSettled = false;  ///< exact, or nothing finer can be told
   bool isWhole = false;    ///< of whole bodies: whatever is nearest in its direction, so that its id may change
 
   Vec3 onTree() const { return position + normal * (0.5F * gap); }

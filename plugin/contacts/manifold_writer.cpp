@@ -44,6 +44,22 @@ btVector3 ManifoldWriter::localOnBody0(const btPersistentManifold& manifold, con
   return manifold.getBody0()->getWorldTransform().invXform(origin_ + toBullet(onBody0));
 }
 
+// The nearest of the old points that may be continued, if it is near enough. One id may stand for several points.
+template <class MayJoin>
+void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold& manifold, int choice,
+                                 btScalar nearestSq, const MayJoin& mayJoin) {
+  int nearest = -1;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    if (!matching.isOldFree(i) || !mayJoin(i)) continue;
+    const btVector3& local = matching.local[static_cast<std::size_t>(choice)];
+    const btScalar distanceSq = (manifold.getContactPoint(i).m_localPointA - local).length2();
+    if (distanceSq >= nearestSq) continue;
+    nearest = i;
+    nearestSq = distanceSq;
+  }
+  if (nearest >= 0) matching.join(choice, nearest);
+}
+
 ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                                                const ContactChoice& choice) const {
   Matching matching;
@@ -51,23 +67,12 @@ ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manif
   for (int k = 0; k < choice.count; ++k) {
     const Contact& contact = chosen(cluster, choice, k);
     matching.local[static_cast<std::size_t>(k)] = localOnBody0(manifold, contact);
-    for (int i = 0; i < old.count && matching.isNew(k); ++i)
-      if (matching.isOldFree(i) && old.id[static_cast<std::size_t>(i)] == contact.id) matching.join(k, i);
+    const auto isSame = [&](int i) { return old.id[static_cast<std::size_t>(i)] == contact.id; };
+    joinNearest(matching, manifold, k, SIMD_INFINITY, isSame);
   }
   for (int k = 0; k < choice.count; ++k) {
     if (!matching.isNew(k)) continue;
-    btScalar nearestSq = btScalar(inheritance_) * btScalar(inheritance_);
-    int nearest = -1;
-    for (int i = 0; i < old.count; ++i) {
-      if (!matching.isOldFree(i)) continue;
-      const btVector3& local = matching.local[static_cast<std::size_t>(k)];
-      const btScalar distanceSq = (manifold.getContactPoint(i).m_localPointA - local).length2();
-      if (distanceSq < nearestSq) {
-        nearest = i;
-        nearestSq = distanceSq;
-      }
-    }
-    if (nearest >= 0) matching.join(k, nearest);
+    joinNearest(matching, manifold, k, btScalar(inheritance_) * btScalar(inheritance_), [](int) { return true; });
   }
   return matching;
 }

@@ -40,6 +40,9 @@ class ManifoldWriter {
   struct Matching;
 
   btVector3 localOnBody0(const btPersistentManifold& manifold, const Contact& contact) const;
+  template <class MayJoin>
+  static void joinNearest(Matching& matching, const btPersistentManifold& manifold, int choice, btScalar nearestSq,
+                          const MayJoin& mayJoin);
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                  const ContactChoice& choice) const;
   void add(btPersistentManifold& manifold, const Contact& contact);

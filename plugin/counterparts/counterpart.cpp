@@ -20,6 +20,10 @@ Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> 
   return {};
 }
 
+bool Counterpart::sharpen(const Contact& /*rough*/, Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
+  return false;
+}
+
 namespace {
 
 // These are concave by name, but their `processAllTriangles` is empty. Others may share their type numbers.

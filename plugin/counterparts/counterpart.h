@@ -83,6 +83,11 @@ class Counterpart {
   /// zero. Default: nothing is flat.
   virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts);
 
+  /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
+  /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say
+  /// nothing; then the contact is all that is known. Default: false, there are no triangles on both sides.
+  virtual bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts);
+
   /// Diagonal of such a shape's box, world length; infinite when it has no size of its own to speak of.
   virtual float size(const btCollisionShape& shape) const = 0;
 };

@@ -16,6 +16,8 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr float kApproachFraction = 0.008F;
 // Clusters whose common normals are closer than 10 degrees resist the same motion.
 constexpr float kSameFaceCosine = 0.984807753F;
+// How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
+constexpr float kHeldFraction = 0.03F;
 
 }  // namespace
 
@@ -43,14 +45,18 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-void PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
+bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
   isRetested_ = false;
   counterpart.expect(commonNormals_);
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
-  if (isKept_) return;
-  if (!started_ || counterpart.traversal().done() || !counterpart.resume()) return start(counterpart, motion);
+  if (isKept_) return false;
+  if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
+    start(counterpart, motion);
+    return true;
+  }
   kept_.resume(motion.placement);
   retest(counterpart, budget);
+  return false;
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
@@ -129,8 +135,8 @@ void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget&
 
 }  // namespace
 
-// The spheres of the whole bodies first, then the deepest of each direction, then the deepest of all: what overlaps a
-// wall must not be all that is left of the floor.
+// What overlaps for certain first, then the spheres of the whole bodies, then the deepest of each direction, then the
+// deepest of all: what overlaps a wall must not be all that is left of the floor.
 std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
   std::sort(guards.begin(), guards.end(), deeper);
   std::size_t count = 0;
@@ -143,6 +149,11 @@ std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
       ++count;
     }
   };
+  const auto certain = std::ranges::max_element(guards, {}, &Contact::certainDepth);
+  if (certain != guards.end() && certain->certainDepth > 0) {
+    std::rotate(guards.begin(), certain, certain + 1);
+    ++count;
+  }
   choose([](const Contact& c) { return c.isWhole; });
   choose([&](const Contact& c) {
     return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
@@ -178,12 +189,14 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
   answer_.approach += closingSpeed * motion.timeStep;
   // What was ruled out may close in while the front stands still: a rod that turns about its end.
   traversal_.approach += motion.greatestSpeed() * motion.timeStep;
-  std::erase_if(guards, [&](const Contact& c) { return !isWanted(c, motion, reach); });
+  std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, reach); });
   const std::size_t count = putChosenFirst(guards);
   std::array<Guard, kMaxGuards> now;
   for (std::size_t i = 0; i < count; ++i) {
     const float allowed = allowedGap(guards[i]);
+    // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
     guards[i].gap -= allowed;
+    if (guards[i].certainDepth > 0) guards[i].gap = std::min(guards[i].gap, -guards[i].certainDepth);
     now[i] = {guards[i].id, guards[i].isWhole, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
     scratch.contacts.list().push_back(guards[i]);
   }
@@ -230,6 +243,42 @@ bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, 
 // An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
   return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
+}
+
+bool PairContacts::isAnsweredWithin(float moved, float smallerSize) const {
+  return isAnswered_ && answer_.approach + moved <= kHeldFraction * smallerSize;
+}
+
+bool PairContacts::holds(float moved, float smallerSize) const {
+  if (isAnsweredWithin(moved, smallerSize)) return true;
+  return !guards_.empty() && traversal_.approach + moved <= kHeldFraction * smallerSize;
+}
+
+Contact PairContacts::holdWhole(Contact whole) {
+  const float allowed = allowedGap(whole);
+  const Guard* const last = lastOf(whole);
+  whole.gap -= allowed;
+  const Guard guard{whole.id, true, whole.normal, allowed, std::max(-whole.gap, 0.0F)};
+  if (last)
+    guards_[static_cast<std::size_t>(last - guards_.data())] = guard;
+  else if (guards_.size() < kMaxGuards)
+    guards_.push_back(guard);
+  else
+    guards_.back() = guard;
+  return whole;
+}
+
+void PairContacts::waited(float moved) {
+  answer_.approach += moved;
+  traversal_.approach += moved;
+}
+
+bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
+  return started_ && counterpart.traversal().done() && kept_.holdsAt(now, reach);
+}
+
+std::uint64_t PairContacts::keptCost(const Counterpart& counterpart) const {
+  return kContactCost * (isKept_ ? kept_.near().size() : counterpart.traversal().leafPairs().size());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {

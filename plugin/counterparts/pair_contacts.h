@@ -16,7 +16,8 @@ namespace cairn::bullet {
 
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
-  ClusteredContacts contacts;  ///< of the pair at hand
+  ClusteredContacts contacts;    ///< of the pair at hand
+  std::vector<Contact> cluster;  ///< one of them, as it is measured anew
   std::vector<Contact> guards, wholes;
 };
 
@@ -30,6 +31,8 @@ class PairContacts {
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 32;
 
+  PairContacts() { guards_.reserve(kMaxGuards); }
+
   /// Forgets everything; for a pair that is new.
   void reset();
 
@@ -42,8 +45,8 @@ class PairContacts {
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
-  /// was in contact is measured anew, not what may have come near since.
-  void begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
+  /// was in contact is measured anew, not what may have come near since. True when it was started.
+  bool begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
 
   /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
   std::uint64_t measuringCost(const Counterpart& counterpart) const;
@@ -54,6 +57,22 @@ class PairContacts {
   /// the budget whatever is left of it.
   void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach, Budget& budget,
               ContactScratch& scratch);
+
+  // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
+  // have moved against each other since the last `begin`, at most.
+
+  /// Whether what was last said still keeps them from each other: an answer, or guards.
+  bool holds(float moved, float smallerSize) const;
+  /// Whether it is an answer.
+  bool isAnsweredWithin(float moved, float smallerSize) const;
+  /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
+  Contact holdWhole(Contact whole);
+  /// Before the `begin` that ends the waiting.
+  void waited(float moved);
+  /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about.
+  bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
+  std::uint64_t keptCost(const Counterpart& counterpart) const;
+  bool isKept() const { return isKept_; }
 
   /// Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;

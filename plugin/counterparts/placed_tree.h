@@ -29,6 +29,8 @@ class PlacedTree {
     const Sphere s = tree_->sphere(node);
     return {toPair_ * s.center, s.radius * toPair_.scale};
   }
+  /// Of the ball around the sphere's centre that lies inside the solid; 0 when the centre does not.
+  float innerRadius(NodeId node) const { return tree_->innerRadius(node) * toPair_.scale; }
   /// Whether the node's region lies in one plane, up to what a mesh's rounding does to its normals (5 degrees).
   bool isPlanar(NodeId node) const { return tree_->node(node).normalCone.cosine >= 0.996194698F; }
   /// Whether the node's region consists of flat faces that the tree names, see `SphereTree::isFaceted`.

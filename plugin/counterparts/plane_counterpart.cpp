@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "shape/bullet_math.h"
 
@@ -78,13 +79,41 @@ void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, i
   contacts.push_back(contact);
 }
 
+// What was measured is a point of the mesh and stays: a flat leaf stands on all its corners. The lowest corner of the
+// triangles joins it where it is lower, if it is in the leaf's ball: others see what is beyond.
+bool PlaneCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
+  const SphereTree& tree = tree_.tree();
+  const auto region = tree.regionTriangles(rough.pair.a);
+  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * region.size()))) return false;
+  const Sphere ball = tree_.sphere(rough.pair.a);
+  Contact contact = rough;
+  contact.isExact = true;
+  contacts.push_back(contact);
+  std::optional<Vec3> lowest;
+  for (const std::uint32_t triangle : region)
+    for (const std::uint32_t vertex : tree.triangles()[triangle]) {
+      const Vec3 corner = tree_.toPair() * tree.vertices()[vertex];
+      const float gap = dot(normal_, corner) - offset_ - margin_;
+      if (gap >= contact.gap || distance(corner, ball.center) > ball.radius) continue;
+      contact.gap = gap;
+      lowest = corner;
+    }
+  if (!lowest) return true;
+  contact.position = *lowest - normal_ * (margin_ + 0.5F * contact.gap);
+  contacts.push_back(contact);
+  return true;
+}
+
 Contact PlaneCounterpart::boundingContact(const NodePair& pair) {
   const Sphere s = tree_.sphere(pair.a);
   Contact contact;
   contact.ofSpheres = true;
   contact.pair = pair;
   contact.normal = normal_;
-  contact.gap = dot(normal_, s.center) - offset_ - s.radius - margin_;
+  const float height = dot(normal_, s.center) - offset_;
+  contact.gap = height - s.radius - margin_;
+  if (const float inner = tree_.innerRadius(pair.a); inner > 0)
+    contact.certainDepth = std::max(0.0F, inner - height - kOverlapSlack * (s.radius + std::abs(offset_)));
   contact.position = s.center - normal_ * (s.radius + margin_ + 0.5F * contact.gap);
   contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
   return contact;

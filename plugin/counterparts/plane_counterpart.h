@@ -32,6 +32,7 @@ class PlaneCounterpart final : public Counterpart {
   bool keepsAnswer() const override { return true; }
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 

@@ -152,7 +152,11 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
   contact.ofSpheres = true;
   contact.pair = pair;
   contact.normal = centerLine(a, b);
-  contact.gap = distance(a.center, b.center) - a.radius - b.radius - margins_;
+  const float apart = distance(a.center, b.center);
+  contact.gap = apart - a.radius - b.radius - margins_;
+  const float innerA = a_.innerRadius(pair.a), innerB = b_.innerRadius(pair.b);
+  if (innerA > 0 && innerB > 0)
+    contact.certainDepth = std::max(0.0F, innerA + innerB - apart - kOverlapSlack * (a.radius + b.radius + apart));
   contact.position = b.center + contact.normal * (b.radius + 0.5F * contact.gap);
   name(contact);
   return contact;
@@ -189,6 +193,10 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
   }
   contacts.insert(contacts.end(), wholes_.begin(), wholes_.end());
   return tests;
+}
+
+bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
+  return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
 }
 
 Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) {

@@ -6,6 +6,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
+#include "counterparts/exact_contacts.h"
 #include "counterparts/planar_normal.h"
 
 namespace cairn::bullet {
@@ -26,6 +27,7 @@ class TreeCounterpart final : public Counterpart {
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   void expect(std::span<const Vec3> normals) override;
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) override;
+  bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
@@ -56,6 +58,7 @@ class TreeCounterpart final : public Counterpart {
   PlanarNormal planarNormal_;
   std::array<Vec3, kMaxClusters> expected_;
   std::size_t expectedCount_ = 0;
+  ExactContacts exactContacts_;
 };
 
 }  // namespace cairn::bullet

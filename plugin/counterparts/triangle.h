@@ -25,4 +25,11 @@ struct TrianglePoint {
 /// border.
 TrianglePoint nearestOnTriangle(const Triangle& triangle, const Vec3& p);
 
+/// The points of two triangles that are nearest to each other; some pair of points, neither near nor far, where they
+/// cross. Degenerate triangles are segments or points.
+struct NearestPoints {
+  Vec3 onFirst, onSecond;
+};
+NearestPoints nearestOfTriangles(const Triangle& first, const Triangle& second);
+
 }  // namespace cairn::bullet

@@ -12,6 +12,10 @@ namespace cairn::bullet {
 /// operations and a fixed share for grouping and writing together weigh.
 class EmissionPace {
  public:
+  EmissionPace() = default;
+  /// For work that is known to be quicker or slower: nanoseconds an operation before anything was seen.
+  explicit EmissionPace(double firstPace) : pace_(firstPace) {}
+
   double expectedNanoseconds(std::uint64_t operations) const { return pace_ * weight(operations); }
 
   /// A pair that had been expected to take `expectedNanoseconds` was finished in `time`.

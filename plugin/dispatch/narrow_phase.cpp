@@ -39,6 +39,9 @@ void NarrowPhase::beginFrame(int steps) {
 void NarrowPhase::setUnresolved(Unresolved policy) {
   impl_->setUnresolved(policy);
 }
+void NarrowPhase::setFinest(Finest finest) {
+  impl_->setFinest(finest);
+}
 void NarrowPhase::setPriority(std::unique_ptr<Priority> priority) {
   impl_->setPriority(std::move(priority));
 }

@@ -62,8 +62,10 @@ void NarrowPhase::Impl::retire() {
 
 Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
   const Status status = check(budget, "a step");
-  if (status) budget_ = budget;
-  return status;
+  if (!status) return status;
+  budget_ = budget;
+  if (budget.microseconds) reserve(kReserved);
+  return {};
 }
 
 Status NarrowPhase::Impl::setFrameBudget(const StepBudget& budget) {
@@ -71,6 +73,7 @@ Status NarrowPhase::Impl::setFrameBudget(const StepBudget& budget) {
   if (!status) return status;
   frame_ = FrameBudget(budget);
   hasFrameBudget_ = budget.operations || budget.microseconds;
+  if (budget.microseconds) reserve(kReserved);
   return {};
 }
 
@@ -98,6 +101,21 @@ Status NarrowPhase::Impl::setViewer(const std::optional<Viewer>& viewer) {
   viewer_ = viewer;
   priority_->setViewer(viewer_);
   return {};
+}
+
+void NarrowPhase::Impl::reserve(const std::array<std::size_t, kCounterpartKinds>& pairs) {
+  const std::lock_guard lock(mutex_);
+  std::size_t all = 0;
+  for (std::size_t kind = 0; kind < pairs.size(); ++kind) {
+    all += pairs[kind];
+    idle_[kind].reserve(pairs[kind]);
+    while (idle_[kind].size() < pairs[kind])
+      idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
+  }
+  collected_.reserve(all);
+  newPairs_.reserve(all);
+  scheduled_.reserve(all);
+  plan_.reserve(all);
 }
 
 TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
@@ -145,7 +163,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
-    if (isCollecting_ && pair.settleApart(body0, body1)) {
+    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted())) {
       ++apartPairs_;
       return;
     }
@@ -171,7 +189,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
   pair.refine(budget);
   ContactScratch scratch;  // queries may come from any thread
-  pair.finish(dispatcher_, result, policy_, false, budget, scratch);
+  pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
 }
 
 Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
@@ -184,6 +202,12 @@ bool NarrowPhase::Impl::mayBeInterrupted() const {
   return budget_.operations || budget_.microseconds || hasFrameBudget_;
 }
 
+// While it is in the cache; in an open step, when it comes. But what goes on to triangles first leaves the others what
+// they need to find their leaves.
+bool NarrowPhase::Impl::finishesResolvedAtOnce() const {
+  return stepEnd_ == StepEnd::told && !(finest_ == Finest::triangles && mayBeInterrupted());
+}
+
 void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
@@ -194,12 +218,16 @@ void NarrowPhase::Impl::endStep() {
   reportingPairs_ = 0;
 
   orderPairs();
+  planStep();
+  const auto began = Budget::Clock::now();
+  const std::uint64_t operationsBefore = left_.used();
   beginPairs();
   // However short the time, some turns are given: pairs without an answer would hold each other off for ever.
   if (stepLimit().microseconds.value_or(0) > 0) left_.guarantee(kLeastOperations);
-  scheduler_.run(scheduled_, *priority_, left_, this);
-  for (std::size_t i = 0; i < collected_.size(); ++i)
-    if (collected_[i]) finishPair(i);
+  refinePairs();
+  finishBegunPairs();
+  learnUpdates(operationsBefore, began);
+  holdPairs();
   isAnswering_ = false;
   adoptPriority();
   learnFromStep();
@@ -215,6 +243,8 @@ void NarrowPhase::Impl::endStep() {
 
 void NarrowPhase::Impl::learnFromStep() {
   pace_.endStep();
+  updatePace_.endStep();
+  holdingPace_.endStep();
   isScarce_ = statistics_.unresolvedPairs > 0;
   ++step_;
 }
@@ -231,31 +261,51 @@ void NarrowPhase::Impl::orderPairs() {
   }
 }
 
-// What is resolved already is finished at once, while it is in the cache (in an open step, when it comes). From here on
-// a user's callbacks may destroy any pair that is not finished.
+// From here on a user's callbacks may destroy any pair that is not finished.
 void NarrowPhase::Impl::beginPairs() {
+  updated_ = 0;
+  bookedUntil_ = left_.used();
+  if (plan_.isScarce()) {
+    for (const std::size_t i : plan_.chosen())
+      if (collected_[i]) beginPair(i);
+    return;
+  }
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i]) beginPair(i);
 }
 
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
+  if (pair.isSettled()) return;
   // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
-  const bool isThrifty = isScarce_ && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
+  const bool isThrifty =
+      isScarce_ && !plan_.isScarce() && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
+  ++updated_;
   // Without a limit nobody has to wait for a turn.
   if (!mayBeInterrupted()) pair.refine(left_);
   pair.promise(left_, pace_);
-  if (pair.isDone() && stepEnd_ == StepEnd::told) return finishPair(index);
+  if (pair.isDone() && finishesResolvedAtOnce()) return finishPair(index);
+  bookTo(pair, left_);
   scheduled_[index] = pair.scheduled();
+}
+
+void NarrowPhase::Impl::bookTo(TreePair& pair, const Budget& budget) {
+  // In an open step a pair that is done is finished later, from another budget.
+  const bool isFinishedLater = stepEnd_ == StepEnd::open && pair.isDone();
+  const std::uint64_t later = isFinishedLater ? pair.promised().operations : 0;
+  if (const std::uint64_t whole = pair.charged(budget.used() - bookedUntil_ + later); whole > 0)
+    usualOperations_ += kLearning * (static_cast<double>(whole) - usualOperations_);
+  bookedUntil_ = budget.used();
 }
 
 void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& budget) {
   TreePair* const pair = collected_[index];
   if (!pair) return;
   pair->promise(budget, pace_);
-  if (progress == Progress::done && stepEnd_ == StepEnd::told) finishPair(index);
+  bookTo(*pair, budget);
+  if (progress == Progress::done && finishesResolvedAtOnce()) finishPair(index);
 }
 
 void NarrowPhase::Impl::finishPair(std::size_t index) {
@@ -265,8 +315,11 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.body0(), &pair.body1());
   const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), left_, scratch_), seen);
-  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began);
+  const PairReport report = pair.finish(dispatcher_, result, answerPolicy(), left_, scratch_);
+  count(report, seen);
+  // Triangles take what is left: were they expected, they would keep others from their leaves.
+  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began - report.onTriangles);
+  if (collected_[index]) bookTo(pair, left_);
   dismiss(index);
 }
 
@@ -290,6 +343,7 @@ void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pai
   const double seen = viewer_ ? seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size) : 0;
   statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
   statistics_.contacts += report.contacts;
+  statistics_.exactContacts += report.exactContacts;
   statistics_.manifolds += report.manifolds;
   statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
   statistics_.worstSeenError = std::max(statistics_.worstSeenError, seen);

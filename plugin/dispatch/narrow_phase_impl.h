@@ -14,6 +14,7 @@
 #include "dispatch/create_functions.h"
 #include "dispatch/emission_pace.h"
 #include "dispatch/open_step.h"
+#include "dispatch/step_plan.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/tree_pair.h"
 #include "dispatch/world_hook.h"
@@ -38,6 +39,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Status setFrameBudget(const StepBudget& budget);
   void beginFrame(int steps);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
+  void setFinest(Finest finest) { finest_ = finest; }
   void setPriority(std::unique_ptr<Priority> priority);
   Status setViewer(const std::optional<Viewer>& viewer);
   const StepStatistics& lastStep() const { return statistics_; }
@@ -45,6 +47,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 
+  /// Makes as many idle pairs of each kind as these, if there are fewer: the first step of a scene would otherwise take
+  /// most of its time for memory.
+  void reserve(const std::array<std::size_t, kCounterpartKinds>& pairs);
   /// Pair states are pooled and never freed before this is: a pair that comes back costs no allocation.
   TreePair* acquire(CounterpartKind kind);
   void release(TreePair* pair);
@@ -60,13 +65,24 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   StepBudget stepLimit() const { return tighter(budget_, frame_.share()); }
   static Budget budgetOf(const StepBudget& limit);
   bool mayBeInterrupted() const;
+  AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
+  bool finishesResolvedAtOnce() const;
   bool isWorlds(btOverlappingPairCache& pairs);
   void orderPairs();
   void nameNewPairs();
+  StepMeans means() const;
+  void planStep();
+  void refinePairs();
+  Progress serveAlone(std::size_t index);
+  void promiseHolding();
+  void holdPairs();
+  void finishBegunPairs();
+  void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
+  void bookTo(TreePair& pair, const Budget& budget);
   void learnFromStep();
   void adoptPriority();
   void dismiss(std::size_t index);
@@ -92,9 +108,16 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Budget left_ = Budget::unlimited();  // of the current step's
   Budget::Clock::time_point began_;    // when the current step did
   EmissionPace pace_;
+  EmissionPace updatePace_;              // of all that is done for a pair that is not held
+  EmissionPace holdingPace_{kHoldPace};  // of one that is
+  StepPlan plan_;
+  Promise holding_;                // held back for those the plan holds
+  double usualOperations_ = 300;   // that a pair is resolved with, from its start
+  std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
   FrameBudget frame_;
   bool hasFrameBudget_ = false;
   Unresolved policy_ = Unresolved::guard;
+  Finest finest_ = Finest::leaves;
   std::unique_ptr<Priority> priority_, nextPriority_;
   std::optional<Viewer> viewer_;
   Scheduler scheduler_;
@@ -102,11 +125,18 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   double errorSum_ = 0, seenSum_ = 0;
   std::uint32_t reportingPairs_ = 0;
 
-  // About ten microseconds, contacts included.
-  static constexpr std::uint64_t kLeastOperations = 640;
+  // Two turns, contacts included about three microseconds.
+  static constexpr std::uint64_t kLeastOperations = 160;
+  // 150 nanoseconds for a pair, until it is known better.
+  static constexpr double kHoldPace = 5;
+  static constexpr double kLearning = 1.0 / 16;
+  static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
+  // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles.
+  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 96, 32, 32};
   static constexpr std::uint64_t kStepsOfThrift = 4;
-  bool isScarce_ = false;   // the last step left pairs unresolved
-  std::uint64_t step_ = 0;  // that were collected
+  std::uint32_t updated_ = 0;  // pairs begun in this step
+  bool isScarce_ = false;      // the last step left pairs unresolved
+  std::uint64_t step_ = 0;     // that were collected
 
   bool isCollecting_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
@@ -128,7 +158,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
   OpenStep open_;
-  StepBudget openLeft_;  // for refinement in the open step at hand
+  StepBudget openLeft_;  // for refinement in the open step at hand, triangles included
+  Promise openHeld_;     // of it, for pairs that have still to come: their contacts, and newcomers
   std::optional<WorldHook> hook_;
   std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
 };

@@ -25,7 +25,7 @@ class OpenStep {
   /// A new step; appends the pairs to expect in it to `expected`, taken to where their bodies are now. Those that are
   /// asleep wait for another step; those whose shapes have changed are no longer known.
   void begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& expected);
-  /// The pair was answered, expected or not; it is known from now on.
+  /// The pair was answered, expected (or apart, which costs nothing) or not; it is known from now on.
   void answered(TreePair& pair, bool wasExpected);
   /// No longer known: destroyed, or expected and not come.
   void forget(TreePair& pair);
@@ -36,6 +36,8 @@ class OpenStep {
  private:
   // Pairs of this step whose bodies are watched: one that moved tells of a new step.
   static constexpr std::size_t kMaxWitnesses = 8;
+  // What a newcomer takes, in expected pairs.
+  static constexpr double kNewcomersWeight = 3;
   // Kept when the step before had no newcomers.
   static constexpr double kQuietReserve = 1.0 / 64;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "dispatch/narrow_phase_impl.h"
 
@@ -59,17 +60,35 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  open_.answered(pair, wasExpected);
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted());
+  open_.answered(pair, wasExpected || pair.isSettled());
+  if (pair.isSettled()) {
+    ++statistics_.pairs;
+    return true;
+  }
   if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;
 
   const auto began = Budget::Clock::now();
   Budget budget = budgetOf(openLeft_);
+  budget.promise(openHeld_);  // triangles leave the others what they need to be answered
+  const Promise own = pair.promised();
+  openHeld_.operations -= own.operations;
+  openHeld_.nanoseconds -= own.nanoseconds;
   ++statistics_.pairs;
-  const ScheduledPair seen = pair.scheduled();
-  count(pair.finish(dispatcher_, result, policy_, mayBeInterrupted(), budget, scratch_), seen);
+  if (!pair.isBetterHeld()) {
+    const ScheduledPair seen = pair.scheduled();
+    count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
+  } else {
+    budget.chargeAnyway(StepPlan::kHoldingCost);
+    const PairReport report = pair.hold(dispatcher_, result);
+    count(report, pair.seenHeld());
+  }
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
-  book(budget, began);
+  if (finest_ == Finest::triangles)
+    bookRefinement(budget, began);
+  else
+    book(budget, began);
   return true;
 }
 
@@ -84,16 +103,30 @@ void NarrowPhase::Impl::beginOpenStep() {
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
-  left_ = budgetOf(fractionOf(openLeft_, 1 - open_.reserve(collected_.size())));
+  const bool alsoFromPlanes = mayBeInterrupted();
+  const auto near = std::ranges::count_if(
+      collected_, [&](TreePair* pair) { return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes); });
+  const double reserve = open_.reserve(static_cast<std::size_t>(near));
+  left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
   scheduled_.clear();
   orderPairs();
+  planStep();
+  const auto planned = Budget::Clock::now();
+  const std::uint64_t operationsBefore = left_.used();
   beginPairs();
   statistics_.pairs = 0;
-  scheduler_.run(scheduled_, *priority_, left_, this);
-  // What was held back is left for the pairs as they come.
-  for (TreePair* pair : collected_)
-    if (pair) pair->withdrawPromise(left_);
+  refinePairs();
+  learnUpdates(operationsBefore, planned);
+  left_.redeem(std::exchange(holding_, {}));
   bookRefinement(left_, began);
+  // What was held back is left for the pairs as they come.
+  const StepBudget kept = fractionOf(stepLimit(), reserve);
+  openHeld_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
+  for (const TreePair* pair : collected_)
+    if (pair) {
+      openHeld_.operations += pair->promised().operations;
+      openHeld_.nanoseconds += pair->promised().nanoseconds;
+    }
 }
 
 void NarrowPhase::Impl::endOpenStep() {

@@ -1,12 +1,40 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-class btCollisionObjectWrapper;
+#include <LinearMath/btVector3.h>
+
+#include <optional>
+
+#include "contacts/contact.h"
+
+struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
-/// Whether the spheres around two whole trees are certainly too far apart for any contact, the speculative distance
-/// included: then nothing else has to be looked at. False as well when either shape is no sphere-tree.
-bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+/// The spheres around two whole sphere-trees, margins included; world axes, origin at the first body's.
+struct RootSpheres {
+  /// How many times larger than the other a sphere may be for their contact to say anything about the bodies.
+  static constexpr btScalar kMostUnlike = 2;
+
+  btVector3 centerA, centerB;
+  btScalar radiusA = 0, radiusB = 0;
+  btScalar lengths = 0;  ///< of what the centres were computed from, for rounding
+
+  /// Whether they are so far apart that nothing can be within `reach` (world length), rounding included.
+  bool areApart(btScalar reach) const;
+  /// Whether neither is much larger than the other.
+  bool areAlike() const;
+  /// As a contact of the whole bodies; the pair frame is the spheres'.
+  Contact contact() const;
+};
+
+/// Whether the spheres around two whole trees, or one such sphere and a static plane, are certainly too far apart for
+/// any contact, the speculative distance included: then nothing else has to be looked at. `roots`: those of two trees.
+/// Precondition: one of the shapes is a sphere-tree.
+bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                   const std::optional<RootSpheres>& roots);
+
+/// Nothing unless both shapes are sphere-trees. Cheap.
+std::optional<RootSpheres> rootSpheres(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
 
 }  // namespace cairn::bullet

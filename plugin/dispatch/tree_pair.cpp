@@ -12,7 +12,6 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/manifold_writer.h"
-#include "dispatch/root_spheres.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -23,8 +22,6 @@ namespace {
 constexpr float kBreakingFactor = 1.01F;
 // Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
 constexpr float kSeparationFactor = 1.5F;
-// How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
-constexpr float kInheritanceFraction = 0.02F;
 
 std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
   const btBroadphaseProxy* proxy = body.getCollisionObject()->getBroadphaseHandle();
@@ -52,14 +49,6 @@ const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
   return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
 }
 
-RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree, const btTransform& other) {
-  RelativePlacement placement;
-  placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
-  placement.treeInOther.setOrigin((tree.getOrigin() - other.getOrigin()) * other.getBasis());
-  shape.getBoundingSphere(placement.center, placement.radius);
-  return placement;
-}
-
 Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   const btTransform fromTree = body * shape.bodyFromTree();
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
@@ -67,27 +56,51 @@ Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
 
 }  // namespace
 
+RelativePlacement TreePair::relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
+                                              const btTransform& other) {
+  RelativePlacement placement;
+  placement.treeInOther.setBasis(other.getBasis().transposeTimes(tree.getBasis()));
+  placement.treeInOther.setOrigin((tree.getOrigin() - other.getOrigin()) * other.getBasis());
+  shape.getBoundingSphere(placement.center, placement.radius);
+  return placement;
+}
+
 void TreePair::reset() {
   contacts_.reset();
   counterpart_->reset();
   subject_ = {};
   promised_ = {};
+  roots_.reset();
+  forgetWaiting();
   id_ = kUnnamed;
   collectedAt_ = kNotCollected;
   knownAt_ = kUnknown;
   answeredIn_ = 0;
 }
 
-bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                           bool alsoFromPlanes) {
   if (!stillApart(body0, body1)) {
-    if (!areRootsApart(body0, body1)) return false;
-    treeIsBody0_ = true;
-    adopt(asSphereTree(body0.getCollisionShape()), *body1.getCollisionShape());
-    contacts_.settleApart(toVec3(body0.getCollisionObject()->getWorldTransform().getOrigin() -
-                                 body1.getCollisionObject()->getWorldTransform().getOrigin()));
+    roots_ = rootSpheres(body0, body1);
+    if ((!roots_ && !alsoFromPlanes) || !areRootsApart(body0, body1, roots_)) return false;
+    const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
+    treeIsBody0_ = first != nullptr;
+    const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
+    adopt(asSphereTree(treeBody.getCollisionShape()), *otherBody.getCollisionShape());
+    forgetWaiting();
+    contacts_.settleApart(toVec3(treeBody.getCollisionObject()->getWorldTransform().getOrigin() -
+                                 otherBody.getCollisionObject()->getWorldTransform().getOrigin()));
   }
   clearManifolds();  // a guard may have been left
-  return true;
+  return isSettled_ = true;
+}
+
+void TreePair::forgetWaiting() {
+  isPlaced_ = isHeld_ = false;
+  waited_ = heldError_ = 0;
+  moved_ = 0;
+  wholeAt_ = -1;
+  spent_ = fullOperations_ = 0;
 }
 
 bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
@@ -102,6 +115,7 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+  isBegun_ = isSettled_ = isHoldingStill_ = false;
   return bodies_[0].take(body0) && bodies_[1].take(body1);
 }
 
@@ -120,11 +134,23 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   if (!adopt(first ? first : asSphereTree(body1.getCollisionShape()), *otherBody.getCollisionShape())) return false;
   objects_[0] = body0.getCollisionObject();
   objects_[1] = body1.getCollisionObject();
+  if (isHeld_) tellOfWaiting(treeBody, otherBody);
+  isPlaced_ = isBegun_ = true;
+  moved_ = 0;
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
   counterpart_->place(placement_);
-  contacts_.begin(*counterpart_, motion_, isThrifty, budget);
+  if (contacts_.begin(*counterpart_, motion_, isThrifty, budget)) spent_ = 0;
   return true;
+}
+
+void TreePair::tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody) {
+  const SphereTreeShape& tree = *asSphereTree(treeBody.getCollisionShape());
+  const RelativePlacement now = relativePlacement(tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+  const auto moved = static_cast<float>(now.displacementSince(motion_.placement));
+  contacts_.waited(moved);
+  heldError_ += double(moved / smallerSize_);
+  isHeld_ = false;
 }
 
 bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other) {
@@ -172,6 +198,7 @@ bool TreePair::isSubject(const SphereTreeShape& tree, const SphereTreeShape* oth
 
 void TreePair::forget() {
   contacts_.reset();
+  forgetWaiting();
   counterpart_->reset();
   subject_ = {};
   clearManifolds();
@@ -194,12 +221,18 @@ void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollision
   placement_.otherShape = otherBody.getCollisionShape();
   placement_.other = otherBody.getWorldTransform();
   placement_.other.getOrigin() -= origin_;
-  const float treeSize = static_cast<float>(shape->size());
-  const float otherSize = counterpart_->size(*placement_.otherShape);
-  smallerSize_ = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;  // a point has no size to speak of
+  setSizes(*shape, *placement_.otherShape, threshold);
+  center_ = smallerCenter(treeIsSmaller_);
+}
+
+// A point has no size to speak of.
+void TreePair::setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold) {
+  const float treeSize = static_cast<float>(tree.size());
+  const float otherSize = counterpart_->size(other);
+  smallerSize_ = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;
   speculative_ = static_cast<float>(kSpeculativeFraction) * smallerSize_;
   placement_.reach = speculative_ + static_cast<float>(threshold);
-  center_ = smallerCenter(!(otherSize > 0 && otherSize < treeSize));
+  treeIsSmaller_ = !(otherSize > 0 && otherSize < treeSize);
 }
 
 Vec3d TreePair::smallerCenter(bool treeIsSmaller) const {
@@ -249,23 +282,51 @@ btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) 
   return m;
 }
 
-void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, ContactScratch& scratch,
-                            PairReport& report) {
-  const std::span<Contact> members = scratch.contacts.cluster(k);
+// The contacts that would be chosen are measured between source triangles, and what comes of it is chosen from again,
+// until all that are chosen are settled. Triangles are never deeper than their regions (up to what sixteen support
+// points leave out), so nothing deeper is left behind, and most contacts never have to be looked at. The first that the
+// budget does not cover ends it: what is left when time is up must cost next to nothing.
+std::span<Contact> TreePair::goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held,
+                                             Budget& budget, ContactScratch& scratch) const {
+  std::vector<Contact>& members = scratch.cluster;
+  members.assign(cluster.begin(), cluster.end());
+  const auto isOpen = [](const Contact& c) { return !c.isSettled && !c.ofSpheres; };
+  while (true) {
+    const ContactChoice choice = chooseContacts(members, held, kSeparationFactor * speculative_, speculative_);
+    const auto chosen = std::span(choice.index).first(static_cast<std::size_t>(choice.count));
+    const auto open = std::ranges::find_if(chosen, [&](int i) { return isOpen(members[static_cast<std::size_t>(i)]); });
+    if (open == chosen.end()) return members;
+    Contact rough = members[static_cast<std::size_t>(*open)];
+    rough.isSettled = true;
+    if (!counterpart_->sharpen(rough, budget, members)) return members;
+    members.erase(members.begin() + *open);
+    std::sort(members.begin(), members.end(), deeper);
+  }
+}
+
+void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
+                            ContactScratch& scratch, PairReport& report) {
+  std::span<Contact> members = scratch.contacts.cluster(k);
   const bool isHeld = manifolds_[static_cast<std::size_t>(k)] != nullptr;
   if (members.empty() && !isHeld) return;
   btPersistentManifold* const m = manifold(dispatcher, k);
   if (!m) return;
   ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
   const HeldContacts held = writer.held(*m);
+  if (finest == Finest::triangles) {
+    const auto began = budget.hasDeadline() ? Budget::Clock::now() : Budget::Clock::time_point();
+    members = goOnToTriangles(members, held.span(), budget, scratch);
+    if (budget.hasDeadline()) report.onTriangles += Budget::Clock::now() - began;
+  }
   const ContactChoice choice = chooseContacts(members, held.span(), kSeparationFactor * speculative_, speculative_);
   writer.write(*m, members, choice);
 
   for (int i = 0; i < choice.count; ++i) {
     const Contact& chosen = members[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])];
     contacts_.remember(chosen);
-    const double error = double(counterpart_->traversal().pairError(chosen.pair)) / double(smallerSize_);
-    report.errorFraction = std::max(report.errorFraction, error);
+    const float error = chosen.isExact ? 0 : counterpart_->traversal().pairError(chosen.pair);
+    report.errorFraction = std::max(report.errorFraction, double(error) / double(smallerSize_));
+    report.exactContacts += chosen.isExact ? 1 : 0;
   }
   report.contacts += static_cast<std::uint32_t>(choice.count);
   report.manifolds += choice.count > 0 ? 1 : 0;
@@ -278,15 +339,18 @@ void TreePair::promise(Budget& budget, const EmissionPace& pace) {
   budget.promise(promised_);
 }
 
-PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy,
-                            bool mayBeInterrupted, Budget& budget, ContactScratch& scratch) {
+PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy,
+                            Budget& budget, ContactScratch& scratch) {
   budget.redeem(std::exchange(promised_, {}));
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy, motion_, placement_.reach, budget, scratch);
-  for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, scratch, report);
-  if (mayBeInterrupted) contacts_.rememberDeepest(scratch);
+  contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, budget, scratch);
+  for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
+  if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
+  heldError_ = report.errorFraction;
+  if (!report.isUnresolved) waited_ = 0;
+  wholeAt_ = -1;
   return report;
 }
 

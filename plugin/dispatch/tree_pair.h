@@ -7,6 +7,7 @@
 #include <array>
 #include <compare>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
@@ -15,6 +16,8 @@
 #include "counterparts/pair_contacts.h"
 #include "dispatch/body_snapshot.h"
 #include "dispatch/emission_pace.h"
+#include "dispatch/root_spheres.h"
+#include "dispatch/step_plan.h"
 
 class btDispatcher;
 
@@ -23,9 +26,18 @@ namespace cairn::bullet {
 /// What one pair contributes to the statistics of a step.
 struct PairReport {
   std::uint32_t contacts = 0;
+  std::uint32_t exactContacts = 0;  ///< of these, measured between source triangles
   std::uint32_t manifolds = 0;
   bool isUnresolved = false;
   double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
+  Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
+};
+
+/// How pairs answer in a step.
+struct AnswerPolicy {
+  Unresolved unresolved = Unresolved::guard;
+  Finest finest = Finest::leaves;
+  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
 };
 
 /// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
@@ -50,13 +62,17 @@ class TreePair {
 
   /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
   /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
-  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  /// `alsoFromPlanes`: whether the sphere of a body above a plane is looked at as well. Where nothing is interrupted a
+  /// traversal says it once for many steps, and pairs keep the order they always had.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes);
+  /// Whether `settleApart` said so for the copies last taken.
+  bool isSettled() const { return isSettled_; }
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
   /// their shapes have changed), tells whether they are elsewhere, and whether they are these. Precondition: `collect`
   /// succeeded; for the first two, the bodies live.
-  bool follow() { return bodies_[0].follow() && bodies_[1].follow(); }
+  bool follow();
   bool hasMoved() const { return bodies_[0].hasMoved() || bodies_[1].hasMoved(); }
   bool isOf(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
     return bodies_[0].isOf(body0) && bodies_[1].isOf(body1);
@@ -82,10 +98,26 @@ class TreePair {
   /// Holds back what finishing the pair would take now, in place of what was held back for it before.
   void promise(Budget& budget, const EmissionPace& pace);
   void withdrawPromise(Budget& budget) { budget.redeem(std::exchange(promised_, {})); }
-  /// Brings the manifolds up to date through `result`, and redeems the promise. `mayBeInterrupted`: whether the next
-  /// step can stop half-way.
-  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, Unresolved policy, bool mayBeInterrupted,
-                    Budget& budget, ContactScratch& scratch);
+  /// Brings the manifolds up to date through `result`, and redeems the promise.
+  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy, Budget& budget,
+                    ContactScratch& scratch);
+
+  /// What the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
+  /// `usualOperations`: what pairs were resolved with lately.
+  PairNeed survey(std::uint64_t usualOperations);
+  /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
+  /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
+  /// `isBetterHeld`.
+  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result);
+  /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
+  ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
+  /// So much was charged for the pair, in this step or one before.
+  std::uint64_t charged(std::uint64_t operations);
+  /// Whether `begin` was called since it was collected.
+  bool isBegun() const { return isBegun_; }
+  /// Whether what it said last serves better than what was resolved in this step: it is to be held, begun or not.
+  /// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
+  bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone()); }
 
   void appendManifolds(btManifoldArray& manifolds) const;
   void releaseManifolds(btDispatcher& dispatcher);
@@ -121,19 +153,34 @@ class TreePair {
     btScalar planeConstant = 0;
   };
 
+  std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
+  void beginHeld();
+  void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
+  PairReport reportHeld(bool isWhole) const;
+  double rootErrorFraction() const;
+  static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
+                                             const btTransform& other);
+  // How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
+  static constexpr float kInheritanceFraction = 0.02F;
+
+  void forgetWaiting();
+  void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);
   void clearManifolds();
   bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
   bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
+  void setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold);
   // Where the smaller body is, in the world: the middle of its root sphere, or the origin of a shape that is no tree.
   Vec3d smallerCenter(bool treeIsSmaller) const;
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
-  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, ContactScratch& scratch,
-                    PairReport& report);
+  std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
+                                     ContactScratch& scratch) const;
+  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
+                    ContactScratch& scratch, PairReport& report);
 
   CounterpartKind kind_;
   std::unique_ptr<Counterpart> counterpart_;
@@ -148,11 +195,26 @@ class TreePair {
   PairPlacement placement_;
   RelativeMotion motion_;
   float smallerSize_ = 0;
+  bool treeIsSmaller_ = true;
   float speculative_ = 0;
   float closingSpeed_ = 0;
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame
   Promise promised_;
+
+  // For steps in which the pair has to wait.
+  std::optional<RootSpheres> roots_;  // of this step
+  bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
+  bool isSettled_ = false;            // in this step
+  bool isBegun_ = false;              // in this step
+  bool isHeld_ = false;               // in the step before
+  bool isHoldingStill_ = false;       // what was said last suffices
+  float moved_ = 0;                   // world length, by which the bodies moved since it was begun
+  double waited_ = 0;                 // steps
+  double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
+  int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies
+  std::uint64_t spent_ = 0;           // operations, on the traversal at hand
+  std::uint64_t fullOperations_ = 0;  // that the last complete one took
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;
   std::size_t knownAt_ = kUnknown;

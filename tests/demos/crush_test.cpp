@@ -10,11 +10,13 @@
 #include "distance_oracle.h"
 #include "scene_trees.h"
 #include "scenes/truth/placed_body.h"
+#include "shape_names.h"
 
 namespace cairn::scenes {
 namespace {
 
-constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::gimpact, ShapeKind::hull, ShapeKind::spheres};
+constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact,
+                                          ShapeKind::hull, ShapeKind::spheres};
 
 const Model& rock() {
   static const Model model = makeModel(test::smallRockTree(), 1.0);
@@ -109,8 +111,7 @@ TEST_P(CrushOfShape, ComesApartAndSaysWhen) {
   for (std::size_t i = first; i < course.worstPenetration.size(); ++i)
     EXPECT_LT(course.worstPenetration[i], kResolvedFraction);
 }
-INSTANTIATE_TEST_SUITE_P(Crush, CrushOfShape, ::testing::ValuesIn(kSimulatedShapes),
-                         [](const auto& shape) { return std::string(shapeName(shape.param)); });
+INSTANTIATE_TEST_SUITE_P(Crush, CrushOfShape, ::testing::ValuesIn(kSimulatedShapes), test::shapeTestName);
 
 TEST(Crush_EmptyStep, CostsLessThanTheCrush) {
   const CrushStart start = startOf(8);

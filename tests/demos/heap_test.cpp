@@ -10,11 +10,13 @@
 #include "scene_trees.h"
 #include "scenes/heap/heap_report_json.h"
 #include "scenes/heap/heap_run.h"
+#include "shape_names.h"
 
 namespace cairn::scenes {
 namespace {
 
-constexpr ShapeKind kAllShapes[] = {ShapeKind::tree, ShapeKind::gimpact, ShapeKind::hull, ShapeKind::spheres};
+constexpr ShapeKind kAllShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact, ShapeKind::hull,
+                                    ShapeKind::spheres};
 
 HeapOptions heapOf(std::uint32_t bodies) {
   HeapOptions options;
@@ -94,10 +96,9 @@ TEST_P(HeapOfShape, SettlesInThePit) {
   // Spheres of a coarse level are fat; the others must keep the meshes apart to a few per cent.
   EXPECT_LT(report.end.depth.max, 0.05);
   EXPECT_LT(report.end.pitDepth.max, 0.05);
-  EXPECT_EQ(report.cost.tree.has_value(), GetParam() == ShapeKind::tree);
+  EXPECT_EQ(report.cost.tree.has_value(), isSphereTree(GetParam()));
 }
-INSTANTIATE_TEST_SUITE_P(Heap, HeapOfShape, ::testing::ValuesIn(kAllShapes),
-                         [](const auto& shape) { return std::string(shapeName(shape.param)); });
+INSTANTIATE_TEST_SUITE_P(Heap, HeapOfShape, ::testing::ValuesIn(kAllShapes), test::shapeTestName);
 
 TEST_P(HeapOfShape, PressesOnTheGroundWithItsWeightEvenAsleep) {
   auto heap = makeHeap(GetParam(), heapOf(1));

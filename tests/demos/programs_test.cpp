@@ -43,7 +43,8 @@ TEST_P(ProgramsWrongUsage, IsOneSentenceAndExitCodeTwo) {
 INSTANTIATE_TEST_SUITE_P(
     Demos, ProgramsWrongUsage,
     ::testing::Values(
-        WrongUsage{"frame_budget", "--shape triangle", "use tree, gimpact, hull, spheres, compound or fcl"},
+        WrongUsage{"frame_budget", "--shape triangle",
+                   "use tree, tree+triangles, gimpact, hull, spheres, compound or fcl"},
         WrongUsage{"frame_budget", "--shape tree,", "there is no shape ''"},
         WrongUsage{"frame_budget", "--scene rockfall", "use heap, crush or converge"},
         WrongUsage{"frame_budget", "--shape tree,fcl", "use it with --scene converge"},

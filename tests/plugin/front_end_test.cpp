@@ -17,13 +17,13 @@ struct Pile {
   BulletWorld<FrontEnd> w;
   std::vector<btRigidBody*> bodies;
 
-  explicit Pile(std::optional<std::int64_t> operations, int count = 16) {
+  explicit Pile(std::optional<std::int64_t> operations, int count = 16, std::uint32_t trianglesPerLeaf = 2) {
     EXPECT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
     w.addGround();
     for (const btVector3& n : {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 1, 0), btVector3(0, -1, 0)})
       w.add(std::make_shared<btStaticPlaneShape>(n, btScalar(-0.7)), 0, btVector3(0, 0, 0));
-    const auto round = plainTree(ball(0.3, 6));
-    const auto square = plainTree(cuboid({0.5, 0.4, 0.3}, 3));
+    const auto round = plainTree(ball(0.3, 6), trianglesPerLeaf);
+    const auto square = plainTree(cuboid({0.5, 0.4, 0.3}, 3), trianglesPerLeaf);
     for (int i = 0; i < count; ++i) add(i % 3 ? round : square, i);
   }
   void add(const std::shared_ptr<const SphereTree>& tree, int i) {
@@ -66,6 +66,26 @@ TYPED_TEST(FrontEnd_Budget, OfOperationsIsKeptWhileBodiesAndPairsComeAndGo) {
   }
   EXPECT_GT(peak, 2U * kOperations * 6) << "the limit never bit: the test shows nothing";
   limited.expectNobodyLost();
+}
+
+// Pairs that nobody expected measure what an eighth of the budget each found on top of it: five operations for one.
+TYPED_TEST(FrontEnd_Budget, OfOperationsIsKeptByTriangles) {
+  constexpr std::int64_t kOperations = 10000;
+  Pile<TypeParam> pile(kOperations, 16, 8);
+  pile.w.dispatcher.setFinest(bullet::Finest::triangles);
+  std::uint32_t exact = 0, rough = 0;
+  for (int i = 0; i < 240; ++i) {
+    pile.w.step();
+    const auto& s = pile.w.dispatcher.lastStep();
+    EXPECT_LE(s.operations,
+              static_cast<std::uint64_t>(kOperations) * 13 / 8 + s.unresolvedPairs * (32U * 5U + 193U * 3U))
+        << "step " << i;
+    exact += s.exactContacts;
+    rough += s.contacts - s.exactContacts;
+  }
+  EXPECT_GT(exact, 0U) << "nothing went on to triangles: the test shows nothing";
+  EXPECT_GT(rough, 0U) << "the limit never bit: the test shows nothing";
+  pile.expectNobodyLost();
 }
 
 TYPED_TEST(FrontEnd_Budget, OfNothingOrLittleLosesNobody) {

@@ -99,5 +99,52 @@ TEST(Guards_OnAWideTree, HoldASmallBodyAnywhereWithBoundedWork) {
         }
 }
 
+// A ball whose nodes say how much of them is inside: the root's centre is, as deep as the faces are near.
+std::shared_ptr<const SphereTree> solidBall(double radius, bool knowsItsInside) {
+  SphereTreeData data = PlainTreeBuilder(ball(radius, 6), 2).build();
+  float inner = data.nodes[0].radius;
+  for (const auto& t : data.triangles) {
+    const Vec3 a = data.vertices[t[0]], b = data.vertices[t[1]], c = data.vertices[t[2]];
+    inner = std::min(inner, std::abs(dot(normalized(cross(b - a, c - a)), a - data.nodes[0].center)));
+  }
+  if (knowsItsInside) data.nodes[0].innerRadius = inner;
+  return std::make_shared<const SphereTree>(SphereTree::create(std::move(data)).value());
+}
+
+// Without any budget: how far apart two balls are that start half in each other, after two seconds.
+btScalar apartWithoutBudget(bool knowsItsInside) {
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  EXPECT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+  const auto tree = solidBall(0.5, knowsItsInside);
+  const btRigidBody& first = w.add(treeShape(tree), 1, btVector3(0, 0, 0));
+  const btRigidBody& second = w.add(treeShape(tree), 1, btVector3(btScalar(0.5), 0, 0));
+  w.step(120);
+  EXPECT_TRUE(isSane(first) && isSane(second));
+  EXPECT_LT(second.getLinearVelocity().length(), 5);
+  return (second.getWorldTransform().getOrigin() - first.getWorldTransform().getOrigin()).length();
+}
+
+// What certainly overlaps comes apart without a single operation of refinement; what only may overlap is held.
+TEST(Guards_OfBallsInsideBothBodies, PushThemApart) {
+  const float inner = solidBall(0.5, true)->innerRadius(kRootNode);
+  ASSERT_GT(inner, 0.4F);
+  // Bullet leaves a fifth of the depth per step, and half a millimetre of slop.
+  EXPECT_GT(apartWithoutBudget(true), 2 * btScalar(inner) - btScalar(0.01));
+  EXPECT_NEAR(apartWithoutBudget(false), 0.5, 0.01);
+}
+
+TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
+  for (const bool knows : {true, false}) {
+    BulletWorld<> w;
+    w.addGround();
+    EXPECT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+    const btRigidBody& body = w.add(treeShape(solidBall(0.5, knows)), 1, btVector3(0, 0, btScalar(0.1)));
+    w.step(240);
+    EXPECT_EQ(body.getWorldTransform().getOrigin().z() > btScalar(0.4), knows);
+    EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.08);
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test

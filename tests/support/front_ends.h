@@ -21,6 +21,7 @@ class StockDispatcher : public btCollisionDispatcher {
   Status setFrameBudget(const bullet::StepBudget& budget) { return installed->setFrameBudget(budget); }
   void beginFrame(int steps) { installed->beginFrame(steps); }
   void setUnresolved(bullet::Unresolved policy) { installed->setUnresolved(policy); }
+  void setFinest(bullet::Finest finest) { installed->setFinest(finest); }
   void setPriority(std::unique_ptr<Priority> priority) { installed->setPriority(std::move(priority)); }
   const bullet::StepStatistics& lastStep() const { return installed->lastStep(); }
 

@@ -39,6 +39,8 @@ const char* shapeName(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::tree:
       return "tree";
+    case ShapeKind::treeTriangles:
+      return "tree+triangles";
     case ShapeKind::gimpact:
       return "gimpact";
     case ShapeKind::hull:
@@ -56,7 +58,8 @@ const char* shapeName(ShapeKind kind) {
 Result<ShapeKind> parseShape(std::string_view name) {
   for (const ShapeKind kind : kShapeKinds)
     if (name == shapeName(kind)) return kind;
-  return Error{"there is no shape '" + std::string(name) + "': use tree, gimpact, hull, spheres, compound or fcl"};
+  return Error{"there is no shape '" + std::string(name) +
+               "': use tree, tree+triangles, gimpact, hull, spheres, compound or fcl"};
 }
 
 Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model& model, const ShapeOptions& options) {
@@ -65,7 +68,8 @@ Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model
     return static_cast<btScalar>(options.marginFraction.value_or(fraction) * model.size);
   };
   switch (kind) {
-    case ShapeKind::tree: {
+    case ShapeKind::tree:
+    case ShapeKind::treeTriangles: {
       auto shape = bullet::SphereTreeShape::create(model.tree, bullet::BodyFrame::principalAxes,
                                                    static_cast<btScalar>(model.scale));
       if (!shape) return shape.error();

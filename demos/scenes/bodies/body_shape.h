@@ -19,17 +19,24 @@ namespace cairn::scenes {
 
 /// What a moving body collides as.
 enum class ShapeKind : std::uint8_t {
-  tree,      ///< Cairn's certified sphere-tree
-  gimpact,   ///< btGImpactMeshShape: the triangles themselves
-  hull,      ///< btConvexHullShape: dents filled
-  spheres,   ///< btCompoundShape of one level of the tree: the same spheres, brute force
-  compound,  ///< btCompoundShape of the convex hulls HACD cuts the mesh into
-  fcl,       ///< the Flexible Collision Library, which only answers recorded poses: no Bullet shape
+  tree,           ///< Cairn's certified sphere-tree
+  treeTriangles,  ///< the same, with contacts measured past its leaves, between source triangles
+  gimpact,        ///< btGImpactMeshShape: the triangles themselves
+  hull,           ///< btConvexHullShape: dents filled
+  spheres,        ///< btCompoundShape of one level of the tree: the same spheres, brute force
+  compound,       ///< btCompoundShape of the convex hulls HACD cuts the mesh into
+  fcl,            ///< the Flexible Collision Library, which only answers recorded poses: no Bullet shape
 };
 
 /// All of them, in the order they are listed to users.
-inline constexpr std::array kShapeKinds{ShapeKind::tree,    ShapeKind::gimpact,  ShapeKind::hull,
-                                        ShapeKind::spheres, ShapeKind::compound, ShapeKind::fcl};
+inline constexpr std::array kShapeKinds{ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact,
+                                        ShapeKind::hull, ShapeKind::spheres,       ShapeKind::compound,
+                                        ShapeKind::fcl};
+
+/// Whether Cairn's narrow phase answers for it.
+constexpr bool isSphereTree(ShapeKind kind) {
+  return kind == ShapeKind::tree || kind == ShapeKind::treeTriangles;
+}
 
 const char* shapeName(ShapeKind kind);
 Result<ShapeKind> parseShape(std::string_view name);

@@ -61,6 +61,8 @@ Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions
   if (options.isWatched) worldOptions.viewer = heapViewer(heap->pit_);
   auto world = World::create(worldOptions);
   if (!world) return world.error();
+  if (options.stepsWithoutBudget > 0)
+    if (const Status status = world.value()->setBudget({}); !status) return status.error();
   heap->shape_ = std::move(shape).value();
   heap->world_ = std::move(world).value();
   options.start.empty() ? heap->dropBodies(options) : heap->placeBodies(options);
@@ -68,7 +70,11 @@ Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions
 }
 
 Heap::Heap(const Model& model, const HeapOptions& options)
-    : model_(model), bodiesPerSide_(bodiesPerSide(options.bodies)), pit_(pitHalfWidth(model, options)) {}
+    : budget_(options.world.budget),
+      stepsWithoutBudget_(options.stepsWithoutBudget),
+      model_(model),
+      bodiesPerSide_(bodiesPerSide(options.bodies)),
+      pit_(pitHalfWidth(model, options)) {}
 
 void Heap::placeBodies(const HeapOptions& options) {
   double height = 0;

@@ -13,7 +13,9 @@ struct HeapOptions {
   std::uint32_t bodies = 100;  ///< at least 1
   std::uint64_t seed = 1;      ///< of the bodies' orientations and places
   bool isWatched = false;      ///< by somebody who stands at the pit's edge, see `heapViewer`
-  WorldOptions world;          ///< its shape is what the bodies collide as; its viewer is set when the heap is watched
+  /// Steps before the world's budget holds, to see what it does to bodies that have come to rest.
+  std::uint32_t stepsWithoutBudget = 0;
+  WorldOptions world;  ///< its shape is what the bodies collide as; its viewer is set when the heap is watched
   ShapeOptions shape;
   /// Where the bodies start, one pose a body; empty: in the column.
   std::vector<btTransform> start;
@@ -31,6 +33,9 @@ class Heap {
   static Result<std::unique_ptr<Heap>> create(const Model& model, const HeapOptions& options);
 
   StepRecord step() { return world_->step(); }
+  std::uint32_t stepsWithoutBudget() const { return stepsWithoutBudget_; }
+  /// From now on the world's budget holds.
+  Status beginBudget() { return world_->setBudget(budget_); }
 
   const World& world() const { return *world_; }
   const Pit& pit() const { return pit_; }
@@ -45,6 +50,8 @@ class Heap {
   void dropBodies(const HeapOptions& options);
   void placeBodies(const HeapOptions& options);
 
+  bullet::StepBudget budget_;
+  std::uint32_t stepsWithoutBudget_;
   Model model_;
   std::uint32_t bodiesPerSide_;  // of one layer of the column
   Pit pit_;

@@ -30,11 +30,17 @@ Json toJson(const RunCost& cost) {
   json["certified_error_fraction"] = tree ? Json{{"mean", tree->meanErrorFraction}, {"max", tree->maxErrorFraction}}
                                           : Json{{"mean", nullptr}, {"max", nullptr}};
   json["unresolved_pairs_fraction"] = tree ? Json(tree->unresolvedPairFraction) : Json(nullptr);
+  json["exact_contacts_fraction"] = tree ? Json(tree->exactContactFraction) : Json(nullptr);
   return json;
 }
 
 Json toJson(const HeapReport& report) {
   Json json = toJson(report.cost);
+  if (report.cut)
+    for (const auto& [name, part] :
+         {std::pair("before_budget", report.cut->before), {"with_budget", report.cut->after}})
+      json[name] = {{"operations", {{"median", part.operations}}},
+                    {"certified_error_fraction", {{"max", part.worstErrorFraction}}}};
   json["penetration_end_fraction"] = toJson(report.end.depth);
   json["gap_end_fraction"] = toJson(report.end.gap);
   json["pit_penetration_end_fraction"] = toJson(report.end.pitDepth);

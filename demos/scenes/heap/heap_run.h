@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,20 @@
 
 namespace cairn::scenes {
 
+/// What a budget that holds from some step on does to the answers.
+struct BudgetCut {
+  struct Part {
+    double operations = 0;          ///< a step, median
+    double worstErrorFraction = 0;  ///< certified, worst pair of any step
+  };
+  Part before;  ///< the last second without
+  Part after;   ///< all steps with it
+};
+
 struct HeapReport {
   std::uint32_t steps = 0;
   RunCost cost;
+  std::optional<BudgetCut> cut;  ///< nothing when the budget holds from the beginning
   Interpenetration end;
   double peakSpeed = 0;         ///< m/s, any body at the end of any step
   double kineticEnergyEnd = 0;  ///< J/kg, mean over bodies

@@ -20,7 +20,7 @@ std::array<HalfSpace, 5> Pit::faces() const {
 }
 
 void Pit::build(World& world, ShapeKind bodies, double height) {
-  const bool planes = bodies == ShapeKind::tree || bodies == ShapeKind::gimpact;
+  const bool planes = isSphereTree(bodies) || bodies == ShapeKind::gimpact;
   planes ? addPlanes(world) : addBoxes(world, height);
 }
 

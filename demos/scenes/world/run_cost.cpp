@@ -16,11 +16,13 @@ Quantiles quantilesOver(const std::vector<StepRecord>& records, double (*value)(
 std::optional<TreeRunStatistics> treeStatistics(const std::vector<StepRecord>& records) {
   if (records.empty() || !records.front().tree) return {};
   TreeRunStatistics statistics;
-  std::uint64_t pairs = 0, unresolved = 0, stepsWithContacts = 0;
+  std::uint64_t pairs = 0, unresolved = 0, contacts = 0, exact = 0, stepsWithContacts = 0;
   for (const StepRecord& record : records) {
     const bullet::StepStatistics& step = *record.tree;
     pairs += step.pairs;
     unresolved += step.unresolvedPairs;
+    contacts += step.contacts;
+    exact += step.exactContacts;
     statistics.maxErrorFraction = std::max(statistics.maxErrorFraction, step.worstErrorFraction);
     statistics.maxSeenError = std::max(statistics.maxSeenError, step.worstSeenError);
     if (step.contacts == 0) continue;
@@ -33,6 +35,7 @@ std::optional<TreeRunStatistics> treeStatistics(const std::vector<StepRecord>& r
     statistics.meanSeenError /= static_cast<double>(stepsWithContacts);
   }
   if (pairs > 0) statistics.unresolvedPairFraction = static_cast<double>(unresolved) / static_cast<double>(pairs);
+  if (contacts > 0) statistics.exactContactFraction = static_cast<double>(exact) / static_cast<double>(contacts);
   statistics.operations =
       quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.tree->operations); });
   return statistics;

@@ -17,6 +17,7 @@ struct TreeRunStatistics {
   double meanSeenError = 0;           ///< of a watched scene, radians: mean over the steps with contacts
   double maxSeenError = 0;            ///< of a watched scene, radians: worst pair of any step
   double unresolvedPairFraction = 0;  ///< of all pairs of all steps
+  double exactContactFraction = 0;    ///< of all contacts of all steps: measured between source triangles
 };
 
 /// What the collision of a run cost, over its steps.

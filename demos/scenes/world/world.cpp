@@ -24,6 +24,10 @@ Result<std::unique_ptr<World>> World::create(const WorldOptions& options) {
   return world;
 }
 
+Status World::setBudget(const bullet::StepBudget& budget) {
+  return treeDispatcher_ ? treeDispatcher_->setBudget(budget) : Status{};
+}
+
 World::World(const WorldOptions& options) : options_(options) {
   makeDispatcher();
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &broadphase_, &solver_, &configuration_);
@@ -31,9 +35,10 @@ World::World(const WorldOptions& options) : options_(options) {
 }
 
 void World::makeDispatcher() {
-  if (options_.shape == ShapeKind::tree) {
+  if (isSphereTree(options_.shape)) {
     auto dispatcher = std::make_unique<TimedDispatcher<TreeDispatcher>>(narrowPhaseCpuUs_, &configuration_);
     dispatcher->setUnresolved(options_.unresolved);
+    if (options_.shape == ShapeKind::treeTriangles) dispatcher->setFinest(bullet::Finest::triangles);
     dispatcher->setPriority(makePriority(options_.priority));
     treeDispatcher_ = dispatcher.get();
     dispatcher_ = std::move(dispatcher);

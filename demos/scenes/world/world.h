@@ -68,6 +68,9 @@ class World {
 
   StepRecord step();
 
+  /// Of every step from now on. Shapes other than the tree have none. Fails for one the dispatcher refuses.
+  Status setBudget(const bullet::StepBudget& budget);
+
   /// Puts every moving body where `motions` says, in the bodies' order, and looks for collisions alone: nothing
   /// responds, nothing moves on. Precondition: one motion a body.
   StepRecord show(std::span<const BodyMotion> motions);

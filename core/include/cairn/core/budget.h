@@ -69,6 +69,8 @@ class Budget {
   std::uint64_t used() const { return used_; }
   /// What may still be charged: promised work is held back.
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, promisedOperations_); }
+  /// Until the deadline, promised work not held back; infinite without one, negative after it.
+  double nanosecondsLeft() const;
   bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
 
  private:

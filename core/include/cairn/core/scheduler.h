@@ -28,6 +28,11 @@ class Scheduler {
   /// Refines until every pair is done or the budget is spent. `pairs` need not be sorted; they are sorted by id here.
   /// Precondition: ids unique, traversals started.
   Progress run(std::span<ScheduledPair> pairs, Priority& priority, Budget& budget, TurnListener* listener = nullptr);
+
+  /// Refines one of `pairs` until it is done or the budget is spent, in turns as well. Precondition: its traversal was
+  /// started.
+  Progress runAlone(std::span<const ScheduledPair> pairs, std::size_t pair, Budget& budget,
+                    TurnListener* listener = nullptr);
 };
 
 }  // namespace cairn

@@ -35,6 +35,7 @@ class Dispatcher : public Base {
   Status setFrameBudget(const StepBudget& budget) { return narrowPhase_.setFrameBudget(budget); }
   void beginFrame(int steps) { narrowPhase_.beginFrame(steps); }
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
+  void setFinest(Finest finest) { narrowPhase_.setFinest(finest); }
   /// Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }
   /// See `NarrowPhase::setViewer`.

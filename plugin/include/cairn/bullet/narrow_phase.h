@@ -39,6 +39,8 @@ class NarrowPhase {
   /// A frame of `steps` steps begins; `stepFrame` calls this.
   void beginFrame(int steps);
   void setUnresolved(Unresolved policy);
+  /// From the next step on. Pairs go on to triangles in the order of their age, the same ones in every step.
+  void setFinest(Finest finest);
   /// Which pair is refined next; `RoundRobin` until told. See docs/algorithms/priorities.md. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority);
   /// Who looks at the scene from the next step on, world frame, for priorities that care and for the seen error in the

@@ -23,6 +23,13 @@ enum class Unresolved : std::uint8_t {
   compensate,  ///< the unrefined spheres, their certified error subtracted from the depth
 };
 
+/// Where refinement ends.
+enum class Finest : std::uint8_t {
+  leaves,     ///< contacts between the regions of leaves (default)
+  triangles,  ///< what is left of the budget once the leaves are found goes on to their source triangles (thesis
+              ///< 8.3.7): contacts between two sphere-trees become exact along their normals
+};
+
 /// What the narrow phase did in the last step.
 struct StepStatistics {
   std::uint64_t operations = 0;  ///< all work charged, re-testing included
@@ -33,6 +40,7 @@ struct StepStatistics {
   std::uint32_t pairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< of these, traversals the budget stopped
   std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
+  std::uint32_t exactContacts = 0;    ///< of these, measured between source triangles
   std::uint32_t manifolds = 0;        ///< non-empty manifolds of these pairs
   /// Worst certified error among the pairs' answers, as a fraction of the smaller body's size (bounding-box diagonal of
   /// its mesh): surfaces reported or still to be resolved are at most this and the speculative distance

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Zlib
+// Which pairs of a step are brought up to date, and what becomes of the others.
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "dispatch/narrow_phase_impl.h"
+
+namespace cairn::bullet {
+
+StepMeans NarrowPhase::Impl::means() const {
+  StepMeans means;
+  if (left_.remaining() < kEndless) means.operations = static_cast<double>(left_.remaining());
+  means.nanoseconds = left_.nanosecondsLeft();
+  return means;
+}
+
+// Not while other policies than guards stand in: their answers cannot wait.
+void NarrowPhase::Impl::planStep() {
+  plan_.clear();
+  if (!mayBeInterrupted() || policy_ != Unresolved::guard) return;
+  const auto usual = static_cast<std::uint64_t>(usualOperations_);
+  for (TreePair* pair : collected_) plan_.add(pair->survey(usual));
+  plan_.decide(means(), updatePace_, holdingPace_);
+}
+
+void NarrowPhase::Impl::refinePairs() {
+  promiseHolding();
+  Progress progress = scheduler_.run(scheduled_, *priority_, left_, this);
+  while (plan_.isScarce() && progress == Progress::done) {
+    StepMeans more = means();
+    more.nanoseconds -= holding_.nanoseconds;
+    if (!plan_.decideOnMore(more, updatePace_)) break;
+    promiseHolding();
+    for (const std::size_t i : plan_.chosen()) progress = serveAlone(i);
+  }
+}
+
+Progress NarrowPhase::Impl::serveAlone(std::size_t index) {
+  if (collected_[index]) beginPair(index);
+  const bool isToBeRefined = collected_[index] && !collected_[index]->isDone();
+  return isToBeRefined ? scheduler_.runAlone(scheduled_, index, left_, this) : Progress::done;
+}
+
+void NarrowPhase::Impl::promiseHolding() {
+  left_.redeem(holding_);
+  const std::size_t count = plan_.held().size();
+  holding_.operations = std::min<std::uint64_t>(count * StepPlan::kHoldingCost, left_.remaining() / 2);
+  holding_.nanoseconds = static_cast<double>(count) * holdingPace_.expectedNanoseconds(0);
+  left_.promise(holding_);
+}
+
+// In the order of their names: callbacks may tell.
+void NarrowPhase::Impl::holdPairs() {
+  left_.redeem(std::exchange(holding_, {}));
+  const auto began = Budget::Clock::now();
+  double expected = 0;
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    if (!collected_[i]) continue;
+    TreePair& pair = *collected_[i];
+    pair.withdrawPromise(left_);
+    left_.chargeAnyway(StepPlan::kHoldingCost);
+    expected += holdingPace_.expectedNanoseconds(0);
+    btManifoldResult result(&pair.body0(), &pair.body1());
+    const PairReport report = pair.hold(dispatcher_, result);
+    count(report, pair.seenHeld());
+    if (!pair.isBegun()) ++statistics_.pairs;
+    dismiss(i);
+  }
+  if (left_.hasDeadline()) holdingPace_.finished(expected, Budget::Clock::now() - began);
+}
+
+void NarrowPhase::Impl::finishBegunPairs() {
+  for (std::size_t i = 0; i < collected_.size(); ++i)
+    if (collected_[i] && !collected_[i]->isBetterHeld()) finishPair(i);
+}
+
+// From the whole of what was done for pairs that were not held.
+void NarrowPhase::Impl::learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began) {
+  if (!left_.hasDeadline() || updated_ == 0) return;
+  const double expected = updatePace_.expectedNanoseconds(left_.used() - operationsBefore) +
+                          static_cast<double>(updated_ - 1) * updatePace_.expectedNanoseconds(0);
+  updatePace_.finished(expected, Budget::Clock::now() - began);
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/step_plan.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+namespace {
+
+// Of what a pair is expected to take: with less than this left it is not begun.
+constexpr double kLeastShare = 0.5;
+
+void spend(StepMeans& left, double operations, double nanoseconds) {
+  left.operations -= operations;
+  left.nanoseconds -= nanoseconds;
+}
+
+// What needs nothing takes no time either.
+double nanosecondsFor(const PairNeed& need, const EmissionPace& pace) {
+  return need.operations > 0 ? pace.expectedNanoseconds(need.operations) : 0;
+}
+
+}  // namespace
+
+bool StepPlan::isLessUrgent(std::size_t x, std::size_t y) const {
+  return needs_[x].urgency != needs_[y].urgency ? needs_[x].urgency < needs_[y].urgency : x > y;
+}
+
+void StepPlan::reserve(std::size_t pairs) {
+  needs_.reserve(pairs);
+  heap_.reserve(pairs);
+  chosen_.reserve(pairs);
+}
+
+void StepPlan::clear() {
+  needs_.clear();
+  heap_.clear();
+  chosen_.clear();
+  isScarce_ = false;
+}
+
+void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace) {
+  StepMeans all = left;
+  for (const PairNeed& need : needs_) spend(all, static_cast<double>(need.operations), nanosecondsFor(need, pace));
+  isScarce_ = all.operations < 0 || all.nanoseconds < 0;
+  if (!isScarce_) return;
+  holdAllThatCanBe(left, pace, holdingPace);
+  std::make_heap(heap_.begin(), heap_.end(), [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); });
+  chooseMostUrgent(left, pace, 1);
+}
+
+bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {
+  chosen_.clear();
+  if (heap_.empty()) return false;
+  const bool mayCut = needs_[heap_.front()].mayBeCut && fits(heap_.front(), left, pace, kLeastShare);
+  chooseMostUrgent(left, pace, mayCut ? 1 : 0);
+  return !chosen_.empty();
+}
+
+void StepPlan::holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace) {
+  for (std::size_t i = 0; i < needs_.size(); ++i) {
+    const PairNeed& need = needs_[i];
+    (need.canBeHeld ? heap_ : chosen_).push_back(i);
+    if (need.canBeHeld)
+      spend(left, static_cast<double>(kHoldingCost), holdingPace.expectedNanoseconds(0));
+    else
+      spend(left, static_cast<double>(need.operations), nanosecondsFor(need, pace));
+  }
+}
+
+bool StepPlan::fits(std::size_t pair, const StepMeans& left, const EmissionPace& pace, double share) const {
+  return left.operations >= share * static_cast<double>(needs_[pair].operations) &&
+         left.nanoseconds >= share * nanosecondsFor(needs_[pair], pace);
+}
+
+void StepPlan::chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::size_t atLeast) {
+  const auto isLess = [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); };
+  for (std::size_t count = 0; !heap_.empty(); ++count) {
+    const std::size_t pair = heap_.front();
+    if (count >= atLeast && !fits(pair, left, pace, 1)) return;
+    chosen_.push_back(pair);
+    spend(left, static_cast<double>(needs_[pair].operations), nanosecondsFor(needs_[pair], pace));
+    std::pop_heap(heap_.begin(), heap_.end(), isLess);
+    heap_.pop_back();
+  }
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "cairn/core/budget.h"
+#include "dispatch/emission_pace.h"
+
+namespace cairn::bullet {
+
+/// What is known of a pair before anything is done for it in a step.
+struct PairNeed {
+  double urgency = 0;            ///< the greater, the sooner it has to be brought up to date
+  std::uint64_t operations = 0;  ///< what that is expected to take, contacts included
+  bool canBeHeld = false;        ///< what it said last may stand for a step more
+  bool mayBeCut = false;         ///< it has no answer: nothing is lost if it gets none in this step either
+};
+
+/// What a step has left for its pairs.
+struct StepMeans {
+  double operations = std::numeric_limits<double>::infinity();
+  double nanoseconds = std::numeric_limits<double>::infinity();
+};
+
+/// Decides which pairs of a step are brought up to date when there is not enough for all: the most urgent, as many as
+/// can be expected to be finished. The others are held: their contacts follow the bodies. A few answers that are right
+/// serve better than many that are half done. See docs/algorithms/narrow-phase.md.
+class StepPlan {
+ public:
+  /// What holding a pair is charged: as much as moving a sphere.
+  static constexpr std::uint64_t kHoldingCost = kSphereUpdateCost;
+
+  /// Room for so many pairs.
+  void reserve(std::size_t pairs);
+  void clear();
+  void add(const PairNeed& need) { needs_.push_back(need); }
+
+  /// Decides about the pairs added. What cannot be held is brought up to date in any case, and of the rest at least
+  /// one. `pace` says how long operations take. Ties: who was added first. Linear in the pairs, and n log n in those
+  /// that are brought up to date; no allocation once it has seen as many pairs.
+  void decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace);
+  /// When those chosen took less than expected: chooses more, with what is `left` besides holding the rest; one that
+  /// does not quite fit if no other does. False when that is too little for any.
+  bool decideOnMore(StepMeans left, const EmissionPace& pace);
+
+  /// Whether pairs may have to be held.
+  bool isScarce() const { return isScarce_; }
+  /// Those last chosen.
+  std::span<const std::size_t> chosen() const { return chosen_; }
+  /// Those still held, in no order.
+  std::span<const std::size_t> held() const { return heap_; }
+
+ private:
+  bool isLessUrgent(std::size_t x, std::size_t y) const;
+  void holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace);
+  bool fits(std::size_t pair, const StepMeans& left, const EmissionPace& pace, double share) const;
+  void chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::size_t atLeast);
+
+  std::vector<PairNeed> needs_;
+  std::vector<std::size_t> heap_;  // of those that are held, the most urgent on top
+  std::vector<std::size_t> chosen_;
+  bool isScarce_ = false;
+};
+
+}  // namespace cairn::bullet

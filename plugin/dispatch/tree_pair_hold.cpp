@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Zlib
+// Pairs that have to wait for a later step: what they said last follows the bodies.
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+
+#include <algorithm>
+
+#include "contacts/manifold_writer.h"
+#include "dispatch/tree_pair.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Expected of any that is not done, at least.
+constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
+// Certified error of what nothing is known about, of the smaller body's size.
+constexpr double kUnknownError = 1;
+// How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
+constexpr float kMostFollowed = 0.04F;
+
+// Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
+// point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step.
+void followBodies(btPersistentManifold& manifold, bool dropsParted) {
+  const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
+  const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
+  for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    const btVector3& normal = point.m_normalWorldOnB;
+    point.m_positionWorldOnA = pose0 * point.m_localPointA;
+    point.m_distance1 = (point.m_positionWorldOnA - pose1 * point.m_localPointB).dot(normal);
+    point.m_positionWorldOnB = point.m_positionWorldOnA - normal * point.m_distance1;
+    point.m_localPointB = pose1.invXform(point.m_positionWorldOnB);
+    ++point.m_lifeTime;
+    if (dropsParted && point.m_distance1 > manifold.getContactBreakingThreshold()) manifold.removeContactPoint(i);
+  }
+}
+
+}  // namespace
+
+bool TreePair::follow() {
+  isBegun_ = isSettled_ = isHoldingStill_ = false;
+  return bodies_[0].follow() && bodies_[1].follow();
+}
+
+PairNeed TreePair::survey(std::uint64_t usualOperations) {
+  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
+  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
+  const btCollisionShape& other = *otherBody.getCollisionShape();
+  const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
+  if (isSettled_) return {};
+  const bool hasWhole = roots_ && roots_->areAlike();
+  if (!isSame || !isPlaced_) {
+    const bool isNew = isSame || !subject_.tree;
+    return {kUnknownError * (1 + waited_), usualOperations, hasWhole && isNew, true};
+  }
+  const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+  moved_ = static_cast<float>(now.displacementSince(motion_.placement));
+  isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
+  const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
+  return {error * (1 + waited_), expectedOperations(now, usualOperations), isHoldingStill_ || hasWhole,
+          !isHoldingStill_ || !isDone()};
+}
+
+std::uint64_t TreePair::expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const {
+  const std::uint64_t whole = fullOperations_ > 0 ? fullOperations_ : usualOperations;
+  if (!isDone()) return std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
+  return contacts_.keepsAt(*counterpart_, now, motion_.reach) ? contacts_.keptCost(*counterpart_) : whole;
+}
+
+std::uint64_t TreePair::charged(std::uint64_t operations) {
+  spent_ += operations;
+  if (!isDone() || contacts_.isKept()) return 0;
+  return fullOperations_ = spent_;
+}
+
+PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result) {
+  const bool isNew = !isPlaced_;
+  if (isNew) beginHeld();
+  origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
+  center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
+  isHeld_ = true;
+  ++waited_;
+  const bool needsWhole = isNew || !isHoldingStill_;
+  if (needsWhole && moved_ > kMostFollowed * smallerSize_) clearManifolds();
+  for (btPersistentManifold* m : manifolds_)
+    if (m) followBodies(*m, needsWhole || contacts_.isAnsweredWithin(moved_, smallerSize_));
+  if (needsWhole) writeWhole(contacts_.holdWhole(roots_->contact()), dispatcher, result);
+  return reportHeld(needsWhole);
+}
+
+// Nothing is traversed yet.
+void TreePair::beginHeld() {
+  treeIsBody0_ = true;
+  const SphereTreeShape& tree = *asSphereTree(body0().getCollisionShape());
+  adopt(&tree, *body1().getCollisionShape());
+  objects_[0] = object0();
+  objects_[1] = object1();
+  setSizes(tree, *body1().getCollisionShape(), 0);
+  motion_.placement = relativePlacement(tree, body0().getWorldTransform(), body1().getWorldTransform());
+  isPlaced_ = true;
+  moved_ = 0;
+}
+
+// Into a manifold of its own, if one is free.
+void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
+  if (wholeAt_ < 0) {
+    const auto points = [](const btPersistentManifold* m) { return m ? m->getNumContacts() : 0; };
+    wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
+  }
+  btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
+  if (!m) return;
+  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
+  const std::array<Contact, 1> contacts{whole};
+  writer.write(*m, contacts, {.index = {0}, .count = 1});
+}
+
+PairReport TreePair::reportHeld(bool isWhole) const {
+  PairReport report;
+  report.isUnresolved = true;
+  const bool isFollowed = moved_ <= kMostFollowed * smallerSize_;
+  if (isFollowed) report.errorFraction = heldError_ + double(moved_ / smallerSize_);
+  if (isWhole) report.errorFraction = std::max(report.errorFraction, rootErrorFraction());
+  for (const btPersistentManifold* m : manifolds_) {
+    if (!m || m->getNumContacts() == 0) continue;
+    report.contacts += static_cast<std::uint32_t>(m->getNumContacts());
+    ++report.manifolds;
+  }
+  return report;
+}
+
+double TreePair::rootErrorFraction() const {
+  const float errors = subject_.tree->error(kRootNode) * static_cast<float>(subject_.treeScale) +
+                       subject_.otherTree->error(kRootNode) * static_cast<float>(subject_.otherScale);
+  return double(errors / smallerSize_);
+}
+
+}  // namespace cairn::bullet

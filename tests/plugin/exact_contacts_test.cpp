@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Zlib
+// Past the leaves: contacts lie on the meshes themselves, as far as the budget goes.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "bullet_world.h"
+#include "counterparts/triangle.h"
+#include "random_tree.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::test {
+namespace {
+
+using bullet::Finest;
+using bullet::Triangle;
+
+constexpr unsigned kSeed = 41;
+
+std::vector<Triangle> meshOf(const btCollisionObject& body) {
+  const auto& shape = *bullet::asSphereTree(body.getCollisionShape());
+  const btTransform place = body.getWorldTransform() * shape.bodyFromTree();
+  std::vector<Triangle> mesh;
+  for (const auto& t : shape.tree().triangles()) {
+    const auto at = [&](std::size_t k) {
+      return bullet::toVec3(place * bullet::toBullet(shape.tree().vertices()[t[k]] * float(shape.scale())));
+    };
+    mesh.push_back({at(0), at(1), at(2)});
+  }
+  return mesh;
+}
+
+float distanceTo(const std::vector<Triangle>& mesh, const btVector3& point) {
+  const Vec3 p = bullet::toVec3(point);
+  float least = std::numeric_limits<float>::infinity();
+  for (const Triangle& t : mesh) least = std::min(least, distance(p, nearestOnTriangle(t, p).point));
+  return least;
+}
+
+// Two coarse trees that just touch: eight triangles a leaf, so that leaves say little.
+struct Touching {
+  BulletWorld<> w;
+  btRigidBody *lower, *upper;
+
+  Touching(std::mt19937_64& engine, Finest finest) {
+    w.dispatcher.setFinest(finest);
+    const auto turn = [&] {
+      const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3));
+      return btQuaternion(btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)),
+                          btScalar(uniform(engine, 0, 3)));
+    };
+    lower = &w.add(treeShape(plainTree(ball(0.5, 8), 8)), 0, btVector3(0, 0, 0), turn());
+    upper = &w.add(treeShape(plainTree(ball(0.4, 6), 8)), 1, btVector3(0, 0, btScalar(0.88)), turn());
+  }
+
+  // Greatest distance of a contact point from the mesh it is said to be on.
+  float stray() {
+    const auto meshes = {meshOf(*lower), meshOf(*upper)};
+    float worst = 0;
+    w.world.performDiscreteCollisionDetection();
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(i);
+      const bool lowerIsA = m.getBody0() == lower;
+      for (int k = 0; k < m.getNumContacts(); ++k) {
+        const btManifoldPoint& p = m.getContactPoint(k);
+        const btVector3& onLower = lowerIsA ? p.getPositionWorldOnA() : p.getPositionWorldOnB();
+        const btVector3& onUpper = lowerIsA ? p.getPositionWorldOnB() : p.getPositionWorldOnA();
+        worst = std::max({worst, distanceTo(*meshes.begin(), onLower), distanceTo(*(meshes.begin() + 1), onUpper)});
+      }
+    }
+    return worst;
+  }
+};
+
+// Sizes are about one, and a coordinate is rounded some ten times on its way into Bullet's manifold and back.
+constexpr float kRounding = 1e-5F;
+
+TEST(ExactContacts, LieOnBothMeshes) {
+  std::mt19937_64 engine(kSeed);
+  float worstOfLeaves = 0;
+  std::uint32_t contacts = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const std::mt19937_64 start = engine;
+    Touching exact(engine, Finest::triangles);
+    const float stray = exact.stray();
+    const auto& step = exact.w.dispatcher.lastStep();
+    contacts += step.contacts;
+    if (step.exactContacts == step.contacts) {
+      EXPECT_LT(stray, kRounding) << "seed " << kSeed << ", trial " << trial;
+      EXPECT_EQ(step.worstErrorFraction, 0) << "nothing is left to be told better";
+    }
+    EXPECT_GE(10 * step.exactContacts, 9 * step.contacts) << "seed " << kSeed << ", trial " << trial;
+    engine = start;
+    Touching leaves(engine, Finest::leaves);
+    worstOfLeaves = std::max(worstOfLeaves, leaves.stray());
+    EXPECT_EQ(leaves.w.dispatcher.lastStep().exactContacts, 0U);
+  }
+  EXPECT_GT(contacts, 40U);
+  EXPECT_GT(worstOfLeaves, 100 * kRounding) << "leaves are as good: the test shows nothing";
+}
+
+TEST(ExactContacts, AreAsManyAsTheBudgetAllows) {
+  std::uint32_t before = 0;
+  for (const std::int64_t operations : {0, 400, 1000, 2000, 20000}) {
+    std::mt19937_64 engine(kSeed);
+    Touching pair(engine, Finest::triangles);
+    ASSERT_TRUE(pair.w.dispatcher.setBudget({operations, {}}).ok());
+    pair.w.world.performDiscreteCollisionDetection();
+    const auto& step = pair.w.dispatcher.lastStep();
+    EXPECT_GE(step.exactContacts, before) << operations;
+    before = step.exactContacts;
+    if (operations == 0) {
+      EXPECT_EQ(step.exactContacts, 0U);
+    }
+    // Holding back is for measuring leaves alone: see Budget_Operations.
+    EXPECT_LE(step.operations, std::uint64_t(operations) + 64U * 5U + 32U * 5U + 129U * 3U) << operations;
+  }
+  EXPECT_GT(before, 0U);
+}
+
+// A flat face on a flat face touches with its corners, and does not float on tilted lines of centres.
+TEST(ExactContacts, OfACubeOnItsTwinStandOnItsFace) {
+  BulletWorld<> w;
+  w.dispatcher.setFinest(Finest::triangles);
+  const auto cube = plainTree(cuboid({1, 1, 1}, 3), 6);
+  w.add(treeShape(cube), 0, btVector3(0, 0, 0));
+  btRigidBody& upper = w.add(treeShape(cube), 1, btVector3(btScalar(0.03), btScalar(-0.02), btScalar(1.002)),
+                             btQuaternion(btVector3(0, 0, 1), btScalar(0.2)));
+  upper.setActivationState(DISABLE_DEACTIVATION);
+  w.step(240);
+  const btVector3& at = upper.getWorldTransform().getOrigin();
+  EXPECT_NEAR(at.z(), 1, 0.004) << "the speculative distance is 0.2 % of 1.73";
+  EXPECT_LT(std::abs(at.x() - btScalar(0.03)) + std::abs(at.y() + btScalar(0.02)), 0.02) << "wandered";
+  const auto& step = w.dispatcher.lastStep();
+  EXPECT_GE(step.contacts, 4U);
+  EXPECT_EQ(step.exactContacts, step.contacts);
+}
+
+TEST(ExactContacts, OnAPlaneAreTheLowestCorners) {
+  std::mt19937_64 engine(kSeed);
+  for (int trial = 0; trial < 40; ++trial) {
+    BulletWorld<> w;
+    w.dispatcher.setFinest(Finest::triangles);
+    w.addGround();
+    const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3));
+    btRigidBody& body = w.add(
+        treeShape(plainTree(torus(0.3, 0.12, 12), 8)), 1, btVector3(0, 0, 5),
+        btQuaternion(btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)), btScalar(uniform(engine, 0, 3))));
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const Triangle& t : meshOf(body)) lowest = std::min({lowest, t.a.z, t.b.z, t.c.z});
+    const btScalar sunk = btScalar(uniform(engine, 0, 0.05));
+    body.getWorldTransform().getOrigin().setZ(5 - btScalar(lowest) - sunk);
+    w.world.performDiscreteCollisionDetection();
+    btScalar deepest = BT_LARGE_FLOAT;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i)
+      for (int k = 0; k < w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts(); ++k)
+        deepest = std::min(deepest, w.dispatcher.getManifoldByIndexInternal(i)->getContactPoint(k).getDistance());
+    EXPECT_NEAR(deepest, -sunk, kRounding) << "seed " << kSeed << ", trial " << trial;
+  }
+}
+
+// All four, however they are rounded: a body that stands on one of them rocks. A margin counts once.
+TEST(ExactContacts, OfAFaceOnAPlaneAreItsCorners) {
+  for (const btScalar margin : {btScalar(0), btScalar(0.02)}) {
+    BulletWorld<> w;
+    w.dispatcher.setFinest(Finest::triangles);
+    w.addGround();
+    const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1), 2));
+    shape->setMargin(margin);
+    btRigidBody& body = w.add(shape, 1, btVector3(0, 0, btScalar(0.501) + margin));
+    w.world.performDiscreteCollisionDetection();
+    ASSERT_EQ(w.dispatcher.getNumManifolds(), 1);
+    const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(0);
+    ASSERT_EQ(m.getNumContacts(), 4) << margin;
+    for (int k = 0; k < m.getNumContacts(); ++k) {
+      const btManifoldPoint& p = m.getContactPoint(k);
+      EXPECT_NEAR(p.getDistance(), 0.001, kRounding) << margin;
+      EXPECT_NEAR(std::abs(p.getPositionWorldOnA().x()), 0.5, kRounding);
+      EXPECT_NEAR(std::abs(p.getPositionWorldOnA().y()), 0.5, kRounding);
+    }
+    w.step(600);
+    EXPECT_FALSE(body.isActive()) << margin;
+  }
+}
+
+}  // namespace
+}  // namespace cairn::test

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/step_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace cairn::test {
+namespace {
+
+using bullet::EmissionPace;
+using bullet::PairNeed;
+using bullet::StepMeans;
+using bullet::StepPlan;
+
+constexpr unsigned kSeed = 5;
+
+std::vector<PairNeed> randomNeeds(std::mt19937_64& engine, std::size_t count) {
+  std::vector<PairNeed> needs;
+  for (std::size_t i = 0; i < count; ++i)
+    needs.push_back({double(engine() % 16) / 16, 10 + engine() % 500, engine() % 8 != 0, engine() % 2 == 0});
+  return needs;
+}
+
+StepPlan planOf(const std::vector<PairNeed>& needs, StepMeans means) {
+  StepPlan plan;
+  for (const PairNeed& need : needs) plan.add(need);
+  plan.decide(means, EmissionPace(), EmissionPace());
+  return plan;
+}
+
+TEST(StepPlan, HoldsNobodyWhenThereIsEnoughForAll) {
+  EXPECT_FALSE(planOf({{1, 100, true, true}, {0, 200, true, false}}, {.operations = 300}).isScarce());
+  EXPECT_TRUE(planOf({{1, 100, true, true}, {0, 200, true, false}}, {.operations = 299}).isScarce());
+}
+
+TEST(StepPlan, ServesWhatCannotBeHeldWhateverIsLeft) {
+  const StepPlan plan = planOf({{0, 100, false, true}, {1, 100, true, true}, {2, 100, true, true}}, {.operations = 0});
+  const std::vector<std::size_t> chosen(plan.chosen().begin(), plan.chosen().end());
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 2})) << "and of the others the most urgent one";
+}
+
+TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
+  StepPlan plan = planOf({{3, 100, true, false}, {2, 100, true, false}, {1, 100, true, true}}, {.operations = 110});
+  ASSERT_EQ(plan.chosen().size(), 1U);
+  EXPECT_FALSE(plan.decideOnMore({.operations = 60}, EmissionPace())) << "its answer serves better than half a new one";
+  EXPECT_TRUE(plan.decideOnMore({.operations = 100}, EmissionPace()));
+  EXPECT_FALSE(plan.decideOnMore({.operations = 40}, EmissionPace()));
+  EXPECT_TRUE(plan.decideOnMore({.operations = 60}, EmissionPace()));
+  EXPECT_TRUE(plan.held().empty());
+}
+
+// Against what the rule says, word for word: one after the other, the most urgent first.
+TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
+  std::mt19937_64 engine(kSeed);
+  int scarce = 0;
+  for (int run = 0; run < 300; ++run) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", run " << run);
+    const std::vector<PairNeed> needs = randomNeeds(engine, engine() % 40);
+    double left = double(engine() % 8000);
+    const StepPlan plan = planOf(needs, {.operations = left});
+    if (!plan.isScarce()) continue;
+    ++scarce;
+    std::vector<std::size_t> order;
+    std::set<std::size_t> expected;
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+      left -= needs[i].canBeHeld ? double(StepPlan::kHoldingCost) : double(needs[i].operations);
+      if (needs[i].canBeHeld)
+        order.push_back(i);
+      else
+        expected.insert(i);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t x, std::size_t y) { return needs[x].urgency > needs[y].urgency; });
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      if (k > 0 && left < double(needs[order[k]].operations)) break;
+      expected.insert(order[k]);
+      left -= double(needs[order[k]].operations);
+    }
+    EXPECT_EQ(std::set<std::size_t>(plan.chosen().begin(), plan.chosen().end()), expected);
+    EXPECT_EQ(plan.held().size() + expected.size(), needs.size());
+  }
+  EXPECT_GT(scarce, 100);
+}
+
+}  // namespace
+}  // namespace cairn::test
