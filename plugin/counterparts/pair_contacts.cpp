@@ -21,6 +21,13 @@ constexpr float kHeldFraction = 0.03F;
 
 }  // namespace
 
+// Bodies may roll for minutes before as much is known of a pair as can be.
+PairContacts::PairContacts() {
+  guards_.reserve(kMaxGuards);
+  known_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
+  retested_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
+}
+
 void PairContacts::reset() {
   known_.clear();
   retested_.clear();

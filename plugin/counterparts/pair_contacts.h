@@ -31,7 +31,7 @@ class PairContacts {
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 32;
 
-  PairContacts() { guards_.reserve(kMaxGuards); }
+  PairContacts();
 
   /// Forgets everything; for a pair that is new.
   void reset();
