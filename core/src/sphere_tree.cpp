@@ -11,6 +11,8 @@ namespace cairn {
 namespace {
 
 constexpr std::uint32_t kNoRecord = 0xFFFFFFFFU;
+constexpr float kSameFaceCosine = 0.99862953F;    // 3 degrees
+constexpr float kSharpEdgeCosine = 0.866025404F;  // 30 degrees
 
 SupportBlock packSupport(std::span<const Vec3> points) {
   SupportBlock block;
@@ -44,6 +46,22 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   level_.resize(slots, 0);
   for (std::uint32_t record = 0; record < nodeCount(); ++record) packNode(record);
   for (const NodeId id : nodeAt_) packChildLanes(id);
+  faceted_.resize(slots, 0);
+  for (const NodeId id : nodeAt_) faceted_[id] = isLeaf(id) && facesOnly(id);
+}
+
+// A triangle without area faces nowhere and contradicts nothing.
+bool SphereTree::facesOnly(NodeId leaf) const {
+  const std::span<const Vec3> normals = faceNormals(leaf);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (std::size_t j = i + 1; j < normals.size(); ++j)
+      if (dot(normals[i], normals[j]) > kSharpEdgeCosine) return false;
+  return !normals.empty() && std::ranges::all_of(regionTriangles(leaf), [&](std::uint32_t triangle) {
+    const auto& [a, b, c] = data_.triangles[triangle];
+    const Vec3 out = cross(data_.vertices[b] - data_.vertices[a], data_.vertices[c] - data_.vertices[a]);
+    const float least = kSameFaceCosine * length(out);
+    return std::ranges::any_of(normals, [&](const Vec3& n) { return dot(n, out) >= least; });
+  });
 }
 
 // Names every node: the children of the k-th inner node, breadth-first, are family k + 1.
@@ -118,8 +136,8 @@ float SphereTree::levelError(std::uint32_t level) const {
 std::size_t SphereTree::memoryBytes() const {
   return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
-         bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) + bytesOf(familySize_) +
-         bytesOf(nodeAt_);
+         bytesOf(faceted_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
+         bytesOf(familySize_) + bytesOf(nodeAt_);
 }
 
 }  // namespace cairn

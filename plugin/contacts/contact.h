@@ -22,9 +22,10 @@ struct ContactId {
 /// One possible contact point between a sphere-tree and its counterpart, in the *pair frame*: world axes and unit,
 /// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
 struct Contact {
-  Vec3 position;           ///< half-way between the two surfaces
-  Vec3 normal;             ///< unit, from the counterpart to the tree
-  float gap = 0;           ///< distance of the surfaces along the normal, negative when they overlap
+  Vec3 position;   ///< half-way between the two surfaces
+  Vec3 normal;     ///< unit, from the counterpart to the tree
+  float gap = 0;   ///< distance of the surfaces along the normal, negative when they overlap
+  float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
   float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
   NodePair pair;           ///< of the traversal that found it
   ContactId id;

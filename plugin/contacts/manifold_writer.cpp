@@ -124,6 +124,16 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
   const Vec3 onBody1 = treeIsBody0_ ? contact.onCounterpart() : contact.onTree();
   result_.addContactPoint(toBullet(normal), origin_ + toBullet(onBody1), btScalar(contact.gap));
   result_.setPersistentManifold(before);
+  tellBend(manifold, contact, origin_ + toBullet(onBody1));
+}
+
+// The solver goes by a point's distance alone; where the point is stays true.
+void ManifoldWriter::tellBend(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if (point.m_positionWorldOnB == onBody1 && point.m_distance1 == btScalar(contact.gap))
+      point.m_distance1 += btScalar(contact.bend);
+  }
 }
 
 }  // namespace cairn::bullet

@@ -46,6 +46,7 @@ class ManifoldWriter {
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                  const ContactChoice& choice) const;
   void add(btPersistentManifold& manifold, const Contact& contact);
+  static void tellBend(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1);
 
   btManifoldResult& result_;
   btVector3 origin_;

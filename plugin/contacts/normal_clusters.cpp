@@ -85,9 +85,24 @@ void ClusteredContacts::gather() {
   list_.swap(grouped_);
 }
 
+void ClusteredContacts::join(int into, int from) {
+  const auto first = static_cast<std::size_t>(into), second = static_cast<std::size_t>(from);
+  const auto at = [&](std::size_t i) { return list_.begin() + static_cast<std::ptrdiff_t>(i); };
+  // The second one's contacts go behind the first one's, and what lay between moves on.
+  const std::size_t moved = end_[second] - begin_[second], end = end_[first];
+  std::rotate(at(end), at(begin_[second]), at(end_[second]));
+  for (std::size_t k = first + 1; k < second; ++k) {
+    begin_[k] += moved;
+    end_[k] += moved;
+  }
+  end_[first] += moved;
+  begin_[second] = end_[second];
+  std::sort(at(begin_[first]), at(end_[first]), deeper);
+}
+
 void ClusteredContacts::resort(int k, float reach) {
   const std::span<Contact> members = cluster(k);
-  std::sort(members.begin(), members.end(), deeper);
+  if (!std::is_sorted(members.begin(), members.end(), deeper)) std::sort(members.begin(), members.end(), deeper);
   std::size_t& end = end_[static_cast<std::size_t>(k)];
   while (end > begin_[static_cast<std::size_t>(k)] && list_[end - 1].gap >= reach) --end;
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr float kLengthBonus = 1.1F;
 constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
 constexpr float kDepthBonus = 0.25F;
+constexpr float kLeastShare = 0.01F;
 
 class Chooser {
  public:
@@ -33,6 +34,13 @@ class Chooser {
 
   const Vec3& chosen(int k) const {
     return cluster_[static_cast<std::size_t>(choice_.index[static_cast<std::size_t>(k)])].position;
+  }
+
+  // What carries counts in full, what is apart by the speculative distance hardly at all: the far ends of the line a
+  // cylinder lies on, not what is in front of it and behind.
+  float share(const Contact& c) const {
+    const float lowest = std::max(cluster_[static_cast<std::size_t>(choice_.index[0])].gap, 0.0F);
+    return std::clamp(1 - (c.gap - lowest) / reach_, kLeastShare, 1.0F);
   }
 
   bool isApart(const Contact& c) const {
@@ -58,7 +66,7 @@ class Chooser {
 
   void pickFarthest() {
     const Vec3 p = chosen(0);
-    pick([&](const Contact& c) { return lengthSq(c.position - p) * (c.isHeld ? kAreaBonus : 1); }, 0);
+    pick([&](const Contact& c) { return share(c) * lengthSq(c.position - p) * (c.isHeld ? kAreaBonus : 1); }, 0);
   }
 
   void pickLargestTriangle() {
@@ -67,7 +75,8 @@ class Chooser {
       return lengthSq(cross(c.position - p, q - p)) * (c.isHeld ? kAreaBonus * kAreaBonus : 1);
     };
     // A sliver thinner than the separation adds nothing that resists tipping.
-    pick(areaSq, separationSq_ * lengthSq(p - q));
+    const float sliver = separationSq_ * lengthSq(p - q);
+    pick([&](const Contact& c) { return areaSq(c) > sliver ? share(c) * share(c) * areaSq(c) : 0; }, 0);
   }
 
   // The area a point adds beyond the triangle's edges, seen along the triangle's normal.
@@ -82,7 +91,7 @@ class Chooser {
       }
       return outside * (c.isHeld ? kAreaBonus : 1);
     };
-    pick(gain, separationSq_);
+    pick([&](const Contact& c) { return gain(c) > separationSq_ ? share(c) * gain(c) : 0; }, 0);
   }
 
   std::span<const Contact> cluster_;

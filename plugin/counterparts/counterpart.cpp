@@ -16,7 +16,7 @@
 
 namespace cairn::bullet {
 
-Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, const Vec3& /*last*/) {
+Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> /*lasts*/) {
   return {};
 }
 

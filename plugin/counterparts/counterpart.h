@@ -62,6 +62,9 @@ class Counterpart {
   /// Whether the contacts of a traversal that took several steps are only right when all its resolved pairs are
   /// measured together; otherwise those of earlier steps are left at what was remembered of them.
   virtual bool measuresTogether() const { return false; }
+  /// Whether contacts give way to what bends away, see `RelativeMotion::bend`. Not where it depends on how deep a leaf
+  /// sinks on which side of a surface it is.
+  virtual bool givesWay() const { return true; }
   /// The contact of the two bounding spheres (or of the sphere and the element) as they are.
   virtual Contact boundingContact(const NodePair& pair) = 0;
   /// Appends contacts of the sphere around the whole tree that hold it against all of the counterpart there is near it,
@@ -72,9 +75,13 @@ class Counterpart {
     contacts.back().isWhole = true;
     return 1;
   }
-  /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `last` is
-  /// the common normal of the step before, or zero; returns the normal given, or zero. Default: nothing is flat.
-  virtual Vec3 flatten(std::span<Contact> cluster, const Vec3& last);
+  /// The common normals that `flatten` gave last, zero where a cluster had none: to be told before anything is measured
+  /// in a step. Default: nothing is flat.
+  virtual void expect(std::span<const Vec3> /*normals*/) {}
+  /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `lasts`
+  /// are the pair's common normals of the step before, zero where a cluster had none; returns the normal given, or
+  /// zero. Default: nothing is flat.
+  virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts);
 
   /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
   /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say

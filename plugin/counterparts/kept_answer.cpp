@@ -38,12 +38,18 @@ bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
+bool KeptAnswer::isStill(const RelativeMotion& motion) const {
+  constexpr float kStillFraction = 0.25F;
+  return static_cast<float>(motion.placement.displacementSince(pickedAt_)) <= kStillFraction * motion.reach;
+}
+
 // Pairs whose surfaces were farther apart than the bodies have moved since still are.
 void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
                       std::span<const NodePair> known, bool isThrifty) {
   areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
   if (areAllNear_) {
     near_.assign(leafPairs.begin(), leafPairs.end());
+    pickedAt_ = motion.placement;
     return;
   }
   if (isThrifty && !known.empty()) {
@@ -52,6 +58,7 @@ void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion&
   }
   const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
   near_.clear();
+  pickedAt_ = motion.placement;
   for (std::size_t i = 0; i < leafPairs.size(); ++i)
     if (gaps_[i] < near) near_.push_back(leafPairs[i]);
 }
@@ -61,6 +68,7 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
   gaps_.resize(leafPairs.size());
   counterpart.appendContacts(leafPairs, gaps_, contacts);
   measuredAt_ = motion.placement;
+  pickedAt_ = motion.placement;
   measuredInVain_ = 0;
   leastGap_ = -kUnknown;
   for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);

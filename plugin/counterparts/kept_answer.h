@@ -33,6 +33,9 @@ class KeptAnswer {
   /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
   bool isApartAt(const RelativePlacement& now, float reach) const;
 
+  /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
+  /// quarter of the reach, so that what was no contact then is no overlap now.
+  bool isStill(const RelativeMotion& motion) const;
   /// Picks the leaf pairs that may be in contact at poses where the answer holds; see `near`. `known` are those that
   /// were, and suffice where they are not empty and the step `isThrifty`.
   void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
@@ -52,6 +55,7 @@ class KeptAnswer {
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
   RelativePlacement beganAt_, measuredAt_;
+  RelativePlacement pickedAt_;  // where all that may be in contact was picked last
   float reach_ = 0;
   float skin_ = 0;
   float wandered_ = 0;         // greatest displacement from where it began while the traversal was under way

@@ -14,10 +14,19 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
+// Clusters whose common normals are closer than 10 degrees resist the same motion.
+constexpr float kSameFaceCosine = 0.984807753F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
 
 }  // namespace
+
+// Bodies may roll for minutes before as much is known of a pair as can be.
+PairContacts::PairContacts() {
+  guards_.reserve(kMaxGuards);
+  known_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
+  retested_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
+}
 
 void PairContacts::reset() {
   known_.clear();
@@ -33,6 +42,7 @@ void PairContacts::reset() {
   started_ = false;
   isRetested_ = false;
   isKept_ = false;
+  isFlat_ = false;
   kept_.reset();
 }
 
@@ -44,6 +54,7 @@ void PairContacts::settleApart(const Vec3& centers) {
 
 bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
   isRetested_ = false;
+  counterpart.expect(commonNormals_);
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
   if (isKept_) return false;
   if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
@@ -65,7 +76,8 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
 bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
   if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement, motion.reach)) return false;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
-  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, isThrifty);
+  // Between flat faces that lie still, the points of the last step stand for all others.
+  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, isThrifty || (isFlat_ && kept_.isStill(motion)));
   return true;
 }
 
@@ -285,6 +297,7 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
+  counterpart.expect(commonNormals_);
   if (!isDone) retest(counterpart, budget);
   if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
   appendUnmeasured(counterpart, motion, budget, contacts);
@@ -303,16 +316,35 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   known_.clear();
   scratch.contacts.group(seeds_, reach);
   flatten(counterpart, reach, scratch.contacts);
+  if (!counterpart.givesWay()) return;
+  for (Contact& contact : contacts)
+    if (!contact.ofSpheres) contact.bend = motion.bend(contact);
 }
 
 void PairContacts::flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts) {
+  const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k);
     Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, common);
+    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts);
     // Along the common normal some turn out to be farther apart than what is wanted.
     if (lengthSq(common) > 0) contacts.resort(k, reach);
   }
+  joinSameNormals(contacts);
+  isFlat_ = !contacts.list().empty();
+  for (int k = 0; k < kMaxClusters; ++k)
+    if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
+}
+
+// Tilted centre lines can put one pair of faces into several clusters.
+void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
+  for (std::size_t k = 0; k < commonNormals_.size(); ++k)
+    for (std::size_t j = k + 1; j < commonNormals_.size(); ++j) {
+      if (dot(commonNormals_[k], commonNormals_[j]) < kSameFaceCosine) continue;
+      contacts.join(static_cast<int>(k), static_cast<int>(j));
+      commonNormals_[j] = {};
+      seeds_[j].active = false;
+    }
 }
 
 void PairContacts::remember(const Contact& chosen) {

@@ -31,7 +31,7 @@ class PairContacts {
   /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
   static constexpr std::size_t kMaxFrontPairs = 32;
 
-  PairContacts() { guards_.reserve(kMaxGuards); }
+  PairContacts();
 
   /// Forgets everything; for a pair that is new.
   void reset();
@@ -103,6 +103,7 @@ class PairContacts {
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
   void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
+  void joinSameNormals(ClusteredContacts& contacts);
   // Whether the bodies have hardly approached since the traversal that gave the last answer began.
   bool isRecent(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
@@ -128,6 +129,7 @@ class PairContacts {
   Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
   KeptAnswer kept_;
   bool isKept_ = false;
+  bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
   bool isRetested_ = false;
 };

@@ -9,30 +9,46 @@
 
 namespace cairn::bullet {
 
-/// The common normal of a cluster of contacts between flat regions of two trees.
+/// Whether what was measured along one unit vector holds for the other: within 1e-5, so that a region of a metre is off
+/// by a hundredth of a millimetre.
+inline bool isSameNormal(const Vec3& x, const Vec3& y) {
+  return lengthSq(x - y) < 1e-10F;
+}
+
+/// The common normal of a cluster of contacts between flat faces of two trees.
 ///
 /// Centre lines between offset leaves on two flat faces are tilted, and depth measured along a tilted line is too
-/// large: flat bodies would float. Where at least half of a cluster's weight touches planar leaves, all its contacts
-/// take the direction of least depth among the leaves' face normals (the one along which the bodies separate soonest);
-/// last step's direction stays unless another is shallower by `kHysteresisFraction` of the regions' size. Scheme R3+h
-/// of the measured comparison.
+/// large: flat bodies would float. Where at least half of a cluster's weight touches leaves that consist of flat faces,
+/// all its contacts take one direction, that of least depth: the one along which the bodies separate soonest. Between
+/// polyhedra it is a face's normal or the cross product of two edges (Gottschalk's separating axes), and an edge is
+/// where two faces of one leaf meet. Last step's direction stays unless another is shallower by `kHysteresisFraction`
+/// of the bodies' size.
 class PlanarNormal {
  public:
   PlanarNormal() { candidates_.reserve(kMaxCandidates); }
 
-  /// Zero when the cluster is not flat. `last`: the cluster's common normal in the last step, or zero. Cost: up to
-  /// `kMaxCandidates` support evaluations a contact.
-  Vec3 find(const PlacedTree& a, const PlacedTree& b, std::span<const Contact> cluster, const Vec3& last);
+  /// Zero when the cluster is not flat. `lasts`: the common normals of the last step, zero where there was none. Cost:
+  /// up to `kMaxCandidates` pairs of support evaluations a contact; most candidates are given up after a few.
+  /// `margins` (world length) are part of the contacts' gaps.
+  Vec3 find(const PlacedTree& a, const PlacedTree& b, float margins, std::span<const Contact> cluster,
+            std::span<const Vec3> lasts);
 
  private:
-  static constexpr std::size_t kMaxCandidates = 12;
+  static constexpr std::size_t kMaxFaces = 12;
+  static constexpr std::size_t kMaxCandidates = 24;
 
-  // Planar regions first (a curved one has facets enough to fill the list), the two bodies in turn, deepest contact
-  // first.
-  void collect(const PlacedTree& tree, NodeId node, float side, const Vec3& towards, bool ofPlanar);
-  void addCandidate(const Vec3& normal, const Vec3& towards);
+  struct Candidate {
+    Vec3 normal;
+    float bonus;  // world length by which it may be deeper than others and still be taken
+  };
 
-  std::vector<Vec3> candidates_;
+  // The two bodies in turn, deepest contact first.
+  void collectFaces(const PlacedTree& tree, NodeId node, float side, const Vec3& towards);
+  void collectEdges(const PlacedTree& a, const PlacedTree& b, const Contact& contact);
+  void putLastFirst(std::span<const Vec3> lasts, float bonus);
+  bool add(const Vec3& normal, const Vec3& towards, std::size_t most);
+
+  std::vector<Candidate> candidates_;
 };
 
 }  // namespace cairn::bullet

@@ -58,7 +58,7 @@ bool PlaneCounterpart::resume() {
 void PlaneCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   for (const NodePair& pair : pairs) {
     if (!tree_.isPlanar(pair.a)) {
-      appendContact(pair, tree_.support(pair.a, -normal_), -1, contacts);
+      appendContact(pair, tree_.extreme(pair.a, -normal_), -1, contacts);
       continue;
     }
     int index = 0;

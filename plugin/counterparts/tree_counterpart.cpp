@@ -63,6 +63,35 @@ bool TreeCounterpart::preferPlanes(Contact& contact, const Sphere& a, const Sphe
   return !a_.facesAlong(contact.pair.a, contact.normal) && !b_.facesAlong(contact.pair.b, -contact.normal);
 }
 
+void TreeCounterpart::expect(std::span<const Vec3> normals) {
+  expectedCount_ = 0;
+  for (const Vec3& normal : normals)
+    if (lengthSq(normal) > 0) expected_[expectedCount_++] = normal;
+}
+
+float TreeCounterpart::separation(const NodePair& pair, const Vec3& along) const {
+  return dot(along, a_.support(pair.a, -along) - b_.support(pair.b, along)) - margins_;
+}
+
+// Whatever separates the two regions by the reach proves that they do not touch. Where they are about as near as they
+// can get along a normal, and not beside each other, no other direction need be asked.
+TreeCounterpart::Expected TreeCounterpart::touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const {
+  if (!a_.isFaceted(contact.pair.a) || !b_.isFaceted(contact.pair.b)) return Expected::nothing;
+  for (const Vec3& normal : std::span(expected_).first(expectedCount_)) {
+    contact.normal = normal;
+    if (!measure(contact, a, b, reach_)) return Expected::apart;
+    if (contact.gap < -reach_) continue;
+    const Vec3 line = a.center - b.center, beside = line - normal * dot(line, normal);
+    const float norm = length(beside);
+    if (norm == 0) return Expected::touching;
+    const float apart = separation(contact.pair, beside / norm);
+    if (apart < reach_) return Expected::touching;
+    contact.gap = apart;
+    return Expected::apart;
+  }
+  return Expected::nothing;
+}
+
 bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const {
   const Vec3 onA = a_.support(contact.pair.a, -contact.normal);
   // No point of B's region lies higher than the top of its ball: often that says enough.
@@ -82,11 +111,19 @@ bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b
 bool TreeCounterpart::touch(Contact& contact, float atMost) const {
   const Sphere a = a_.sphere(contact.pair.a);
   const Sphere b = b_.sphere(contact.pair.b);
-  contact.normal = centerLine(a, b);
-  if (!measure(contact, a, b, atMost) || !preferPlanes(contact, a, b)) return false;
+  const Expected expected = expectedCount_ > 0 ? touchAsExpected(contact, a, b) : Expected::nothing;
+  if (expected == Expected::apart) return false;
+  if (expected == Expected::nothing) {
+    contact.normal = centerLine(a, b);
+    if (!measure(contact, a, b, atMost) || !preferPlanes(contact, a, b)) return false;
+  }
+  name(contact);
+  return true;
+}
+
+void TreeCounterpart::name(Contact& contact) const {
   contact.id = {static_cast<int>(a_.tree().level(contact.pair.a)), static_cast<int>(contact.pair.a),
                 static_cast<int>(b_.tree().level(contact.pair.b)), static_cast<int>(contact.pair.b)};
-  return true;
 }
 
 void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
@@ -121,8 +158,7 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
   if (innerA > 0 && innerB > 0)
     contact.certainDepth = std::max(0.0F, innerA + innerB - apart - kOverlapSlack * (a.radius + b.radius + apart));
   contact.position = b.center + contact.normal * (b.radius + 0.5F * contact.gap);
-  contact.id = {static_cast<int>(a_.tree().level(pair.a)), static_cast<int>(pair.a),
-                static_cast<int>(b_.tree().level(pair.b)), static_cast<int>(pair.b)};
+  name(contact);
   return contact;
 }
 
@@ -163,13 +199,15 @@ bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<
   return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
 }
 
-Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, const Vec3& last) {
-  const Vec3 normal = planarNormal_.find(a_, b_, cluster, last);
+Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) {
+  const Vec3 normal = planarNormal_.find(a_, b_, margins_, cluster, lasts);
   if (lengthSq(normal) == 0) return {};
   for (Contact& contact : cluster) {
     if (contact.ofSpheres) continue;
+    const bool isMeasured = isSameNormal(contact.normal, normal);
     contact.normal = normal;
-    if (!measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b), reach_)) contact.gap = reach_;
+    const bool isNear = isMeasured || measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b), reach_);
+    if (!isNear || !a_.faces(contact.pair.a, -normal) || !b_.faces(contact.pair.b, normal)) contact.gap = reach_;
   }
   return normal;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <array>
+
 #include "cairn/core/tree_pair_traversal.h"
+#include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
 #include "counterparts/exact_contacts.h"
 #include "counterparts/planar_normal.h"
@@ -22,7 +25,8 @@ class TreeCounterpart final : public Counterpart {
   /// Where one tree is much larger, its root says little: the larger one is followed down to spheres about as large as
   /// the smaller one's, at most eight families.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
-  Vec3 flatten(std::span<Contact> cluster, const Vec3& last) override;
+  void expect(std::span<const Vec3> normals) override;
+  Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
@@ -36,6 +40,12 @@ class TreeCounterpart final : public Counterpart {
   // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
   // is not below the reach, or when the two do not face each other.
   bool preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const;
+  // What the pair's last common normals say of two regions of flat faces.
+  enum class Expected : std::uint8_t { nothing, apart, touching };
+  Expected touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const;
+  void name(Contact& contact) const;
+  // How far apart the two regions are along a unit vector, at least.
+  float separation(const NodePair& pair, const Vec3& along) const;
   // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
   // is larger than what is set.
   bool measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const;
@@ -46,6 +56,8 @@ class TreeCounterpart final : public Counterpart {
   TreePairTraversal traversal_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;
+  std::array<Vec3, kMaxClusters> expected_;
+  std::size_t expectedCount_ = 0;
   ExactContacts exactContacts_;
 };
 

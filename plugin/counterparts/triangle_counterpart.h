@@ -26,6 +26,7 @@ class TriangleCounterpart final : public Counterpart {
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   /// On which side of a triangle a node belongs can only be told from everything it touches.
+  bool givesWay() const override { return false; }
   bool measuresTogether() const override { return true; }
   Contact boundingContact(const NodePair& pair) override;
   /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,

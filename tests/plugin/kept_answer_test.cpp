@@ -88,7 +88,7 @@ struct Two {
 
 TEST(KeptAnswer, IsWhatAFreshWorldFinds) {
   // Leaves that are not flat: those of flat ones share a normal that is kept over steps.
-  const auto fixed = plainTree(torus(0.3, 0.12, 12), 8), tree = plainTree(torus(0.25, 0.1, 10), 8);
+  const auto fixed = plainTree(torus(0.3, 0.12, 30), 8), tree = plainTree(torus(0.25, 0.1, 28), 8);
   std::mt19937_64 engine(kSeed);
   std::uint64_t kept = 0, fresh = 0;
   int contacts = 0;

@@ -131,6 +131,10 @@ class SphereTree {
   const NodeData& node(NodeId node) const { return data_.nodes[recordIndex_[node]]; }
   std::span<const Vec3> supportPoints(NodeId node) const;
   std::span<const Vec3> faceNormals(NodeId node) const;
+  /// True for a leaf whose region consists of flat faces, with sharp edges between them, that `faceNormals` names
+  /// without exception: every source triangle of it faces within 3 degrees of one of them, and no two of them within 30
+  /// degrees of each other (the facets of a smooth body).
+  bool isFaceted(NodeId node) const { return faceted_[node] != 0; }
   /// Source triangles that touch the node's region, as indices into `triangles()`.
   std::span<const std::uint32_t> regionTriangles(NodeId node) const;
   std::uint32_t level(NodeId node) const { return level_[node]; }
@@ -158,6 +162,7 @@ class SphereTree {
   void linkFamilies();
   void packNode(std::uint32_t record);
   void packChildLanes(NodeId node);
+  bool facesOnly(NodeId leaf) const;
 
   SphereTreeData data_;
   std::vector<Family> families_;
@@ -165,6 +170,7 @@ class SphereTree {
   std::vector<SupportBlock> support_;
   std::vector<std::uint32_t> recordIndex_;
   std::vector<std::uint8_t> level_;
+  std::vector<std::uint8_t> faceted_;
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
   float reach_ = 0;
