@@ -15,7 +15,7 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
 // Clusters whose common normals are closer than 10 degrees resist the same motion.
-constexpr float kSameFaceCosine = 0.984807753F;
+constexpr float kSameNormalCosine = 0.984807753F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
 
@@ -340,7 +340,7 @@ void PairContacts::flatten(Counterpart& counterpart, float reach, ClusteredConta
 void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
   for (std::size_t k = 0; k < commonNormals_.size(); ++k)
     for (std::size_t j = k + 1; j < commonNormals_.size(); ++j) {
-      if (dot(commonNormals_[k], commonNormals_[j]) < kSameFaceCosine) continue;
+      if (dot(commonNormals_[k], commonNormals_[j]) < kSameNormalCosine) continue;
       contacts.join(static_cast<int>(k), static_cast<int>(j));
       commonNormals_[j] = {};
       seeds_[j].active = false;

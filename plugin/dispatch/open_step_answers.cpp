@@ -80,6 +80,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
   } else {
     budget.chargeAnyway(StepPlan::kHoldingCost);
+    pair.withdrawPromise(budget);  // or the next step would hold it back again
     const PairReport report = pair.hold(dispatcher_, result);
     count(report, pair.seenHeld());
   }
