@@ -28,7 +28,7 @@ function(cairn_program name)
 endfunction()
 
 function(cairn_check_headers target include_dir)
-  if(NOT CAIRN_TESTS)
+  if(NOT CAIRN_TESTS OR NOT CAIRN_CHECK_HEADERS)
     return()
   endif()
   file(GLOB_RECURSE headers RELATIVE ${include_dir} CONFIGURE_DEPENDS ${include_dir}/*.h)

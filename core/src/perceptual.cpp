@@ -26,7 +26,7 @@ double Perceptual::momentumFactor(const ScheduledPair& pair) const {
   return meanMomentum_ > 0 ? 0.5 + momentum / (momentum + meanMomentum_) : 1;
 }
 
-double Perceptual::weight(const ScheduledPair& pair) {
+double Perceptual::weight(const ScheduledPair& pair) const {
   if (!viewer_) return momentumFactor(pair);
   const Sight sight = sightOf(*viewer_, pair.center, static_cast<double>(pair.size) / 2);
   const double visibility = sight.isVisible ? 1 : kOutOfView;

@@ -10,7 +10,7 @@ bool TwoClasses::isHigh(const ScheduledPair& pair) const {
   return sight.isVisible && sight.eccentricity <= kHighEccentricity;
 }
 
-double TwoClasses::weight(const ScheduledPair& pair) {
+double TwoClasses::weight(const ScheduledPair& pair) const {
   return isHigh(pair) ? 1 : kLowWeight;
 }
 

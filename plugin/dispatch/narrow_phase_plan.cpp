@@ -22,6 +22,9 @@ void NarrowPhase::Impl::planStep() {
   if (!mayBeInterrupted() || policy_ != Unresolved::guard) return;
   const auto usual = static_cast<std::uint64_t>(usualOperations_);
   for (TreePair* pair : collected_) plan_.add(pair->survey(usual));
+  if (plan_.isTooMuchFor(means(), updatePace_))
+    for (std::size_t i = 0; i < collected_.size(); ++i)
+      plan_.weigh(i, priority_->importance(collected_[i]->described()));
   plan_.decide(means(), updatePace_, holdingPace_);
 }
 

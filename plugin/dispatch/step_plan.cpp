@@ -39,10 +39,13 @@ void StepPlan::clear() {
   isScarce_ = false;
 }
 
+bool StepPlan::isTooMuchFor(StepMeans left, const EmissionPace& pace) const {
+  for (const PairNeed& need : needs_) spend(left, static_cast<double>(need.operations), nanosecondsFor(need, pace));
+  return left.operations < 0 || left.nanoseconds < 0;
+}
+
 void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace) {
-  StepMeans all = left;
-  for (const PairNeed& need : needs_) spend(all, static_cast<double>(need.operations), nanosecondsFor(need, pace));
-  isScarce_ = all.operations < 0 || all.nanoseconds < 0;
+  isScarce_ = isTooMuchFor(left, pace);
   if (!isScarce_) return;
   holdAllThatCanBe(left, pace, holdingPace);
   std::make_heap(heap_.begin(), heap_.end(), [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); });

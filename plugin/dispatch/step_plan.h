@@ -38,6 +38,10 @@ class StepPlan {
   void reserve(std::size_t pairs);
   void clear();
   void add(const PairNeed& need) { needs_.push_back(need); }
+  /// Whether `left` is too little for all of them.
+  bool isTooMuchFor(StepMeans left, const EmissionPace& pace) const;
+  /// How much a pair matters (`Priority::importance`): its urgency is multiplied by it. What is not a number counts 0.
+  void weigh(std::size_t pair, double importance) { needs_[pair].urgency *= importance > 0 ? importance : 0; }
 
   /// Decides about the pairs added. What cannot be held is brought up to date in any case, and of the rest at least
   /// one. `pace` says how long operations take. Ties: who was added first. Linear in the pairs, and n log n in those

@@ -4,7 +4,6 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
-#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/manifold_writer.h"
+#include "dispatch/body_motion.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -26,23 +26,6 @@ constexpr float kSeparationFactor = 1.5F;
 std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
   const btBroadphaseProxy* proxy = body.getCollisionObject()->getBroadphaseHandle();
   return proxy ? static_cast<std::uint32_t>(proxy->getUid()) : 0;
-}
-
-// What is no rigid body (a multibody's link, a ghost) says how it moved, not how it moves.
-Vec3 linearVelocity(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return toVec3(body ? body->getLinearVelocity() : object.getInterpolationLinearVelocity());
-}
-
-Vec3 angularVelocity(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
-}
-
-// What cannot be moved, and a multibody's link, whose mass is not its own alone, count as held fast.
-float inverseMass(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
 const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
@@ -262,10 +245,8 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
   motion_.otherAngular = angularVelocity(other);
   motion_.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
   const float disc = static_cast<float>(placement_.treeShape->getAngularMotionDisc());
-  closingSpeed_ =
-      length(motion_.treeLinear - motion_.otherLinear) + length(motion_.treeAngular - motion_.otherAngular) * disc;
-  const float inverseMasses = inverseMass(tree) + inverseMass(other);
-  reducedMass_ = inverseMasses > 0 ? 1 / inverseMasses : 0;
+  closingSpeed_ = closingSpeed(tree, other, disc);
+  reducedMass_ = reducedMass(tree, other);
   motion_.timeStep = static_cast<float>(timeStep);
   motion_.smallerSize = smallerSize_;
   motion_.reach = placement_.reach;

@@ -105,6 +105,8 @@ class TreePair {
   /// What the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
   /// `usualOperations`: what pairs were resolved with lately.
   PairNeed survey(std::uint64_t usualOperations);
+  /// What a priority is told before anything is done for the pair. Precondition: as for `survey`.
+  ScheduledPair described() const;
   /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
   /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
   /// `isBetterHeld`.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contacts/manifold_writer.h"
+#include "dispatch/body_motion.h"
 #include "dispatch/tree_pair.h"
 #include "shape/bullet_math.h"
 
@@ -61,6 +62,24 @@ PairNeed TreePair::survey(std::uint64_t usualOperations) {
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
   return {error * (1 + waited_), expectedOperations(now, usualOperations), isHoldingStill_ || hasWhole,
           !isHoldingStill_ || !isDone()};
+}
+
+// Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
+ScheduledPair TreePair::described() const {
+  const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
+  const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
+  if (!tree) return {.id = id_};
+  const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
+  const SphereTreeShape* const otherTree = asSphereTree(otherBody.getCollisionShape());
+  const auto treeSize = static_cast<float>(tree->size());
+  const float knownSize = isPlaced_ ? smallerSize_ : treeSize;
+  const float size = otherTree ? std::min(treeSize, static_cast<float>(otherTree->size())) : knownSize;
+  const btCollisionObject &object = *treeBody.getCollisionObject(), &other = *otherBody.getCollisionObject();
+  return {.id = id_,
+          .center = toVec3d((size < treeSize ? otherBody : treeBody).getWorldTransform().getOrigin()),
+          .size = size,
+          .closingSpeed = closingSpeed(object, other, static_cast<float>(tree->getAngularMotionDisc())),
+          .mass = reducedMass(object, other)};
 }
 
 std::uint64_t TreePair::expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const {

@@ -186,6 +186,23 @@ TEST(PriorityOrder, Perceptual_WithAViewer_NearThenFarThenAsideThenBehind) {
   EXPECT_EQ(script.run(priority, 1, 1), Order{1}) << "nobody looks any more: equal ranks, by id";
 }
 
+TEST(PriorityImportance, IsTheRankWithoutErrorAndAge_ForErrorsAsFractionsOfSize) {
+  ScheduledPair near{.id = 1, .center = {10, 0, 0}, .size = 2, .closingSpeed = 1},
+      behind{.id = 2, .center = {-10, 0, 0}};
+  EXPECT_EQ(RoundRobin().importance(near), 1);
+  EXPECT_EQ(WorstErrorFirst().importance(near), 1) << "errors are told in sizes";
+  TwoClasses classes;
+  EXPECT_EQ(classes.importance(near), TwoClasses::kLowWeight) << "needs two seconds for its size";
+  near.closingSpeed = 3;
+  EXPECT_EQ(classes.importance(near), 1);
+  Perceptual perceptual;
+  EXPECT_EQ(perceptual.importance(near), 2) << "without a viewer its size, and nothing is known of momenta";
+  for (Priority* policy : std::initializer_list<Priority*>{&classes, &perceptual}) policy->setViewer(alongX());
+  EXPECT_EQ(classes.importance(behind), TwoClasses::kLowWeight);
+  EXPECT_EQ(perceptual.importance(near), 2 / 10.0);
+  EXPECT_LT(perceptual.importance(behind), 1 / 160.0);
+}
+
 TEST(Viewer, SightOfABall) {
   const Viewer viewer = alongX();
   const Sight ahead = sightOf(viewer, {10, 0, 0}, 0.5);

@@ -82,6 +82,62 @@ TEST(PriorityFacts, AnAnswerCounts_UntilTheBodiesHaveApproached) {
   EXPECT_EQ(heard.pairs.at(0).unansweredError, 0) << "answered in the step before";
 }
 
+/// Round-robin that cares for one half of the world, and counts whose traversals are begun.
+class LeftFirst final : public Priority {
+ public:
+  struct Begun {
+    int left = 0, right = 0;
+  };
+  LeftFirst(Begun& begun, double right) : begun_(&begun), right_(right) {}
+  void begin(std::span<const ScheduledPair> pairs) override {
+    for (const ScheduledPair& pair : pairs)
+      (pair.center.x < 0 ? begun_->left : begun_->right) += !pair.traversal->done();
+    inTurn_.begin(pairs);
+  }
+  std::optional<std::size_t> next() override { return inTurn_.next(); }
+  void turnEnded(std::size_t pair, Progress progress) override { inTurn_.turnEnded(pair, progress); }
+  double importance(const ScheduledPair& pair) const override { return pair.center.x < 0 ? 1 : right_; }
+
+ private:
+  RoundRobin inTurn_;
+  Begun* begun_;
+  double right_;
+};
+
+// Eight pairs of balls to the left, eight to the right; all roll on each other, and there is enough for three.
+LeftFirst::Begun begunWhenScarce(double importanceOfRight) {
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  const auto tree = plainTree(ball(0.5, 6));
+  std::vector<btRigidBody*> rolling;
+  for (int i = 0; i < 16; ++i) {
+    const btVector3 place(btScalar(i < 8 ? -9 : 9), btScalar(3 * (i % 8)), 0);
+    w.add(treeShape(tree), 1, place);
+    rolling.push_back(&w.add(treeShape(tree), 1, place + btVector3(btScalar(0.97), 0, 0)));
+  }
+  LeftFirst::Begun begun;
+  w.dispatcher.setPriority(std::make_unique<LeftFirst>(begun, importanceOfRight));
+  w.world.performDiscreteCollisionDetection();
+  const auto forAll = static_cast<std::int64_t>(w.dispatcher.lastStep().operations);
+  EXPECT_TRUE(w.dispatcher.setBudget({forAll * 3 / 16, {}}).ok());
+  begun = {};
+  for (int step = 1; step <= 60; ++step) {
+    for (btRigidBody* body : rolling)
+      body->getWorldTransform().setRotation(btQuaternion(btVector3(0, 0, 1), btScalar(0.1 * step)));
+    w.world.performDiscreteCollisionDetection();
+  }
+  return begun;
+}
+
+TEST(PriorityWhenScarce, TellsWhichPairsAreBegun) {
+  const LeftFirst::Begun alike = begunWhenScarce(1);
+  EXPECT_GT(alike.left, 0.7 * alike.right);
+  EXPECT_GT(alike.right, 0.7 * alike.left);
+  const LeftFirst::Begun left = begunWhenScarce(1.0 / 16);
+  EXPECT_GT(left.left, 4 * left.right);
+  EXPECT_GT(left.right, 0) << "nobody waits for ever";
+}
+
 Viewer onlooker() {
   return {.eye = {0, -3, 1}, .direction = {0, 1, 0}, .focus = {0, 0, 0.3}, .fieldOfView = 1};
 }

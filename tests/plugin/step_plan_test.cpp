@@ -53,6 +53,16 @@ TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
   EXPECT_TRUE(plan.held().empty());
 }
 
+TEST(StepPlan, WeighsUrgencyByImportance) {
+  StepPlan plan;
+  for (int i = 0; i < 2; ++i) plan.add({1, 100, true, true});
+  ASSERT_TRUE(plan.isTooMuchFor({.operations = 100}, EmissionPace()));
+  plan.weigh(0, 0.5);
+  plan.decide({.operations = 100}, EmissionPace(), EmissionPace());
+  ASSERT_FALSE(plan.chosen().empty());
+  EXPECT_EQ(plan.chosen()[0], 1U);
+}
+
 // Against what the rule says, word for word: one after the other, the most urgent first.
 TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
   std::mt19937_64 engine(kSeed);

@@ -23,10 +23,13 @@ class Perceptual final : public RankedPriority {
   static constexpr double kOutOfView = 1.0 / 16;
 
   void setViewer(const std::optional<Viewer>& viewer) override { viewer_ = viewer; }
+  /// The rank without error and age, the error being a fraction of the pair's size. The mean momentum is that of the
+  /// last step that began.
+  double importance(const ScheduledPair& pair) const override { return double(pair.size) * weight(pair); }
 
  protected:
   void beginWeights(std::span<const ScheduledPair> pairs) override;
-  double weight(const ScheduledPair& pair) override;
+  double weight(const ScheduledPair& pair) const override;
 
  private:
   double momentumFactor(const ScheduledPair& pair) const;

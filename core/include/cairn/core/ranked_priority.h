@@ -34,7 +34,7 @@ class RankedPriority : public Priority {
   /// Before the weights of a step are asked for.
   virtual void beginWeights(std::span<const ScheduledPair> /*pairs*/) {}
   /// What about a pair's rank stays the same for a step, >= 0; asked once for each unfinished pair.
-  virtual double weight(const ScheduledPair& pair) = 0;
+  virtual double weight(const ScheduledPair& pair) const = 0;
   /// What a turn may change, >= 0: the certified error of the pair's answer, world length: that of its front or of
   /// what stands in for an answer, whichever is worse. Not NaN, or the pair has no rank.
   virtual double error(const ScheduledPair& pair);

@@ -20,9 +20,10 @@ class TwoClasses final : public RankedPriority {
   static constexpr double kLowWeight = 1.0 / 16;
 
   void setViewer(const std::optional<Viewer>& viewer) override { viewer_ = viewer; }
+  double importance(const ScheduledPair& pair) const override { return weight(pair); }
 
  protected:
-  double weight(const ScheduledPair& pair) override;
+  double weight(const ScheduledPair& pair) const override;
   /// Round-robin does not ask how wrong a pair is.
   double error(const ScheduledPair& /*pair*/) override { return 1; }
 

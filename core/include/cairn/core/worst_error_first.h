@@ -9,7 +9,7 @@ namespace cairn {
 /// statistics report. rank = max(worst error of the front, unansweredError) / size x (1 + age).
 class WorstErrorFirst final : public RankedPriority {
  protected:
-  double weight(const ScheduledPair& pair) override { return 1 / static_cast<double>(pair.size); }
+  double weight(const ScheduledPair& pair) const override { return 1 / static_cast<double>(pair.size); }
 };
 
 }  // namespace cairn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/vec3.h"
+
+class btCollisionObject;
+
+namespace cairn::bullet {
+
+/// World axes, length per second. What is no rigid body (a multibody's link, a ghost) says how it moved, not how it
+/// moves.
+Vec3 linearVelocity(const btCollisionObject& object);
+/// World axes, radians per second.
+Vec3 angularVelocity(const btCollisionObject& object);
+
+/// Bound on how fast the surfaces of two bodies approach, world length per second. `disc`: how far the first reaches
+/// from its origin, world length.
+float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc);
+
+/// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
+/// is not its own alone, counts as held fast.
+float reducedMass(const btCollisionObject& first, const btCollisionObject& second);
+
+}  // namespace cairn::bullet
