@@ -2,6 +2,7 @@
 #include "dispatch/step_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cairn::bullet {
 
@@ -42,6 +43,10 @@ void StepPlan::clear() {
 bool StepPlan::isTooMuchFor(StepMeans left, const EmissionPace& pace) const {
   for (const PairNeed& need : needs_) spend(left, static_cast<double>(need.operations), nanosecondsFor(need, pace));
   return left.operations < 0 || left.nanoseconds < 0;
+}
+
+void StepPlan::weigh(std::size_t pair, double importance) {
+  needs_[pair].urgency *= importance > 0 ? std::sqrt(importance) : 0;
 }
 
 void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace) {

@@ -40,8 +40,10 @@ class StepPlan {
   void add(const PairNeed& need) { needs_.push_back(need); }
   /// Whether `left` is too little for all of them.
   bool isTooMuchFor(StepMeans left, const EmissionPace& pace) const;
-  /// How much a pair matters (`Priority::importance`): its urgency is multiplied by it. What is not a number counts 0.
-  void weigh(std::size_t pair, double importance) { needs_[pair].urgency *= importance > 0 ? importance : 0; }
+  /// How much a pair matters (`Priority::importance`): its urgency is multiplied by the square root of that, because
+  /// what is neglected too long costs the others: its answer lapses, its bodies never come to rest. What is not a
+  /// number counts 0.
+  void weigh(std::size_t pair, double importance);
 
   /// Decides about the pairs added. What cannot be held is brought up to date in any case, and of the rest at least
   /// one. `pace` says how long operations take. Ties: who was added first. Linear in the pairs, and n log n in those

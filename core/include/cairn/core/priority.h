@@ -38,9 +38,10 @@ class Priority {
   virtual std::optional<std::size_t> next() = 0;
   /// How the turn that `next` gave out ended.
   virtual void turnEnded(std::size_t pair, Progress progress) = 0;
-  /// How much it matters that this pair is brought up to date where a step has too little for all, >= 0: it counts
-  /// times how wrong the pair's answer is, as a fraction of its size, and how long it has waited. 1 for policies that
-  /// do not care. Asked before `begin`, for pairs not yet begun too: `traversal` is null, `unansweredError` 0.
+  /// How much it matters that this pair is brought up to date where a step has too little for all, >= 0: its square
+  /// root counts times how wrong the pair's answer is, as a fraction of its size, and how long it has waited. 1 for
+  /// policies that do not care. Asked before `begin`, for pairs not yet begun too: `traversal` is null,
+  /// `unansweredError` 0.
   virtual double importance(const ScheduledPair& /*pair*/) const { return 1; }
   /// Who looks at the scene from the next step on; nothing: nobody. Policies that do not care ignore it.
   /// Precondition: `checkViewer` accepts it.
