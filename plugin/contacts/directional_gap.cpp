@@ -178,10 +178,14 @@ std::span<const GapPoint> DirectionalGap::run(float reach, float depth) {
   for (const Patch& upper : uppers_)
     for (const Facet& lower : lowers_) compare(upper, lower, std::min(reach, deepest_ + depth));
   std::erase_if(points_, [&](const GapPoint& p) { return p.gap > deepest_ + depth; });
-  // Only where nothing is near does it matter whether anything is far.
-  for (auto upper = uppers_.begin(); upper != uppers_.end() && !anyOverlap_; ++upper)
-    anyOverlap_ = std::ranges::any_of(lowers_, [&](const Facet& lower) { return overlaps(*upper, lower); });
   return points_;
+}
+
+bool DirectionalGap::anyOverlap() const {
+  if (anyOverlap_) return true;
+  return std::ranges::any_of(uppers_, [&](const Patch& upper) {
+    return std::ranges::any_of(lowers_, [&](const Facet& lower) { return overlaps(upper, lower); });
+  });
 }
 
 }  // namespace cairn::bullet

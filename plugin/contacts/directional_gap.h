@@ -62,8 +62,9 @@ class DirectionalGap {
   /// Everything below `reach` in corners of what two triangles cover that is not more than `depth` above the deepest,
   /// in the order they were added; valid until the next `run`. Linear in `pairCount`.
   std::span<const GapPoint> run(float reach, float depth);
-  /// Whether in the last `run` any two triangles had a common part in the window, however far apart.
-  bool anyOverlap() const { return anyOverlap_; }
+  /// Whether any two triangles have a common part in the window, however far apart. Precondition: `run` was called
+  /// since `begin`. Linear in `pairCount` where that found nothing, else at once.
+  bool anyOverlap() const;
 
  private:
   struct Box {
@@ -106,7 +107,7 @@ class DirectionalGap {
   std::vector<Facet> lowers_;
   std::vector<GapPoint> points_;
   float deepest_ = 0;
-  bool anyOverlap_ = false;
+  bool anyOverlap_ = false;  // met in `run`
 };
 
 }  // namespace cairn::bullet

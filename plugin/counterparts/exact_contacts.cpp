@@ -77,15 +77,20 @@ bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float marg
   for (const Vec3& normal : normals) {
     if (!look(a, b, rough.pair, normal, reach + margins, budget)) return false;
     const std::span<const GapPoint> points = gap_.run(reach + margins, kAsDeep * reach);
-    if (!gap_.anyOverlap()) continue;
+    // Only where nothing is near does it matter whether anything is far.
+    if (points.empty() && !budget.charge(static_cast<std::uint32_t>(kOverlapTestCost * gap_.pairCount()))) return false;
+    if (points.empty() && !gap_.anyOverlap()) continue;
     choose(points, reach);
     if (const std::optional<Vec3> face = faceUnder(normal)) {
       if (!look(a, b, rough.pair, *face, reach + margins, budget)) return false;
-      choose(gap_.run(reach + margins, kAsDeep * reach), reach);
-      appendChosen(*face, margins, rough, contacts);
-    } else {
-      appendChosen(normal, margins, rough, contacts);
+      const std::span<const GapPoint> onFace = gap_.run(reach + margins, kAsDeep * reach);
+      if (!onFace.empty()) {
+        choose(onFace, reach);
+        appendChosen(*face, margins, rough, contacts);
+        return true;
+      }
     }
+    appendChosen(normal, margins, rough, contacts);
     return true;
   }
   return appendNearest(a, b, margins, reach, rough, budget, contacts);
@@ -115,6 +120,9 @@ void ExactContacts::appendChosen(const Vec3& normal, float margins, const Contac
 // crossed already overlaps where other leaves see it from the right side.
 bool ExactContacts::appendNearest(const PlacedTree& a, const PlacedTree& b, float margins, float reach,
                                   const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
+  const std::size_t moved =
+      a.tree().regionTriangles(rough.pair.a).size() + b.tree().regionTriangles(rough.pair.b).size();
+  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * moved))) return false;
   placeTriangles(a, rough.pair.a, ofA_);
   placeTriangles(b, rough.pair.b, ofB_);
   if (!budget.charge(static_cast<std::uint32_t>(kOverlapTestCost * ofA_.size() * ofB_.size()))) return false;

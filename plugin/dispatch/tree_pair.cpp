@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,15 @@ constexpr float kSeparationFactor = 1.5F;
 std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
   const btBroadphaseProxy* proxy = body.getCollisionObject()->getBroadphaseHandle();
   return proxy ? static_cast<std::uint32_t>(proxy->getUid()) : 0;
+}
+
+// Contacts of a cluster that are chosen, measured and chosen from again one by one; more than twice what a heap's need.
+constexpr int kRoundsOneByOne = 32;
+// The gap of one that others stand for.
+constexpr float kReplaced = std::numeric_limits<float>::infinity();
+
+bool canBeSharpened(const Contact& contact) {
+  return !contact.isSettled && !contact.ofSpheres;
 }
 
 const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
@@ -271,18 +281,38 @@ std::span<Contact> TreePair::goOnToTriangles(std::span<const Contact> cluster, s
                                              Budget& budget, ContactScratch& scratch) const {
   std::vector<Contact>& members = scratch.cluster;
   members.assign(cluster.begin(), cluster.end());
-  const auto isOpen = [](const Contact& c) { return !c.isSettled && !c.ofSpheres; };
-  while (true) {
+  std::size_t more = 0;
+  for (int round = 0;; ++round) {
     const ContactChoice choice = chooseContacts(members, held, kSeparationFactor * speculative_, speculative_);
     const auto chosen = std::span(choice.index).first(static_cast<std::size_t>(choice.count));
-    const auto open = std::ranges::find_if(chosen, [&](int i) { return isOpen(members[static_cast<std::size_t>(i)]); });
+    const auto open =
+        std::ranges::find_if(chosen, [&](int i) { return canBeSharpened(members[static_cast<std::size_t>(i)]); });
     if (open == chosen.end()) return members;
-    Contact rough = members[static_cast<std::size_t>(*open)];
-    rough.isSettled = true;
-    if (!counterpart_->sharpen(rough, budget, members)) return members;
-    members.erase(members.begin() + *open);
+    if (round >= kRoundsOneByOne) more = std::max<std::size_t>(2 * more, kMaxPoints);
+    const bool isCovered = sharpen(members, static_cast<std::size_t>(*open), more, budget);
     std::sort(members.begin(), members.end(), deeper);
+    while (!members.empty() && members.back().gap == kReplaced) members.pop_back();
+    if (!isCovered) return members;
   }
+}
+
+// That one, and so many more of the deepest: where most turn out to be in vain, choosing anew for each would take the
+// square of their number.
+bool TreePair::sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const {
+  const auto replace = [&](std::size_t i) {
+    Contact rough = members[i];
+    rough.isSettled = true;
+    if (!counterpart_->sharpen(rough, budget, members)) return false;
+    members[i].gap = kReplaced;
+    return true;
+  };
+  if (!replace(one)) return false;
+  for (std::size_t i = 0, count = members.size(); i < count && more > 0; ++i) {
+    if (i == one || !canBeSharpened(members[i])) continue;
+    if (!replace(i)) return false;
+    --more;
+  }
+  return true;
 }
 
 void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,

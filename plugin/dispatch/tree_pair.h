@@ -181,6 +181,7 @@ class TreePair {
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
                                      ContactScratch& scratch) const;
+  bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
   void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
                     ContactScratch& scratch, PairReport& report);
 

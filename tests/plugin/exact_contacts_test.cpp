@@ -101,6 +101,18 @@ TEST(ExactContacts, LieOnBothMeshes) {
   EXPECT_GT(worstOfLeaves, 100 * kRounding) << "leaves are as good: the test shows nothing";
 }
 
+// Thousands of leaf pairs touch or nearly so in one cluster; the triangles are a little farther apart than they all.
+TEST(ExactContacts, OfABallInItsSocketAreAllToldBetter) {
+  BulletWorld<> w;
+  w.dispatcher.setFinest(Finest::triangles);
+  w.add(treeShape(plainTree(bowl(0.7, 0.5, 64), 2)), 0, btVector3(0, 0, 0));
+  w.add(treeShape(plainTree(ball(0.497, 24), 2)), 1, btVector3(0, 0, 0));
+  w.world.performDiscreteCollisionDetection();
+  const auto& step = w.dispatcher.lastStep();
+  EXPECT_GT(step.contacts, 0U);
+  EXPECT_EQ(step.exactContacts, step.contacts);
+}
+
 TEST(ExactContacts, AreAsManyAsTheBudgetAllows) {
   std::uint32_t before = 0;
   for (const std::int64_t operations : {0, 400, 1000, 2000, 20000}) {
