@@ -69,6 +69,8 @@ class PairContacts {
   Contact holdWhole(Contact whole);
   /// Before the `begin` that ends the waiting.
   void waited(float moved);
+  /// After a `begin` without `finish`: the bodies had moved so far since what was said last.
+  void answerAged(float moved) { answer_.approach += moved; }
   /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about.
   bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   std::uint64_t keptCost(const Counterpart& counterpart) const;

@@ -98,7 +98,7 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
 void TreePair::forgetWaiting() {
   isPlaced_ = isHeld_ = false;
   waited_ = heldError_ = 0;
-  moved_ = 0;
+  moved_ = untold_ = 0;
   wholeAt_ = -1;
   spent_ = fullOperations_ = 0;
 }
@@ -134,6 +134,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   if (!adopt(first ? first : asSphereTree(body1.getCollisionShape()), *otherBody.getCollisionShape())) return false;
   objects_[0] = body0.getCollisionObject();
   objects_[1] = body1.getCollisionObject();
+  untold_ = isHeld_ ? 0 : moved_;
   if (isHeld_) tellOfWaiting(treeBody, otherBody);
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
@@ -278,8 +279,12 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
 btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) {
   btPersistentManifold*& m = manifolds_[static_cast<std::size_t>(cluster)];
   if (!m) m = dispatcher.getNewManifold(objects_[0], objects_[1]);
-  if (m) m->setContactBreakingThreshold(btScalar(placement_.reach * kBreakingFactor));
+  if (m) m->setContactBreakingThreshold(breakingThreshold());
   return m;
+}
+
+btScalar TreePair::breakingThreshold() const {
+  return btScalar(placement_.reach * kBreakingFactor);
 }
 
 // The contacts that would be chosen are measured between source triangles, and what comes of it is chosen from again,
@@ -348,9 +353,11 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, budget, scratch);
   for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
+  if (policy.mayBeInterrupted) surviveRefresh();
   heldError_ = report.errorFraction;
   if (!report.isUnresolved) waited_ = 0;
   wholeAt_ = -1;
+  axes_ = objects_[1]->getWorldTransform().getBasis();
   return report;
 }
 

@@ -155,6 +155,11 @@ class TreePair {
 
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
   void beginHeld();
+  void countStepAsWaited();
+  void chooseForWhole();
+  void dropFollowed();
+  void carryPoints(bool dropsParted, bool writesWhole);
+  void surviveRefresh();
   void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
   PairReport reportHeld(bool isWhole) const;
   double rootErrorFraction() const;
@@ -177,6 +182,7 @@ class TreePair {
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
+  btScalar breakingThreshold() const;
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
                                      ContactScratch& scratch) const;
   void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
@@ -190,6 +196,7 @@ class TreePair {
   std::array<BodySnapshot, 2> bodies_;
   const btCollisionObject* objects_[2] = {};  // in the manifolds' order
 
+  btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
   btVector3 origin_{0, 0, 0};
   bool treeIsBody0_ = true;
   PairPlacement placement_;
@@ -210,6 +217,7 @@ class TreePair {
   bool isHeld_ = false;               // in the step before
   bool isHoldingStill_ = false;       // what was said last suffices
   float moved_ = 0;                   // world length, by which the bodies moved since it was begun
+  float untold_ = 0;                  // the same, when it was begun in this step: nobody has counted it yet
   double waited_ = 0;                 // steps
   double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
   int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies
