@@ -19,6 +19,7 @@ struct ContactScratch {
   ClusteredContacts contacts;    ///< of the pair at hand
   std::vector<Contact> cluster;  ///< one of them, as it is measured anew
   std::vector<Contact> guards, wholes;
+  std::vector<Contact> strays, moreStrays;
 };
 
 /// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
@@ -104,7 +105,8 @@ class PairContacts {
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
-  void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
+  void flatten(Counterpart& counterpart, float reach, ContactScratch& scratch);
+  void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ContactScratch& scratch);
   void joinSameNormals(ClusteredContacts& contacts);
   // Whether the bodies have hardly approached since the traversal that gave the last answer began.
   bool isRecent(const RelativeMotion& motion) const;
