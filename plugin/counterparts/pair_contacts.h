@@ -68,6 +68,8 @@ class PairContacts {
   bool isAnsweredWithin(float moved, float smallerSize) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
   Contact holdWhole(Contact whole);
+  /// The bodies stand elsewhere: guards begin anew.
+  void forgetGuards() { guards_.clear(); }
   /// Before the `begin` that ends the waiting.
   void waited(float moved);
   /// After a `begin` without `finish`: the bodies had moved so far since what was said last.

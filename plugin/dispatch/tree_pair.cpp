@@ -23,6 +23,9 @@ constexpr float kBreakingFactor = 1.01F;
 // Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
 constexpr float kSeparationFactor = 1.5F;
 
+// How much farther than its speed explains a body may move in a step by itself, of the smaller one's size.
+constexpr float kOwnMotionFraction = 0.25F;
+
 std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
   const btBroadphaseProxy* proxy = body.getCollisionObject()->getBroadphaseHandle();
   return proxy ? static_cast<std::uint32_t>(proxy->getUid()) : 0;
@@ -136,10 +139,11 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   objects_[1] = body1.getCollisionObject();
   untold_ = isHeld_ ? 0 : moved_;
   if (isHeld_) tellOfWaiting(treeBody, otherBody);
-  isPlaced_ = isBegun_ = true;
-  moved_ = 0;
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
+  noticeSetDown(motion_.placement, placement_.travel);
+  isPlaced_ = isBegun_ = true;
+  moved_ = 0;
   counterpart_->place(placement_);
   if (contacts_.begin(*counterpart_, motion_, isThrifty, budget)) spent_ = 0;
   return true;
@@ -252,6 +256,22 @@ ScheduledPair TreePair::scheduled() {
   return {id_, &traversal, center_, smallerSize_, closingSpeed_, reducedMass_, unanswered};
 }
 
+// What moved farther than its speed explains was set down: how far spheres had overlapped elsewhere, and were allowed
+// to, means nothing here.
+void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
+  const auto moved = static_cast<float>(now.displacementSince(seenAt_));
+  if (isPlaced_ && moved > travel + kOwnMotionFraction * smallerSize_) contacts_.forgetGuards();
+  seenAt_ = now;
+}
+
+// Bound on how fast points of the tree move against the other body.
+float TreePair::greatestSpeed(const SphereTreeShape& shape, const btCollisionObject& tree,
+                              const btCollisionObject& other) {
+  const auto disc = static_cast<float>(shape.getAngularMotionDisc());
+  return length(linearVelocity(tree) - linearVelocity(other)) +
+         length(angularVelocity(tree) - angularVelocity(other)) * disc;
+}
+
 void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                          btScalar timeStep) {
   const btCollisionObject& tree = *treeBody.getCollisionObject();
@@ -262,9 +282,7 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
   motion_.otherLinear = linearVelocity(other);
   motion_.otherAngular = angularVelocity(other);
   motion_.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
-  const float disc = static_cast<float>(placement_.treeShape->getAngularMotionDisc());
-  closingSpeed_ =
-      length(motion_.treeLinear - motion_.otherLinear) + length(motion_.treeAngular - motion_.otherAngular) * disc;
+  closingSpeed_ = greatestSpeed(*placement_.treeShape, tree, other);
   const float inverseMasses = inverseMass(tree) + inverseMass(other);
   reducedMass_ = inverseMasses > 0 ? 1 / inverseMasses : 0;
   motion_.timeStep = static_cast<float>(timeStep);

@@ -108,7 +108,7 @@ class TreePair {
   /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
   /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
   /// `isBetterHeld`.
-  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result);
+  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep);
   /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
   ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
   /// So much was charged for the pair, in this step or one before.
@@ -154,8 +154,10 @@ class TreePair {
   };
 
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
+  void noticeSetDown(const RelativePlacement& now, float travel);
   void beginHeld();
   void countStepAsWaited();
+  void lookForJump(btScalar timeStep);
   void chooseForWhole();
   void dropFollowed();
   void carryPoints(bool dropsParted, bool writesWhole);
@@ -163,6 +165,8 @@ class TreePair {
   void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
   PairReport reportHeld(bool isWhole) const;
   double rootErrorFraction() const;
+  static float greatestSpeed(const SphereTreeShape& shape, const btCollisionObject& tree,
+                             const btCollisionObject& other);
   static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
                                              const btTransform& other);
   // How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
@@ -208,6 +212,8 @@ class TreePair {
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame
   Promise promised_;
+
+  RelativePlacement seenAt_;  // in the last step
 
   // For steps in which the pair has to wait.
   std::optional<RootSpheres> roots_;  // of this step

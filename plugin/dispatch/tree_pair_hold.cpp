@@ -78,14 +78,17 @@ std::uint64_t TreePair::charged(std::uint64_t operations) {
   return fullOperations_ = spent_;
 }
 
-PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result) {
+PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep) {
   const bool isNew = !isPlaced_;
   if (isNew) beginHeld();
   origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   isHeld_ = true;
   ++waited_;
-  if (isBegun_) countStepAsWaited();
+  if (isBegun_)
+    countStepAsWaited();
+  else
+    lookForJump(timeStep);
   const bool needsWhole = isNew || !isHoldingStill_;
   if (needsWhole) chooseForWhole();
   if (needsWhole && moved_ > kMostFollowed * smallerSize_) dropFollowed();
@@ -93,6 +96,14 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result) {
   if (needsWhole) writeWhole(contacts_.holdWhole(roots_->contact()), dispatcher, result);
   surviveRefresh();
   return reportHeld(needsWhole);
+}
+
+void TreePair::lookForJump(btScalar timeStep) {
+  const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
+  const float speed = greatestSpeed(shape, *tree.getCollisionObject(), *other.getCollisionObject());
+  noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
+                speed * static_cast<float>(timeStep));
 }
 
 // Its traversal began here, but what it says is as old as before.
@@ -111,6 +122,7 @@ void TreePair::beginHeld() {
   objects_[1] = object1();
   setSizes(tree, *body1().getCollisionShape(), 0);
   motion_.placement = relativePlacement(tree, body0().getWorldTransform(), body1().getWorldTransform());
+  seenAt_ = motion_.placement;
   isPlaced_ = true;
   moved_ = 0;
 }

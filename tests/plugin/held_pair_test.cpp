@@ -9,6 +9,8 @@
 namespace cairn::test {
 namespace {
 
+using bullet::kSpeculativeFraction;
+
 // A cube of a metre on another one, half a millimetre in it; nothing moves but by hand. Far away eight balls are in
 // each other and never where they were: with a budget of one operation their pairs are more urgent for some twenty
 // steps, and the cubes are held.
@@ -121,6 +123,28 @@ TYPED_TEST(HeldPairs, StayInContactWhileTheirSpheresStandIn) {
   EXPECT_GT(warm, 10) << "the point is a new one in every step";
   // The other manifolds of the pair end once, when their points have lapsed.
   EXPECT_LE(ended, 3);
+}
+
+// Bowls whose spheres overlapped a little where they stood first: what was allowed there must not drive them apart
+// where they are set down, one in the other.
+TYPED_TEST(HeldPairs, ThatAreSetDownElsewhereStartAnew) {
+  for (const std::int64_t operations : {0, 1, 200}) {
+    BulletWorld<TypeParam> w;
+    w.world.setGravity(btVector3(0, 0, 0));
+    ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    const auto tree = treeShape(plainTree(bowl(0.4, 0.36, 16)));
+    const btVector3 inside(0, 0, btScalar(0.2));
+    btRigidBody* bodies[3];
+    for (int i = 0; i < 3; ++i) bodies[i] = &w.add(tree, 1, btVector3(btScalar(0.77) * btScalar(i - 1), 0, 0));
+    for (btRigidBody* body : bodies) body->setActivationState(DISABLE_DEACTIVATION);
+    w.step(20);
+    ASSERT_GT(w.dispatcher.lastStep().unresolvedPairs, 0U) << "resolved: the test shows nothing";
+    bodies[0]->setWorldTransform(btTransform(btQuaternion::getIdentity(), inside));
+    bodies[0]->setInterpolationWorldTransform(bodies[0]->getWorldTransform());
+    w.step(60);
+    const btScalar way = (bodies[0]->getWorldTransform().getOrigin() - inside).length();
+    EXPECT_LT(way, kSpeculativeFraction * tree->size()) << operations << " operations";
+  }
 }
 
 // Also where a new traversal begins in every step and does not end: the last answer still stands.
