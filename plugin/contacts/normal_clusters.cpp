@@ -85,6 +85,18 @@ void ClusteredContacts::gather() {
   list_.swap(grouped_);
 }
 
+void ClusteredContacts::fill(int k, std::span<const Contact> contacts) {
+  const auto first = static_cast<std::size_t>(k);
+  const auto at = list_.begin() + static_cast<std::ptrdiff_t>(begin_[first]);
+  const auto added = list_.insert(at, contacts.begin(), contacts.end());
+  std::sort(added, added + static_cast<std::ptrdiff_t>(contacts.size()), deeper);
+  end_[first] = begin_[first] + contacts.size();
+  for (std::size_t j = first + 1; j < begin_.size(); ++j) {
+    begin_[j] += contacts.size();
+    end_[j] += contacts.size();
+  }
+}
+
 void ClusteredContacts::join(int into, int from) {
   const auto first = static_cast<std::size_t>(into), second = static_cast<std::size_t>(from);
   const auto at = [&](std::size_t i) { return list_.begin() + static_cast<std::ptrdiff_t>(i); };

@@ -45,6 +45,8 @@ class ClusteredContacts {
   }
   /// Sorts a cluster anew after its gaps changed, and drops those that are not below `reach` any more.
   void resort(int k, float reach);
+  /// Puts contacts into a cluster that is empty, sorted.
+  void fill(int k, std::span<const Contact> contacts);
   /// Moves the second cluster's contacts into the first, which is sorted anew; the second is empty then.
   void join(int into, int from);
 

@@ -16,7 +16,8 @@
 
 namespace cairn::bullet {
 
-Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> /*lasts*/) {
+Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> /*lasts*/,
+                          std::vector<Contact>& /*strays*/) {
   return {};
 }
 

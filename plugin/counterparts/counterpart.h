@@ -80,8 +80,9 @@ class Counterpart {
   virtual void expect(std::span<const Vec3> /*normals*/) {}
   /// Gives the contacts of one cluster a common normal if their regions are flat, and measures them along it. `lasts`
   /// are the pair's common normals of the step before, zero where a cluster had none; returns the normal given, or
-  /// zero. Default: nothing is flat.
-  virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts);
+  /// zero. Those that do not belong to that direction are left at the reach, and appended to `strays` as they were if
+  /// they belong to another one. Default: nothing is flat.
+  virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays);
 
   /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
   /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say

@@ -315,25 +315,46 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
     appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
   scratch.contacts.group(seeds_, reach);
-  flatten(counterpart, reach, scratch.contacts);
+  flatten(counterpart, reach, scratch);
   if (!counterpart.givesWay()) return;
   for (Contact& contact : contacts)
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);
 }
 
-void PairContacts::flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts) {
+void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch& scratch) {
+  ClusteredContacts& contacts = scratch.contacts;
+  scratch.strays.clear();
   const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k);
     Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts);
+    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts, scratch.strays);
     // Along the common normal some turn out to be farther apart than what is wanted.
     if (lengthSq(common) > 0) contacts.resort(k, reach);
   }
+  clusterStrays(counterpart, reach, lasts, scratch);
   joinSameNormals(contacts);
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k)
     if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
+}
+
+// Faces at a shallow angle to each other share a cluster, and each needs its own: two sides of a groove hold against
+// different motions.
+void PairContacts::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
+                                 ContactScratch& scratch) {
+  ClusteredContacts& contacts = scratch.contacts;
+  for (int k = 0; k < kMaxClusters && !scratch.strays.empty(); ++k) {
+    if (!contacts.cluster(k).empty()) continue;
+    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
+    scratch.moreStrays.clear();
+    common = counterpart.flatten(scratch.strays, lasts, scratch.moreStrays);
+    if (lengthSq(common) == 0) return;
+    contacts.fill(k, scratch.strays);
+    contacts.resort(k, reach);
+    seeds_[static_cast<std::size_t>(k)] = {common, true};
+    scratch.strays.swap(scratch.moreStrays);
+  }
 }
 
 // Tilted centre lines can put one pair of faces into several clusters.

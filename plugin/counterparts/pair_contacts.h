@@ -19,6 +19,7 @@ struct ContactScratch {
   ClusteredContacts contacts;    ///< of the pair at hand
   std::vector<Contact> cluster;  ///< one of them, as it is measured anew
   std::vector<Contact> guards, wholes;
+  std::vector<Contact> strays, moreStrays;
 };
 
 /// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
@@ -67,8 +68,12 @@ class PairContacts {
   bool isAnsweredWithin(float moved, float smallerSize) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
   Contact holdWhole(Contact whole);
+  /// The bodies stand elsewhere: guards begin anew.
+  void forgetGuards() { guards_.clear(); }
   /// Before the `begin` that ends the waiting.
   void waited(float moved);
+  /// After a `begin` without `finish`: the bodies had moved so far since what was said last.
+  void answerAged(float moved) { answer_.approach += moved; }
   /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about.
   bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   std::uint64_t keptCost(const Counterpart& counterpart) const;
@@ -102,7 +107,8 @@ class PairContacts {
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
-  void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts);
+  void flatten(Counterpart& counterpart, float reach, ContactScratch& scratch);
+  void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ContactScratch& scratch);
   void joinSameNormals(ClusteredContacts& contacts);
   // Whether the bodies have hardly approached since the traversal that gave the last answer began.
   bool isRecent(const RelativeMotion& motion) const;

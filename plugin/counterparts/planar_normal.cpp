@@ -111,6 +111,17 @@ void PlanarNormal::putLastFirst(std::span<const Vec3> lasts, float bonus) {
   }
 }
 
+bool PlanarNormal::isFartherAlongOther(const PlacedTree& a, const PlacedTree& b, float margins, const Contact& contact,
+                                       float least) {
+  candidates_.clear();
+  collectFaces(a, contact.pair.a, -1, contact.normal);
+  collectFaces(b, contact.pair.b, 1, contact.normal);
+  collectEdges(a, b, contact);
+  return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
+    return deepestAlong(a, b, margins, std::span(&contact, 1), candidate.normal, least) > least;
+  });
+}
+
 Vec3 PlanarNormal::find(const PlacedTree& a, const PlacedTree& b, float margins, std::span<const Contact> cluster,
                         std::span<const Vec3> lasts) {
   if (cluster.empty() || !isFlat(a, b, cluster)) return {};
@@ -122,8 +133,12 @@ Vec3 PlanarNormal::find(const PlacedTree& a, const PlacedTree& b, float margins,
   }
   const float size = a.sphere(kRootNode).radius + b.sphere(kRootNode).radius;
   for (Candidate& face : candidates_) face.bonus = kFaceFraction * size;
-  for (const Contact& c : deepest(cluster, kMaxEdgeContacts))
-    if (!c.ofSpheres) collectEdges(a, b, c);
+  for (const Contact& c : deepest(cluster, kMaxEdgeContacts)) {
+    if (c.ofSpheres) continue;
+    collectEdges(a, b, c);
+    // What is smooth may lie on an edge.
+    if (a.isFaceted(c.pair.a) != b.isFaceted(c.pair.b)) add(c.normal, c.normal, kMaxCandidates);
+  }
 
   putLastFirst(lasts, kHysteresisFraction * size);
   Vec3 best;

@@ -33,6 +33,10 @@ class PlanarNormal {
   Vec3 find(const PlacedTree& a, const PlacedTree& b, float margins, std::span<const Contact> cluster,
             std::span<const Vec3> lasts);
 
+  /// Whether along some direction that the two regions of a contact face their gap is greater than `least`.
+  bool isFartherAlongOther(const PlacedTree& a, const PlacedTree& b, float margins, const Contact& contact,
+                           float least);
+
  private:
   static constexpr std::size_t kMaxFaces = 12;
   static constexpr std::size_t kMaxCandidates = 24;

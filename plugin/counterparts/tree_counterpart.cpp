@@ -199,15 +199,22 @@ bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<
   return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
 }
 
-Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) {
+// What does not face the normal lies on a border where it is about as near along it: its neighbour knows better. Where
+// it is far deeper than along a direction that it does face, it is a contact of another face.
+Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) {
   const Vec3 normal = planarNormal_.find(a_, b_, margins_, cluster, lasts);
   if (lengthSq(normal) == 0) return {};
   for (Contact& contact : cluster) {
     if (contact.ofSpheres) continue;
+    const Contact before = contact;
     const bool isMeasured = isSameNormal(contact.normal, normal);
     contact.normal = normal;
     const bool isNear = isMeasured || measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b), reach_);
-    if (!isNear || !a_.faces(contact.pair.a, -normal) || !b_.faces(contact.pair.b, normal)) contact.gap = reach_;
+    if (isNear && a_.faces(contact.pair.a, -normal) && b_.faces(contact.pair.b, normal)) continue;
+    const bool isDeep = isNear && contact.gap < -reach_;
+    if (isDeep && planarNormal_.isFartherAlongOther(a_, b_, margins_, before, contact.gap + reach_))
+      strays.push_back(before);
+    contact.gap = reach_;
   }
   return normal;
 }

@@ -26,7 +26,7 @@ class TreeCounterpart final : public Counterpart {
   /// the smaller one's, at most eight families.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   void expect(std::span<const Vec3> normals) override;
-  Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts) override;
+  Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 

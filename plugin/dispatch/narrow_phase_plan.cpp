@@ -66,7 +66,7 @@ void NarrowPhase::Impl::holdPairs() {
     left_.chargeAnyway(StepPlan::kHoldingCost);
     expected += holdingPace_.expectedNanoseconds(0);
     btManifoldResult result(&pair.body0(), &pair.body1());
-    const PairReport report = pair.hold(dispatcher_, result);
+    const PairReport report = pair.hold(dispatcher_, result, timeStep_);
     count(report, pair.seenHeld());
     if (!pair.isBegun()) ++statistics_.pairs;
     dismiss(i);

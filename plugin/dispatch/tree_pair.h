@@ -110,7 +110,7 @@ class TreePair {
   /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
   /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
   /// `isBetterHeld`.
-  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result);
+  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep);
   /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
   ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
   /// So much was charged for the pair, in this step or one before.
@@ -156,7 +156,14 @@ class TreePair {
   };
 
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
+  void noticeSetDown(const RelativePlacement& now, float travel);
   void beginHeld();
+  void countStepAsWaited();
+  void lookForJump(btScalar timeStep);
+  void chooseForWhole();
+  void dropFollowed();
+  void carryPoints(bool dropsParted, bool writesWhole);
+  void surviveRefresh();
   void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
   PairReport reportHeld(bool isWhole) const;
   double rootErrorFraction() const;
@@ -179,6 +186,7 @@ class TreePair {
   void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                  btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
+  btScalar breakingThreshold() const;
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
                                      ContactScratch& scratch) const;
   bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
@@ -193,6 +201,7 @@ class TreePair {
   std::array<BodySnapshot, 2> bodies_;
   const btCollisionObject* objects_[2] = {};  // in the manifolds' order
 
+  btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
   btVector3 origin_{0, 0, 0};
   bool treeIsBody0_ = true;
   PairPlacement placement_;
@@ -205,6 +214,8 @@ class TreePair {
   Vec3d center_;  // of the smaller body, world frame
   Promise promised_;
 
+  RelativePlacement seenAt_;  // in the last step
+
   // For steps in which the pair has to wait.
   std::optional<RootSpheres> roots_;  // of this step
   bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
@@ -213,6 +224,7 @@ class TreePair {
   bool isHeld_ = false;               // in the step before
   bool isHoldingStill_ = false;       // what was said last suffices
   float moved_ = 0;                   // world length, by which the bodies moved since it was begun
+  float untold_ = 0;                  // the same, when it was begun in this step: nobody has counted it yet
   double waited_ = 0;                 // steps
   double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
   int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies

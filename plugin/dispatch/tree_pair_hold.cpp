@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "contacts/manifold_writer.h"
 #include "dispatch/body_motion.h"
@@ -21,19 +22,21 @@ constexpr double kUnknownError = 1;
 constexpr float kMostFollowed = 0.04F;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
-// point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step.
-void followBodies(btPersistentManifold& manifold, bool dropsParted) {
+// point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
+// body 1 has turned since the last. Points farther apart than `farthest` are dropped.
+void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btScalar farthest) {
   const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
   const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
   for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    const btVector3& normal = point.m_normalWorldOnB;
+    const btVector3 normal = (turned * point.m_normalWorldOnB).normalized();
+    point.m_normalWorldOnB = normal;
     point.m_positionWorldOnA = pose0 * point.m_localPointA;
     point.m_distance1 = (point.m_positionWorldOnA - pose1 * point.m_localPointB).dot(normal);
     point.m_positionWorldOnB = point.m_positionWorldOnA - normal * point.m_distance1;
     point.m_localPointB = pose1.invXform(point.m_positionWorldOnB);
     ++point.m_lifeTime;
-    if (dropsParted && point.m_distance1 > manifold.getContactBreakingThreshold()) manifold.removeContactPoint(i);
+    if (point.m_distance1 > farthest) manifold.removeContactPoint(i);
   }
 }
 
@@ -94,19 +97,40 @@ std::uint64_t TreePair::charged(std::uint64_t operations) {
   return fullOperations_ = spent_;
 }
 
-PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result) {
+PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep) {
   const bool isNew = !isPlaced_;
   if (isNew) beginHeld();
   origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   isHeld_ = true;
   ++waited_;
+  if (isBegun_)
+    countStepAsWaited();
+  else
+    lookForJump(timeStep);
   const bool needsWhole = isNew || !isHoldingStill_;
-  if (needsWhole && moved_ > kMostFollowed * smallerSize_) clearManifolds();
-  for (btPersistentManifold* m : manifolds_)
-    if (m) followBodies(*m, needsWhole || contacts_.isAnsweredWithin(moved_, smallerSize_));
+  if (needsWhole) chooseForWhole();
+  if (needsWhole && moved_ > kMostFollowed * smallerSize_) dropFollowed();
+  carryPoints(needsWhole || contacts_.isAnsweredWithin(moved_, smallerSize_), needsWhole);
   if (needsWhole) writeWhole(contacts_.holdWhole(roots_->contact()), dispatcher, result);
+  surviveRefresh();
   return reportHeld(needsWhole);
+}
+
+void TreePair::lookForJump(btScalar timeStep) {
+  const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
+  const float speed = closingSpeed(*tree.getCollisionObject(), *other.getCollisionObject(),
+                                   static_cast<float>(shape.getAngularMotionDisc()));
+  noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
+                speed * static_cast<float>(timeStep));
+}
+
+// Its traversal began here, but what it says is as old as before.
+void TreePair::countStepAsWaited() {
+  contacts_.answerAged(untold_);
+  heldError_ += double(untold_ / smallerSize_);
+  untold_ = 0;
 }
 
 // Nothing is traversed yet.
@@ -118,16 +142,44 @@ void TreePair::beginHeld() {
   objects_[1] = object1();
   setSizes(tree, *body1().getCollisionShape(), 0);
   motion_.placement = relativePlacement(tree, body0().getWorldTransform(), body1().getWorldTransform());
+  seenAt_ = motion_.placement;
   isPlaced_ = true;
   moved_ = 0;
 }
 
-// Into a manifold of its own, if one is free.
-void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
-  if (wholeAt_ < 0) {
-    const auto points = [](const btPersistentManifold* m) { return m ? m->getNumContacts() : 0; };
-    wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
+// A manifold of its own, if one is free.
+void TreePair::chooseForWhole() {
+  if (wholeAt_ >= 0) return;
+  const auto points = [](const btPersistentManifold* m) { return m ? m->getNumContacts() : 0; };
+  wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
+}
+
+// Not what the spheres' contact is about to continue: for the user the bodies stay in contact.
+void TreePair::dropFollowed() {
+  for (int k = 0; k < kMaxClusters; ++k)
+    if (btPersistentManifold* const m = manifolds_[static_cast<std::size_t>(k)]; m && k != wholeAt_)
+      if (m->getNumContacts() > 0) m->clearManifold();
+}
+
+void TreePair::carryPoints(bool dropsParted, bool writesWhole) {
+  const btMatrix3x3& axes = objects_[1]->getWorldTransform().getBasis();
+  const btMatrix3x3 turned = axes * axes_.transpose();
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const bool drops = dropsParted && !(writesWhole && k == wholeAt_);
+    const btScalar farthest = drops ? breakingThreshold() : std::numeric_limits<btScalar>::max();
+    if (btPersistentManifold* const m = manifolds_[static_cast<std::size_t>(k)]) followBodies(*m, turned, farthest);
   }
+  axes_ = axes;
+}
+
+// Bullet refreshes the points of a compound's children before it asks for new ones, and drops what slid or parted by
+// more than the manifold's threshold: nothing would be left to hold.
+void TreePair::surviveRefresh() {
+  for (btPersistentManifold* m : manifolds_)
+    if (m) m->setContactBreakingThreshold(btScalar(kMostFollowed * smallerSize_));
+}
+
+void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
   btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
   if (!m) return;
   ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);

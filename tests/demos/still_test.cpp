@@ -88,5 +88,46 @@ TEST(Standing, CubesOfTreesDoNotFloatOnEachOther) {
   EXPECT_LT(run.drift, 0.05);
 }
 
+// Two faces at a shallow angle share a cluster of contacts: each must hold all the same.
+TEST(Standing, ABoxAcrossAValleyLiesOnBothSlopes) {
+  constexpr double kDegrees[] = {8, 15, 20};
+  const TriedBody box = bodyOf(cuboid({0.8, 0.8, 0.3}, 4));
+  for (const double degrees : kDegrees) {
+    const TriedBody ground = bodyOf(valley(degrees, 1, 0.3, 3, 6));
+    const double height = 0.15 + 0.4 * std::tan(degrees * M_PI / 180);
+    StillWorld w;
+    w.add(ground.shape, 0, btVector3(0, 0, 0));
+    const btVector3 place(0, 0, btScalar(height));
+    btRigidBody& body = w.addTried(box, btTransform(btQuaternion::getIdentity(), place), btScalar(0.5));
+    w.step(3 * kStepsPerSecond);
+    // Friction alone would hold it: nothing but a missing contact moves it by more than the speculative distance.
+    const double allowed = double(bullet::kSpeculativeFraction) * std::sqrt(2 * 0.8 * 0.8 + 0.3 * 0.3);
+    EXPECT_LT((body.getWorldTransform().getOrigin() - place).length(), allowed) << degrees << " degrees";
+    EXPECT_LT(body.getWorldTransform().getRotation().getAngleShortestPath(), 0.005) << degrees << " degrees";
+  }
+}
+
+// What is smooth touches an edge along no face's normal.
+TEST(Standing, ABallLiesStillBetweenTwoEdges) {
+  constexpr double kRadius = 0.3;
+  const TriedBody ball = bodyOf(test::ball(kRadius, 16)), rail = bodyOf(cuboid({1, 3, 1}, 6));
+  for (const double degrees : {30, 45, 60}) {
+    StillWorld w;
+    const double aside = kRadius * std::sin(degrees * M_PI / 180), height = kRadius * std::cos(degrees * M_PI / 180);
+    for (const double side : {-1.0, 1.0})
+      w.add(rail.shape, 0, btVector3(btScalar(side * (0.5 + aside)), 0, btScalar(-0.5)));
+    const btTransform start(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(height)));
+    const btRigidBody& body = w.addTried(ball, start, btScalar(0.5));
+    double farthest = 0;
+    for (int i = 0; i < 4 * kStepsPerSecond; ++i) {
+      w.step();
+      const btVector3& at = body.getWorldTransform().getOrigin();
+      farthest = std::max(farthest, std::hypot(double(at.x()), double(at.z()) - height));
+    }
+    // Along the edges it is free; across them the depth of contacts with its leaves is all that moves it.
+    EXPECT_LT(farthest, 0.05 * kRadius) << degrees << " degrees";
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test

@@ -90,7 +90,7 @@ void print(const char* frontEnd, const Quality& q) {
 // A dispatcher that does not say where its steps end prepares by what it knows of the last one: it may lose the reserve
 // for newcomers, a sixty-fourth, and what they cost.
 TEST(FrontEnd_Quality, IsNearlyTheSameForTheSameBudget) {
-  const Recording recording = record(240);
+  const Recording recording = record(480);
   const Quality full = replay<bullet::Dispatcher<>>(recording, {});
   std::printf("no limit\n");
   print("Dispatcher", full);

@@ -96,6 +96,35 @@ inline Solid ball(double radius, int subdivisions) {
   return out.solid;
 }
 
+/// A valley along y between two planes that rise by `degrees` from its bottom, the origin, in a block that reaches
+/// `width` to both sides, `depth` below the bottom and is `length` long.
+inline Solid valley(double degrees, double width, double depth, double length, int cells) {
+  detail::SolidWriter out;
+  const double rise = width * std::tan(degrees * 3.14159265358979 / 180);
+  // A side's profile, from the valley's middle outwards and up.
+  const auto addSide = [&](double side) {
+    const auto at = [&](int i, int j, int k) {  // across, up from the underside, along
+      const double across = double(i) / cells, up = double(j) / cells;
+      return Vec3d{side * width * across, length * (double(k) / cells - 0.5), up * (depth + rise * across) - depth};
+    };
+    const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+      out.triangle(a, side > 0 ? b : c, side > 0 ? c : b);
+      out.triangle(a, side > 0 ? c : d, side > 0 ? d : c);
+    };
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; j < cells; ++j) {
+        add(at(i, 0, j), at(i, 0, j + 1), at(i + 1, 0, j + 1), at(i + 1, 0, j));
+        add(at(i, cells, j), at(i + 1, cells, j), at(i + 1, cells, j + 1), at(i, cells, j + 1));
+        add(at(cells, i, j), at(cells, i, j + 1), at(cells, i + 1, j + 1), at(cells, i + 1, j));
+        add(at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0));
+        add(at(i, j, cells), at(i, j + 1, cells), at(i + 1, j + 1, cells), at(i + 1, j, cells));
+      }
+  };
+  addSide(1);
+  addSide(-1);
+  return out.solid;
+}
+
 /// What the profile sweeps when it turns about z: points (distance from the axis, height), in the order that keeps the
 /// solid on the left; closed, or from axis to axis.
 inline Solid revolved(const std::vector<std::array<double, 2>>& profile, int segments) {
