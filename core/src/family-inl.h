@@ -38,9 +38,9 @@ HWY_INLINE std::uint32_t overlapLanes(const Family& family, const SphereLanes& s
   const FamilyTag d;
   std::uint32_t bits = 0;
   for (std::uint32_t lane = 0; lane < kFamilyWidth; lane += hn::Lanes(d)) {
-    const auto dx = hn::Sub(hn::Load(d, family.x + lane), s.x);
-    const auto dy = hn::Sub(hn::Load(d, family.y + lane), s.y);
-    const auto dz = hn::Sub(hn::Load(d, family.z + lane), s.z);
+    const auto dx = hn::Sub(s.x, hn::Load(d, family.x + lane));
+    const auto dy = hn::Sub(s.y, hn::Load(d, family.y + lane));
+    const auto dz = hn::Sub(s.z, hn::Load(d, family.z + lane));
     const auto reach = hn::Add(hn::Load(d, family.radius + lane), s.radius);
     const auto distanceSq = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
     std::uint8_t mask[8] = {};

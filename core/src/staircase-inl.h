@@ -22,7 +22,6 @@ namespace cairn::HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
 HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const NodePair* pairs, StaircaseBatch& batch) {
-  batch.splitsA = 0;
   for (std::uint32_t i = 0; i < StaircaseBatch::kSize; ++i) {
     const TraversalNode &nodeA = a.nodes[pairs[i].a], &nodeB = b.nodes[pairs[i].b];
     const bool isLeafA = nodeA.childFamily == 0, isLeafB = nodeB.childFamily == 0;
@@ -39,14 +38,14 @@ HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const No
     batch.lanes[i] = (intoA ? isLeafB : isLeafA) ? split.childLanes : split.childLanes & ~leaves;
     const std::uint32_t child = split.childFamily * kFamilyWidth;
     batch.firstChild[i] = intoA ? NodePair{child, pairs[i].b} : NodePair{pairs[i].a, child};
-    batch.splitsA |= static_cast<std::uint32_t>(intoA) << i;
+    batch.side[i] = intoA ? 0 : 1;
   }
 }
 
-HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, bool intoA, std::uint32_t hits) {
+HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, std::uint32_t side, std::uint32_t hits) {
   for (; hits != 0; hits &= hits - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
-    *end++ = intoA ? NodePair{first.a + lane, first.b} : NodePair{first.a, first.b + lane};
+    *end++ = side == 0 ? NodePair{first.a + lane, first.b} : NodePair{first.a, first.b + lane};
   }
   return end;
 }
@@ -109,8 +108,7 @@ HWY_INLINE void prepareLanes(const StaircaseBody& a, const StaircaseBody& b, con
   const auto isWorseA =
       hn::RebindMask(ids, hn::Ge(hn::Mul(linkA.y, hn::Set(d, a.scale)), hn::Mul(linkB.y, hn::Set(d, b.scale))));
   const auto intoA = hn::AndNot(isLeafA, hn::Or(isLeafB, isWorseA));
-  std::uint8_t intoABits[8] = {};
-  hn::StoreMaskBits(ids, intoA, intoABits);
+  hn::Store(hn::IfThenZeroElse(intoA, hn::Set(ids, 1)), ids, batch.side + first);
 
   // Both ways, always: which one counts is as good as random, and a wrong guess would cost more.
   const Columns inA = moved(a, loadColumns(nodeB, 0)), inB = moved(b, loadColumns(nodeA, 0));
@@ -134,24 +132,23 @@ HWY_INLINE void prepareLanes(const StaircaseBody& a, const StaircaseBody& b, con
   const auto child = hn::ShiftLeft<3>(family);
   hn::StoreInterleaved2(hn::IfThenElse(intoA, child, namesA), hn::IfThenElse(intoA, namesB, child), ids,
                         &batch.firstChild[first].a);
-  batch.splitsA |= static_cast<std::uint32_t>(intoABits[0]) << first;
 }
 
 HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const NodePair* pairs, StaircaseBatch& batch) {
-  batch.splitsA = 0;
   for (std::uint32_t first = 0; first < StaircaseBatch::kSize; first += hn::Lanes(StepTag()))
     prepareLanes(a, b, pairs, batch, first);
 }
 
-/// Writes eight pairs behind `end`, those hit first, and returns the end of these.
-HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, bool intoA, std::uint32_t hits) {
-  const hn::CappedTag<std::uint64_t, kFamilyWidth> d;  // a pair per lane; nothing carries from one half into the other
-  const hn::Rebind<std::uint32_t, decltype(d)> d32;
-  const hn::Rebind<std::uint8_t, decltype(d)> d8;
+/// Writes eight pairs behind `end`, those hit first, and returns the end of these. Four a vector at most: longer stores
+/// would each fall into two cache lines.
+HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, std::uint32_t side, std::uint32_t hits) {
+  const hn::CappedTag<std::uint64_t, 4> d;  // a pair per lane; nothing carries from one half into the other
+  const hn::Repartition<std::uint8_t, decltype(d)> bytes;
   const auto base = hn::Set(d, std::bit_cast<std::uint64_t>(first));
+  const auto lanes = hn::BitCast(bytes, hn::Set(d, kHitLanes.lanes[hits]));
   for (std::uint32_t i = 0; i < kFamilyWidth; i += hn::Lanes(d)) {
-    const auto lanes = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, kHitLanes.lanes[hits] + i)));
-    hn::StoreU(hn::Add(base, hn::ShiftLeftSame(lanes, intoA ? 0 : 32)), d, reinterpret_cast<std::uint64_t*>(end + i));
+    const auto placed = hn::TableLookupBytesOr0(lanes, hn::Load(bytes, kLanePlaces.places[side][i]));
+    hn::StoreU(hn::Add(base, hn::BitCast(d, placed)), d, reinterpret_cast<std::uint64_t*>(end + i));
   }
   return end + std::popcount(hits);
 }

@@ -37,30 +37,29 @@ HWY_INLINE std::uint32_t chargeSteps(const StaircaseBatch& batch, std::uint32_t 
 }
 
 /// Takes the first `count` steps and writes their hits down. Into which tree a step goes and whether it ends at leaves
-/// is as good as random, so neither is a branch; that a family holds both leaves and others is rare in most trees.
+/// is as good as random, so neither is a branch but an index; that a family holds both leaves and others is rare in
+/// most trees.
 HWY_INLINE void takeSteps(const StaircaseBody& a, const StaircaseBody& b, const StaircaseBatch& batch,
                           std::uint32_t count, PairList& queue, PairList& leafPairs) {
   constexpr std::size_t kMostHits = std::size_t{StaircaseBatch::kSize} * kFamilyWidth;
-  NodePair* found = queue.makeRoom(kMostHits);
-  NodePair* resolved = leafPairs.makeRoom(kMostHits);
+  NodePair* ends[2] = {queue.makeRoom(kMostHits), leafPairs.makeRoom(kMostHits)};
   const FamilyTag d;
-  const Family* const families[2] = {b.families, a.families};
+  const Family* const families[2] = {a.families, b.families};
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bool intoA = batch.isIntoA(i);
+    const std::uint32_t side = batch.side[i];
     const SphereLanes sphere{hn::Set(d, batch.x[i]), hn::Set(d, batch.y[i]), hn::Set(d, batch.z[i]),
                              hn::Set(d, batch.radius[i])};
     const std::uint32_t living = TraversalNode::living(batch.lanes[i]), leaves = TraversalNode::leaves(batch.lanes[i]);
-    std::uint32_t hits = overlapLanes(families[intoA ? 1 : 0][batch.family[i]], sphere) & living;
-    if (leaves != 0 && leaves != living) {
-      found = append(found, batch.firstChild[i], intoA, hits & ~leaves);
+    std::uint32_t hits = overlapLanes(families[side][batch.family[i]], sphere) & living;
+    if (leaves - 1 < living - 1) {  // neither none nor all: one comparison, as "none" alone would be a guess
+      ends[0] = append(ends[0], batch.firstChild[i], side, hits & ~leaves);
       hits &= leaves;
     }
-    NodePair* const end = append(leaves != 0 ? resolved : found, batch.firstChild[i], intoA, hits);
-    found = leaves != 0 ? found : end;
-    resolved = leaves != 0 ? end : resolved;
+    NodePair*& end = ends[leaves != 0 ? 1 : 0];
+    end = append(end, batch.firstChild[i], side, hits);
   }
-  queue.extendTo(found);
-  leafPairs.extendTo(resolved);
+  queue.extendTo(ends[0]);
+  leafPairs.extendTo(ends[1]);
 }
 
 Progress refinePairs(const StaircaseBody& a, const StaircaseBody& b, StaircasePairs pairs, Budget& budget) {
