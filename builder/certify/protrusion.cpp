@@ -54,7 +54,9 @@ class BranchAndBound {
     return solid_.query(p, solid_.distanceToTriangle(known, p));
   }
 
-  bool closeEnough(double upper) const { return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute; }
+  bool closeEnough(double upper) const {
+    return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute || best_ > tolerance_.ofInterest;
+  }
 
   void offer(const Vec3d& point, double outside) {
     if (outside > best_) {

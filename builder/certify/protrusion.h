@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "surface/signed_distance.h"
 
@@ -16,12 +17,14 @@ struct CertifiedProtrusion {
   double depth = 0;  ///< s(center): positive inside
 };
 
-/// How closely `certifiedProtrusion` encloses the truth: it stops when upper <= lower * (1 + relative) + absolute, or
-/// after `maxQueries` distance queries (then the bounds are as valid, only farther apart).
+/// How closely `certifiedProtrusion` encloses the truth: it stops when upper <= lower * (1 + relative) + absolute,
+/// after `maxQueries` distance queries, or at a point farther from the solid than `ofInterest` (then the bounds are as
+/// valid, only farther apart; `upper` is more than `ofInterest`, as it would be in the end).
 struct ProtrusionTolerance {
   double relative = 0.01;
   double absolute = 0;  ///< mesh unit
   std::uint32_t maxQueries = 100'000;
+  double ofInterest = std::numeric_limits<double>::infinity();  ///< mesh unit
 };
 
 /// What `certify` and the construction ask for: 1 % of the error, but not below 1e-4 of the bounding box's diagonal.

@@ -16,6 +16,7 @@
 #include "hierarchy/region_tree.h"
 #include "hierarchy/tree_data.h"
 #include "medial/hubbard_medial.h"
+#include "surface/convexity.h"
 
 namespace cairn::builder {
 
@@ -24,6 +25,9 @@ namespace {
 /// A ball that fits its region within this part of the mesh's diagonal is not split further: the certificate cannot
 /// tell it from a perfect one.
 constexpr double kNegligibleFraction = 1e-6;
+
+/// Concavities up to this part of the diagonal are not closed: it is what the certificate leaves open.
+constexpr double kNegligibleConcavity = 1e-4;
 
 /// Points of Hubbard's sampling beside those on edges and of repairs: 2400 samples in all on a model of 1500 triangles,
 /// about as many as the thesis author's own program takes there.
@@ -75,10 +79,16 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
     medial = hubbardMedialOf(solid, kHubbardSamples, options.seed, keepGoing);
     for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) root.medial.push_back(i);
   }
-  const SplitSettings settings{options.method,  options.branching,
-                               options.seed,    kNegligibleFraction * boundsOf(mesh).diagonal(),
-                               &medial,         options.optimiser.value_or(traitsOf(options.method).optimiser),
-                               options.balance, keepGoing};
+  const double diagonal = boundsOf(mesh).diagonal();
+  const SplitSettings settings{options.method,
+                               options.branching,
+                               options.seed,
+                               kNegligibleFraction * diagonal,
+                               &medial,
+                               options.optimiser.value_or(traitsOf(options.method).optimiser),
+                               options.balance,
+                               keepGoing,
+                               isConvex(mesh, kNegligibleConcavity * diagonal)};
   const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
   const RegionTree regions = grow(std::move(root), options.depth, solid, settings,
                                   [&](std::uint32_t level, std::size_t done, std::size_t count) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 namespace cairn::builder {
@@ -79,29 +81,37 @@ std::vector<double> Lookahead::strongerBias(std::size_t child) const {
 std::vector<std::size_t> Lookahead::likelyWorstFirst(std::size_t child) const {
   std::vector<std::size_t> order(next_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto rank = [&](std::size_t i) { return std::pair(i != child, -next_[i].worst()); };
+  const auto rank = [&](std::size_t i) { return std::tuple(i != child, i != failed_, -next_[i].worst()); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;
 }
 
 void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings) {
-  Split moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff), solid, settings);
+  std::optional<Split> moved = redivide(split_, strongerBias(child), std::max(limit, split_.standOff),
+                                        std::max(limit, split_.worst()), solid, settings);
   step_ *= kStepAfterFailure;
-  if (moved.children.size() != split_.children.size() || moved.worst() > std::max(limit, split_.worst())) return;
-  if (moved.children[child].pieces == split_.children[child].pieces) return;
-  std::vector<Split> next = next_;
-  std::vector<bool> searched = searched_;
+  if (!moved || moved->children.size() != split_.children.size()) return;
+  const auto stayed = [&](std::size_t i) { return moved->children[i].pieces == split_.children[i].pieces; };
+  if (stayed(child)) return;
   const double goal = worstGrandchild() * kWorthwhile;
+  // What balancing drops is measured against what the part's own division comes to, so then it starts from nothing.
+  const Split nothing;
+  std::vector<std::optional<SplitBelow>> next(next_.size());
   for (const std::size_t i : likelyWorstFirst(child)) {
-    if (moved.children[i].pieces == split_.children[i].pieces) continue;
-    next[i] = splitRegion(moved.children[i], solid, settings, 0);
-    searched[i] = next[i].worst() >= goal;
-    if (searched[i]) next[i] = refineSplit(next[i], moved.children[i], solid, settings, kSwapRounds);
-    if (next[i].worst() >= goal) return;
+    if (stayed(i)) continue;
+    const Split& like = settings.balance ? nothing : next_[i];
+    next[i] = splitBelow(moved->children[i], like, solid, settings, kSwapRounds, goal);
+    if (!next[i]) {
+      failed_ = i;
+      return;
+    }
   }
-  split_ = std::move(moved);
-  next_ = std::move(next);
-  searched_ = std::move(searched);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (!next[i]) continue;
+    next_[i] = std::move(next[i]->split);
+    searched_[i] = next[i]->refined;
+  }
+  split_ = *std::move(moved);
   step_ *= kStepAfterSuccess / kStepAfterFailure;
 }
 

@@ -37,14 +37,15 @@ class Lookahead {
   /// The bias that makes every child with more than half of the worst one's error give up surface, the worst most.
   std::vector<double> strongerBias(std::size_t child) const;
   /// The order in which children are divided anew: one that fails the goal ends the attempt, so `child` goes first,
-  /// then those that were nearly as bad. What comes of it does not depend on the order.
+  /// then the one that failed last time, then those that were nearly as bad. What comes of it does not depend on it.
   std::vector<std::size_t> likelyWorstFirst(std::size_t child) const;
   void moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings);
 
   Split split_;
   std::vector<Split> next_;
-  std::vector<bool> searched_;  // by child: no more effort to spend on its own division
-  double step_ = 0;             // of the next bias, in parts of the stand-off
+  std::vector<bool> searched_;            // by child: no more effort to spend on its own division
+  std::size_t failed_ = ~std::size_t{0};  // the child that ended the last attempt, if one did
+  double step_ = 0;                       // of the next bias, in parts of the stand-off
 };
 
 }  // namespace cairn::builder

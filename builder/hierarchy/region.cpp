@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "region.h"
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,20 +16,27 @@ namespace cairn::builder {
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct CertifiedBall {
   Ball ball;
   double error = 0;
 };
 
-/// The balls around one part of the surface, each with its certified error.
+/// The balls around one part of the surface, each with its certified error. One above `ofInterest` is only known to be
+/// that.
 class PartFit {
  public:
   PartFit(const Pieces& pieces, const SignedDistance& solid)
       : solid_(solid), depth_(solid), list_(cornersOf(pieces)), corners_(list_) {}
 
-  CertifiedBall around(const Vec3d& center) const { return certified(ballAround(center, corners_, depth_)); }
+  CertifiedBall around(const Vec3d& center, double ofInterest = kInfinity) const {
+    return certified(ballAround(center, corners_, depth_), ofInterest);
+  }
   CertifiedBall smallest() const { return around(smallestEnclosingBall(list_).center); }
-  CertifiedBall tightest(const Vec3d& center) const { return certified(fitBall(center, corners_, depth_)); }
+  CertifiedBall tightest(const Vec3d& center, double ofInterest = kInfinity) const {
+    return certified(fitBall(center, corners_, depth_), ofInterest);
+  }
 
   /// Fitted in the closing of the solid at about the error of `start`, so that narrow concavities are not charged.
   CertifiedBall closed(const CertifiedBall& start) const {
@@ -39,7 +48,11 @@ class PartFit {
   }
 
  private:
-  CertifiedBall certified(const Ball& ball) const { return {ball, errorOf(ball, solid_)}; }
+  CertifiedBall certified(const Ball& ball, double ofInterest) const {
+    ProtrusionTolerance tolerance = defaultProtrusionTolerance(solid_);
+    tolerance.ofInterest = ofInterest;
+    return {ball, certifiedProtrusion(solid_, ball.center, ball.radius, tolerance).upper};
+  }
 
   const SignedDistance& solid_;
   SolidDepth depth_;
@@ -52,10 +65,14 @@ CertifiedBall better(const CertifiedBall& a, const CertifiedBall& b) {
   return b.error < a.error ? b : a;
 }
 
-CertifiedBall fitted(const PartFit& part, const Vec3d& center, Refit refit) {
-  if (refit == Refit::none) return part.around(center);
+CertifiedBall fitted(const PartFit& part, const Vec3d& center, Refit refit, double ofInterest) {
+  if (refit == Refit::none) return part.around(center, ofInterest);
   if (refit == Refit::smallest) return part.smallest();
-  if (refit == Refit::tightest) return better(part.around(center), part.tightest(center));
+  if (refit == Refit::tightest) {
+    // The ball that was moved is mostly the better one; that the other one is not is known soon.
+    const CertifiedBall moved = part.tightest(center, ofInterest);
+    return better(part.around(center, std::min(moved.error, ofInterest)), moved);
+  }
   const CertifiedBall least = better(part.smallest(), part.tightest(center));
   return better(least, part.closed(least));
 }
@@ -66,8 +83,8 @@ double errorOf(const Ball& ball, const SignedDistance& solid) {
   return certifiedProtrusion(solid, ball.center, ball.radius, defaultProtrusionTolerance(solid)).upper;
 }
 
-Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit) {
-  const CertifiedBall kept = fitted(PartFit(pieces, solid), ball.center, refit);
+Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit, double ofInterest) {
+  const CertifiedBall kept = fitted(PartFit(pieces, solid), ball.center, refit, ofInterest);
   return {kept.ball, kept.error, std::move(pieces)};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hierarchy/method_traits.h"
@@ -26,7 +27,9 @@ struct Region {
 double errorOf(const Ball& ball, const SignedDistance& solid);
 
 /// The region of these pieces with a ball around it: the centre it was given to, or one fitted to it, as `refit` says
-/// (thesis Alg. 8). Precondition: `pieces` not empty.
-Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit = Refit::tightest);
+/// (thesis Alg. 8). An error above `ofInterest` is only known to be that, which is found out sooner. Precondition:
+/// `pieces` not empty.
+Region fittedRegion(const Ball& ball, Pieces pieces, const SignedDistance& solid, Refit refit = Refit::tightest,
+                    double ofInterest = std::numeric_limits<double>::infinity());
 
 }  // namespace cairn::builder

@@ -112,7 +112,7 @@ class Sharing {
     static const double range = std::log(kLongestStep / kShortestStep);
     const double reach = limit_ * kLongestStep * std::exp(-range * random.uniform());
     const Vec3d center = random.inBall(parents_[k].center, reach);
-    return {center, 0, field_.depth(center)};
+    return {center, 0, field_.at(center, parents_[k].depth, distance(center, parents_[k].center)).depth};
   }
 
   bool move(std::uint32_t k, const Ball& moved) {

@@ -2,7 +2,11 @@
 #include "split_region.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
 #include <utility>
 
 #include "hierarchy/method_traits.h"
@@ -36,6 +40,8 @@ constexpr double kNearlyWorst = 0.97;
 constexpr int kSeamRounds = 2;
 constexpr std::size_t kMaxSeamPoints = 400;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 PointSet pointsOf(const Pieces& pieces, std::uint64_t seed) {
   const std::vector<Vec3d> corners = cornersOf(pieces);
   return PointSet(farthestPointSample(corners, kMaxPoints, seed % corners.size()));
@@ -51,25 +57,45 @@ double finestSeam(const Split& split) {
   return std::max(kFinestSeam * spacingOf(split.pieces), kFinestSeamOfStandOff * split.standOff);
 }
 
-/// Fills in the children from the pieces, the balls and the bias; balls that get no piece are dropped. A part that
-/// `previous` has too, at the same place, keeps its child.
-void makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit) {
-  const double finest = finestSeam(split);
-  std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finest);
+/// Parts of the division without pieces, and their balls, are dropped.
+void dropEmpty(Split& split, std::vector<Pieces>& parts) {
   std::size_t place = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].empty()) continue;
     split.balls[place] = split.balls[i];
     split.bias[place] = split.bias[i];
-    if (previous != nullptr && place < previous->children.size() && previous->children[place].pieces == parts[i]) {
-      split.children.push_back(previous->children[place]);
-    } else {
-      split.children.push_back(fittedRegion(split.balls[place], std::move(parts[i]), solid, refit));
-    }
+    if (place < i) parts[place] = std::move(parts[i]);
     ++place;
   }
   split.balls.resize(place);
   split.bias.resize(place);
+  parts.resize(place);
+}
+
+/// The most likely to have a large error first.
+std::vector<std::size_t> worstFirst(const SphereSet& balls) {
+  std::vector<std::size_t> order(balls.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return balls[a].standOff() > balls[b].standOff(); });
+  return order;
+}
+
+/// Fills in the children from the pieces, the balls and the bias; balls that get no piece are dropped. A part that
+/// `previous` has too, at the same place, keeps its child. False when a child's error is above `ofInterest`; not all
+/// are there then.
+bool makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit, double ofInterest) {
+  std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finestSeam(split));
+  dropEmpty(split, parts);
+  split.children.resize(parts.size());
+  for (const std::size_t i : worstFirst(split.balls)) {
+    if (previous != nullptr && i < previous->children.size() && previous->children[i].pieces == parts[i])
+      split.children[i] = previous->children[i];
+    else
+      split.children[i] = fittedRegion(split.balls[i], std::move(parts[i]), solid, refit, ofInterest);
+    if (split.children[i].error > ofInterest) return false;
+  }
+  return true;
 }
 
 /// Corners of pieces that are covered worst, which the points the balls were fitted to may have missed.
@@ -95,13 +121,13 @@ void take(Split& split, SphereSet balls, double negligible) {
 /// Divides the region among the balls as they are.
 void settle(Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings) {
   take(split, std::move(balls), settings.negligible);
-  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
+  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit, kInfinity);
 }
 
 /// Divides the region among the balls. The seams show what the points between the pieces' corners cost; the balls are
-/// optimised for the worst of them as well, then the pieces are divided for good.
-void settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
-                     const SplitSettings& settings) {
+/// optimised for the worst of them as well, then the pieces are divided for good. False as with `makeChildren`.
+bool settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
+                     const SplitSettings& settings, double ofInterest) {
   take(split, std::move(balls), settings.negligible);
   const double finest = finestSeam(split);
   for (int round = 0; round < kSeamRounds; ++round) {
@@ -109,11 +135,12 @@ void settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem,
     for (const Vec3d& corner : farthestPointSample(worst, kMaxSeamPoints, 0)) split.points.push(corner);
     take(split, optimise(problem, split.balls), settings.negligible);
   }
-  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit);
+  return makeChildren(split, nullptr, solid, traitsOf(settings.method).refit, ofInterest);
 }
 
-Split splitByBalls(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
-  Split split;
+/// Fills in `split`, an empty one. False as with `makeChildren`.
+bool splitByBalls(Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
+                  int swapRounds, double ofInterest) {
   split.pieces = region.pieces;
   refinePieces(split.pieces, kMinPieces);
   split.points = pointsOf(split.pieces, settings.seed);
@@ -122,13 +149,23 @@ Split splitByBalls(const Region& region, const SignedDistance& solid, const Spli
   SphereSet balls = reduce(problem, region, spacingOf(split.pieces), solid, settings, swapRounds);
   if (settings.optimiser != Optimiser::cairn) {
     settle(split, balls, solid, settings);
-    if (split.children.size() >= 2) return split;
+    if (split.children.size() >= 2) return true;
     // A set of which one ball takes everything does not divide; the optimisation completes it and spreads it out.
     split.children.clear();
     balls = optimise(problem, std::move(balls));
   }
-  settleOptimised(split, std::move(balls), problem, solid, settings);
-  return split;
+  return settleOptimised(split, std::move(balls), problem, solid, settings, ofInterest);
+}
+
+/// The same for a region much like that of `like`, from whose balls it starts.
+bool splitLike(Split& split, const Region& region, const Split& like, const SignedDistance& solid,
+               const SplitSettings& settings, double ofInterest) {
+  split.pieces = region.pieces;
+  refinePieces(split.pieces, kMinPieces);
+  split.points = pointsOf(split.pieces, settings.seed);
+  const SolidDepth depth(solid);
+  const CoverProblem problem{split.points, depth, settings.branching};
+  return settleOptimised(split, optimise(problem, seenBy(depth, like.balls)), problem, solid, settings, ofInterest);
 }
 
 /// Hubbard's groups of medial spheres, each with the surface its spheres are nearest to (4.3). None when the region has
@@ -173,6 +210,39 @@ std::vector<Region> splitByCubes(const Region& region, const SignedDistance& sol
   return children;
 }
 
+bool isPointless(const Region& region, const SplitSettings& settings) {
+  return region.pieces.empty() || region.ball.standOff() <= settings.negligible;
+}
+
+/// The closing of the solid that balls of about this stand-off may fill in the region; null when nothing tells it from
+/// all of space.
+std::unique_ptr<DepthField> closingAround(const Region& region, const SignedDistance& solid,
+                                          const SplitSettings& settings, const SphereSet& balls, double standOff) {
+  if (settings.convex) return std::make_unique<SolidDepth>(solid);
+  auto closed = std::make_unique<ClosedDepth>(solid, kClosingScale * standOff, closingSpacing(balls, standOff),
+                                              region.ball.center, region.ball.radius + 2 * standOff);
+  if (!closed->usable()) return nullptr;
+  return closed;
+}
+
+/// `refineSplit` of a division of which only the children may be missing, when it brings the worst error below `goal`.
+std::optional<Split> refinedBelow(const Split& split, const Region& region, const SignedDistance& solid,
+                                  const SplitSettings& settings, int swapRounds, double goal) {
+  const double standOff = coverStandOff(split.points, split.balls);
+  if (standOff <= settings.negligible) return std::nullopt;
+  const std::unique_ptr<DepthField> depth = closingAround(region, solid, settings, split.balls, standOff);
+  if (!depth) return std::nullopt;
+  const CoverProblem problem{split.points, *depth, settings.branching};
+  SphereSet balls = optimiseBySwaps(problem, seenBy(*depth, split.balls), swapRounds);
+  Split refined;
+  refined.pieces = split.pieces;
+  refined.points = split.points;
+  const CoverProblem withSeams{refined.points, *depth, settings.branching};
+  if (!settleOptimised(refined, std::move(balls), withSeams, solid, settings, goal)) return std::nullopt;
+  if (refined.worst() >= goal) return std::nullopt;
+  return refined;
+}
+
 }  // namespace
 
 Region rootRegion(const SignedDistance& solid, std::size_t samples) {
@@ -193,14 +263,14 @@ double Split::worst() const {
 }
 
 Split splitRegion(const Region& region, const SignedDistance& solid, const SplitSettings& settings, int swapRounds) {
-  if (region.pieces.empty() || region.ball.standOff() <= settings.negligible) return {};
+  if (isPointless(region, settings)) return {};
   Split split;
   if (traitsOf(settings.method).division == Division::cubes)
     split.children = splitByCubes(region, solid, settings);
   else if (traitsOf(settings.method).division == Division::groups)
     split.children = splitByGroups(region, solid, settings);
   else
-    split = splitByBalls(region, solid, settings, swapRounds);
+    splitByBalls(split, region, solid, settings, swapRounds, kInfinity);
   // A solid octree's cube may be met by next to nothing in one corner: the small octant there replaces a large ball.
   const std::size_t least = settings.method == Method::solidOctree ? 1 : 2;
   if (split.children.size() < least) return {};
@@ -209,15 +279,23 @@ Split splitRegion(const Region& region, const SignedDistance& solid, const Split
 
 Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
                   int swapRounds) {
-  const double standOff = coverStandOff(split.points, split.balls);
-  if (split.children.empty() || standOff <= settings.negligible) return split;
-  const ClosedDepth depth(solid, kClosingScale * standOff, closingSpacing(split.balls, standOff), region.ball.center,
-                          region.ball.radius + 2 * standOff);
-  if (!depth.usable()) return split;
-  const CoverProblem problem{split.points, depth, settings.branching};
-  const SphereSet start = seenBy(depth, split.balls);
-  const Split refined = splitAmong(split, optimiseBySwaps(problem, start, swapRounds), depth, solid, settings);
-  return refined.worst() < split.worst() ? refined : split;
+  if (split.children.empty()) return split;
+  std::optional<Split> refined = refinedBelow(split, region, solid, settings, swapRounds, split.worst());
+  return refined ? *std::move(refined) : split;
+}
+
+std::optional<SplitBelow> splitBelow(const Region& region, const Split& like, const SignedDistance& solid,
+                                     const SplitSettings& settings, int swapRounds, double goal) {
+  assert(settings.optimiser == Optimiser::cairn && goal > settings.negligible);
+  SplitBelow found;
+  if (isPointless(region, settings)) return found;
+  const bool within = like.balls.empty() ? splitByBalls(found.split, region, solid, settings, 0, goal)
+                                         : splitLike(found.split, region, like, solid, settings, goal);
+  if (found.split.balls.size() < 2) return SplitBelow{};
+  if (within && found.split.worst() < goal) return found;
+  std::optional<Split> refined = refinedBelow(found.split, region, solid, settings, swapRounds, goal);
+  if (!refined) return std::nullopt;
+  return SplitBelow{*std::move(refined), true};
 }
 
 SphereSet seenBy(const DepthField& field, SphereSet balls) {
@@ -231,17 +309,14 @@ Split splitAmong(const Split& split, SphereSet start, const DepthField& field, c
   among.pieces = split.pieces;
   among.points = split.points;
   const CoverProblem problem{among.points, field, settings.branching};
-  settleOptimised(among, std::move(start), problem, solid, settings);
+  settleOptimised(among, std::move(start), problem, solid, settings, kInfinity);
   return among;
 }
 
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
-               const SplitSettings& settings) {
-  Split changed = split;
-  changed.children.clear();
-  changed.bias = std::move(bias);
-  changed.standOff = standOff;
-  makeChildren(changed, &split, solid, traitsOf(settings.method).refit);
+std::optional<Split> redivide(const Split& split, std::vector<double> bias, double standOff, double ofInterest,
+                              const SignedDistance& solid, const SplitSettings& settings) {
+  Split changed{split.pieces, split.points, split.balls, std::move(bias), standOff, {}, split.allowed};
+  if (!makeChildren(changed, &split, solid, traitsOf(settings.method).refit, ofInterest)) return std::nullopt;
   return changed;
 }
 

@@ -26,6 +26,8 @@ struct SplitSettings {
   std::optional<Balance> balance{};
   /// Asked during splits that take long; once it says no, splits come out undivided and are not to be used.
   KeepGoing keepGoing = [] { return true; };
+  /// The solid has no concavity worth closing: its closing is itself.
+  bool convex = false;
 };
 
 /// The region of a whole mesh: its triangles cut into about `samples` pieces, and the smallest ball that holds them.
@@ -57,6 +59,19 @@ Split splitRegion(const Region& region, const SignedDistance& solid, const Split
 Split refineSplit(const Split& split, const Region& region, const SignedDistance& solid, const SplitSettings& settings,
                   int swapRounds);
 
+/// A division all of whose children's errors are below some goal, and whether it took `refineSplit` to get there.
+struct SplitBelow {
+  Split split;
+  bool refined = false;
+};
+
+/// A division below `goal`: one that starts from the balls of `like`, the division of much the same region, or
+/// `splitRegion` without swaps when `like` is empty; else `refineSplit` of it; nothing when neither gets there, which
+/// is known as soon as one child fails. For builds optimised by `cairn`. A pure function. Precondition: `goal` above
+/// what is negligible.
+std::optional<SplitBelow> splitBelow(const Region& region, const Split& like, const SignedDistance& solid,
+                                     const SplitSettings& settings, int swapRounds, double goal);
+
 /// The balls with their depths as `field` sees them.
 SphereSet seenBy(const DepthField& field, SphereSet balls);
 
@@ -66,7 +81,8 @@ Split splitAmong(const Split& split, SphereSet start, const DepthField& field, c
                  const SplitSettings& settings);
 
 /// Divides the split's pieces anew among its balls, with other seams, and refits the balls of parts that changed.
-Split redivide(const Split& split, std::vector<double> bias, double standOff, const SignedDistance& solid,
-               const SplitSettings& settings);
+/// Nothing when the error of one of them is above `ofInterest`.
+std::optional<Split> redivide(const Split& split, std::vector<double> bias, double standOff, double ofInterest,
+                              const SignedDistance& solid, const SplitSettings& settings);
 
 }  // namespace cairn::builder

@@ -22,25 +22,27 @@ constexpr double kFlat = 0.02;
 constexpr double kSufficient = 0.1;
 constexpr double kGrow = 1.6, kShrink = 0.35;
 
-/// Gradients seen around one centre.
+/// Gradients seen around one centre, as structure of arrays: the loops over all of them are short and many.
 class Bundle {
  public:
   void restart(const Vec3d& gradient) {
-    gradients_[0] = gradient;
-    size_ = 1;
+    size_ = 0;
+    add(gradient);
   }
-  bool full() const { return size_ == gradients_.size(); }
-  void add(const Vec3d& gradient) { gradients_[size_++] = gradient; }
+  bool full() const { return size_ == kMost; }
+  void add(const Vec3d& gradient) {
+    x_[size_] = gradient.x;
+    y_[size_] = gradient.y;
+    z_[size_] = gradient.z;
+    ++size_;
+  }
 
   /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction.
   Vec3d shortest() const {
-    Vec3d v = gradients_[0];
+    Vec3d v = at(0);
+    if (size_ == 1) return v;
     for (int round = 0; round < 12; ++round) {
-      std::size_t lowest = 0;
-      double least = dot(gradients_[0], v);
-      for (std::size_t i = 1; i < size_; ++i)
-        if (const double along = dot(gradients_[i], v); along < least) least = along, lowest = i;
-      const Vec3d edge = gradients_[lowest] - v;
+      const Vec3d edge = at(lowestAlong(v)) - v;
       const double gain = -dot(v, edge), edgeSq = lengthSq(edge);
       if (gain <= 1e-12 || edgeSq == 0) break;
       v += edge * std::min(1.0, gain / edgeSq);
@@ -49,7 +51,20 @@ class Bundle {
   }
 
  private:
-  std::array<Vec3d, 8> gradients_;
+  static constexpr std::size_t kMost = 8;
+
+  Vec3d at(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+
+  std::size_t lowestAlong(const Vec3d& v) const {
+    std::array<double, kMost> along;
+    for (std::size_t i = 0; i < kMost; ++i) along[i] = x_[i] * v.x + y_[i] * v.y + z_[i] * v.z;
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i < size_; ++i)
+      if (along[i] < along[lowest]) lowest = i;
+    return lowest;
+  }
+
+  std::array<double, kMost> x_{}, y_{}, z_{};
   std::size_t size_ = 0;
 };
 

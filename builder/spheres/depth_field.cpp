@@ -7,13 +7,14 @@
 #include <limits>
 #include <nanoflann.hpp>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 namespace cairn::builder {
 
 namespace {
 
-constexpr std::size_t kPointsPerLeaf = 12;
+constexpr std::size_t kPointsPerLeaf = 24;
 
 /// What nanoflann wants to know about a set of points.
 struct PointAdaptor {
@@ -119,7 +120,16 @@ struct ClosedDepth::OffsetSurface {
   PointTree tree;
 
   explicit OffsetSurface(std::vector<Vec3d> points)
-      : adaptor{std::move(points)}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kPointsPerLeaf)) {}
+      : adaptor{std::move(points)}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kPointsPerLeaf)) {
+    // In the order of the leaves, so that a search reads on in memory instead of here and there.
+    std::vector<Vec3d> byLeaf;
+    byLeaf.reserve(adaptor.points.size());
+    for (auto& index : tree.vAcc) {
+      byLeaf.push_back(adaptor.points[index]);
+      index = static_cast<std::remove_reference_t<decltype(index)>>(byLeaf.size() - 1);
+    }
+    adaptor.points = std::move(byLeaf);
+  }
 };
 
 ClosedDepth::ClosedDepth(const SignedDistance& solid, double scale, double spacing, const Vec3d& center, double reach)

@@ -25,17 +25,36 @@ struct PointTraits {
 };
 static_assert(sizeof(Vec3d) == 3 * sizeof(double), "the traits walk over the coordinates");
 
-}  // namespace
+using SmallestSphere = CGAL::Min_sphere_of_spheres_d<PointTraits>;
 
-EnclosingBall smallestEnclosingBall(std::span<const Vec3d> points) {
-  assert(!points.empty());
-  CGAL::Min_sphere_of_spheres_d<PointTraits> smallest(points.begin(), points.end());
+EnclosingBall ballOf(SmallestSphere& smallest, std::span<const Vec3d> points) {
   const auto coordinate = smallest.center_cartesian_begin();
   EnclosingBall ball{{coordinate[0], coordinate[1], coordinate[2]}, 0};
   double farthestSq = 0;
   for (const Vec3d& p : points) farthestSq = std::max(farthestSq, lengthSq(p - ball.center));
   ball.radius = std::sqrt(farthestSq);
   return ball;
+}
+
+}  // namespace
+
+EnclosingBall smallestEnclosingBall(std::span<const Vec3d> points) {
+  assert(!points.empty());
+  SmallestSphere smallest(points.begin(), points.end());
+  return ballOf(smallest, points);
+}
+
+struct EnclosingBallSearch::Search {
+  SmallestSphere smallest;
+};
+
+EnclosingBallSearch::EnclosingBallSearch() : search_(std::make_unique<Search>()) {}
+EnclosingBallSearch::~EnclosingBallSearch() = default;
+
+EnclosingBall EnclosingBallSearch::around(std::span<const Vec3d> points) {
+  assert(!points.empty());
+  search_->smallest.set(points.begin(), points.end());
+  return ballOf(search_->smallest, points);
 }
 
 }  // namespace cairn::builder

@@ -14,7 +14,7 @@ namespace cairn::builder {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
 constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
 constexpr int kSweepsPerRound = 3;
@@ -53,21 +53,20 @@ class Places {
 
 /// The two cheapest balls for a point, of those that may hold it.
 struct Holder {
-  std::size_t ball = kNobody, second = kNobody;
+  std::uint32_t ball = kNobody, second = kNobody;
   double cost = kInfinity, secondCost = kInfinity;
 
-  void offer(std::size_t other, double otherCost) {
-    if (otherCost < cost) {
-      second = std::exchange(ball, other);
-      secondCost = std::exchange(cost, otherCost);
-    } else if (otherCost < secondCost) {
-      second = other;
-      secondCost = otherCost;
-    }
+  /// Without branches, of which half would be mispredicted.
+  void offer(std::uint32_t other, double otherCost) {
+    const bool first = otherCost < cost, next = otherCost < secondCost;
+    second = first ? ball : next ? other : second;
+    secondCost = first ? cost : next ? otherCost : secondCost;
+    ball = first ? other : ball;
+    cost = first ? otherCost : cost;
   }
   /// Ball `i` costs `changed` now. False when a third ball may be among the two cheapest, so that all have to be
   /// offered.
-  bool update(std::size_t i, double changed) {
+  bool update(std::uint32_t i, double changed) {
     if (changed >= secondCost && (ball == i || second == i)) return false;
     if (second == i && changed >= cost)
       secondCost = changed;
@@ -78,7 +77,7 @@ struct Holder {
     return true;
   }
   /// What the cheapest ball but `i` costs.
-  double without(std::size_t i) const { return ball == i ? secondCost : cost; }
+  double without(std::uint32_t i) const { return ball == i ? secondCost : cost; }
 };
 
 /// Where a ball was left by a descent that found nothing lower, which it would not find again either.
@@ -100,11 +99,8 @@ class LevelOptimisation {
         places_(problem.points.size(), problem.reach),
         family_(problem.reach.size()),
         holders_(problem.points.size()) {
-    for (const auto& list : problem.reach) {
-      reachPoints_.emplace_back();
-      for (const std::uint32_t p : list) reachPoints_.back().push(problem.points[p]);
-    }
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
+    for (const auto& list : problem.reach) reachPoints_.emplace_back().assign(problem.points, list);
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
       enlist(i);
       updateCosts(i);
     }
@@ -115,8 +111,9 @@ class LevelOptimisation {
       for (std::uint32_t parent = 0; parent < family_.size(); ++parent) {
         if (family_[parent].size() >= round || problem_.reach[parent].empty()) continue;
         balls_.push_back({{}, parent});
-        enlist(balls_.size() - 1);
-        joinWorst(balls_.size() - 1);
+        const auto added = static_cast<std::uint32_t>(balls_.size() - 1);
+        enlist(added);
+        joinWorst(added);
       }
   }
 
@@ -154,7 +151,7 @@ class LevelOptimisation {
     const std::vector<double> load = loads();
     std::vector<ChildBall> level;
     for (const auto& family : family_)
-      for (const std::size_t i : family)
+      for (const std::uint32_t i : family)
         if (load[i] > -kInfinity) {
           const Ball& ball = balls_[i].ball;
           level.push_back({{ball.center, load[i] + ball.depth, ball.depth}, balls_[i].parent});
@@ -164,7 +161,7 @@ class LevelOptimisation {
 
  private:
   /// The ball joins its family, and holds nothing yet.
-  void enlist(std::size_t i) {
+  void enlist(std::uint32_t i) {
     const std::uint32_t parent = balls_[i].parent;
     family_[parent].push_back(i);
     costs_.resize(balls_.size());
@@ -172,7 +169,7 @@ class LevelOptimisation {
     costs_[i].assign(problem_.reach[parent].size(), kInfinity);
   }
 
-  void updateCosts(std::size_t i) {
+  void updateCosts(std::uint32_t i) {
     const Ball& ball = balls_[i].ball;
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
     const std::span<double> costs = costs_[i];
@@ -186,12 +183,12 @@ class LevelOptimisation {
   Holder holderOf(std::size_t point) const {
     Holder holder;
     for (const Place& place : places_.of(point))
-      for (const std::size_t i : family_[place.parent]) holder.offer(i, costs_[i][place.slot]);
+      for (const std::uint32_t i : family_[place.parent]) holder.offer(i, costs_[i][place.slot]);
     return holder;
   }
 
   /// Slots of the ball's reach with points that no other ball holds at the stand-off `goal`, or more cheaply.
-  std::vector<std::uint32_t> dutiesOf(std::size_t i, double goal) const {
+  std::vector<std::uint32_t> dutiesOf(std::uint32_t i, double goal) const {
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
     const std::span<const double> costs = costs_[i];
     std::vector<std::uint32_t> duties;
@@ -213,16 +210,16 @@ class LevelOptimisation {
   /// False when all balls stayed, as they would again.
   bool sweep(double goal) {
     const std::vector<double> load = loads();
-    std::vector<std::size_t> order(balls_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return load[a] > load[b]; });
+    std::vector<std::uint32_t> order(balls_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return load[a] > load[b]; });
     bool moved = false;
-    for (const std::size_t i : order) moved = move(i, goal) || moved;
+    for (const std::uint32_t i : order) moved = move(i, goal) || moved;
     return moved;
   }
 
   /// False when the ball stays.
-  bool move(std::size_t i, double goal) {
+  bool move(std::uint32_t i, double goal) {
     std::vector<std::uint32_t> duties = dutiesOf(i, goal);
     if (duties.empty()) {
       joinWorst(i);
@@ -245,12 +242,12 @@ class LevelOptimisation {
   }
 
   /// An idle ball goes to the point of its parent's reach that is covered worst, where it will take over its share.
-  void joinWorst(std::size_t i) {
+  void joinWorst(std::uint32_t i) {
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
     std::uint32_t worst = reach.front();
     for (const std::uint32_t p : reach)
       if (holders_[p].cost > holders_[worst].cost) worst = p;
-    const std::size_t owner = holders_[worst].ball;
+    const std::uint32_t owner = holders_[worst].ball;
     Vec3d center = problem_.points[worst];
     if (owner != kNobody) center = (center + balls_[owner].ball.center) * 0.5;
     balls_[i].ball = {center, 0, problem_.solid.depth(center)};
@@ -260,17 +257,27 @@ class LevelOptimisation {
   const LevelProblem& problem_;
   std::vector<ChildBall> balls_;
   Places places_;
-  std::vector<PointSet> reachPoints_;             // by parent
-  std::vector<std::vector<std::size_t>> family_;  // by parent: its balls
-  std::vector<std::vector<double>> costs_;        // by ball, then by slot of its parent's reach
-  std::vector<Holder> holders_;                   // by point
-  std::vector<Stuck> stuck_;                      // by ball: its last descent in vain, if any; its duties are not empty
+  std::vector<PointSet> reachPoints_;               // by parent
+  std::vector<std::vector<std::uint32_t>> family_;  // by parent: its balls
+  std::vector<std::vector<double>> costs_;          // by ball, then by slot of its parent's reach
+  std::vector<Holder> holders_;                     // by point
+  std::vector<Stuck> stuck_;  // by ball: its last descent in vain, if any; its duties are not empty
 };
 
 }  // namespace
 
 double coverStandOff(const LevelProblem& problem, std::span<const ChildBall> balls) {
-  return LevelOptimisation(problem, {balls.begin(), balls.end()}).worstCost();
+  std::vector<double> least(problem.points.size(), kInfinity), costs;
+  std::vector<PointSet> reachPoints(problem.reach.size());
+  for (const auto& [ball, parent] : balls) {
+    const std::vector<std::uint32_t>& reach = problem.reach[parent];
+    if (reachPoints[parent].empty()) reachPoints[parent].assign(problem.points, reach);
+    costs.resize(reach.size());
+    reachPoints[parent].distances(ball.center, ball.depth, costs);
+    for (std::size_t slot = 0; slot < reach.size(); ++slot)
+      least[reach[slot]] = std::min(least[reach[slot]], costs[slot]);
+  }
+  return *std::max_element(least.begin(), least.end());
 }
 
 std::vector<ChildBall> optimiseLevel(const LevelProblem& problem, std::vector<ChildBall> start) {

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <limits>
-#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
 
 #include "spheres/enclosing_ball.h"
 
@@ -23,26 +26,33 @@ struct Cluster {
 };
 
 struct Pair {
-  std::size_t a = 0, b = 0;  // a < b
+  std::uint32_t a = 0, b = 0;  // a < b
   Ball merged;
-
-  friend bool operator==(const Pair& p, const Pair& q) { return p.a == q.a && p.b == q.b; }
-  friend bool operator<(const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
 };
 
-double farthestOf(const Vec3d& center, const Cluster& a, const Cluster& b) {
+/// A pair by what its ball stands off; the older one first on a tie.
+struct QueuedPair {
+  double standOff = 0;
+  std::uint32_t index = 0;
+
+  friend bool operator>(const QueuedPair& p, const QueuedPair& q) {
+    return p.standOff != q.standOff ? p.standOff > q.standOff : p.index > q.index;
+  }
+};
+
+/// Radius of the ball around the centre of `a` that holds the points of both.
+double radiusAround(const Cluster& a, const Cluster& b) {
   double farthestSq = 0;
-  for (const Vec3d& p : a.points) farthestSq = std::max(farthestSq, lengthSq(p - center));
-  for (const Vec3d& p : b.points) farthestSq = std::max(farthestSq, lengthSq(p - center));
-  return std::sqrt(farthestSq);
+  for (const Vec3d& p : b.points) farthestSq = std::max(farthestSq, lengthSq(p - a.ball.center));
+  return std::max(a.ball.radius, std::sqrt(farthestSq));
 }
 
 class Merging {
  public:
   Merging(const CoverProblem& problem, std::span<const Ball> candidates) : problem_(problem) {
     distribute(candidates);
-    for (std::size_t i = 0; i < clusters_.size(); ++i)
-      if (alive(i) && !hasPair(i)) adopt(i);
+    for (std::uint32_t i = 0; i < clusters_.size(); ++i)
+      if (alive(i) && pairsOf_[i].empty()) adopt(i);
   }
 
   SphereSet run() {
@@ -52,7 +62,7 @@ class Merging {
         allPairs = true;
         pairAll();
       }
-      merge(nextPair());
+      merge(pairs_[nextPair()]);
     }
     SphereSet set;
     for (const Cluster& c : clusters_)
@@ -62,17 +72,18 @@ class Merging {
 
  private:
   bool alive(std::size_t i) const { return clusters_[i].alive; }
-  bool hasPair(std::size_t i) const {
-    return std::any_of(pairs_.begin(), pairs_.end(), [i](const Pair& p) { return p.a == i || p.b == i; });
+  bool alive(const Pair& pair) const { return alive(pair.a) && alive(pair.b); }
+  std::uint32_t partner(std::uint32_t pair, std::uint32_t i) const {
+    return pairs_[pair].a == i ? pairs_[pair].b : pairs_[pair].a;
   }
 
   /// Points to their cheapest candidates; candidates without points fall away.
   void distribute(std::span<const Ball> candidates) {
     const std::size_t n = problem_.points.size();
     std::vector<double> costs(n);
-    std::vector<std::size_t> first(n, 0), second(n, 0);
+    std::vector<std::uint32_t> first(n, 0), second(n, 0);
     std::vector<double> firstCost(n, std::numeric_limits<double>::infinity()), secondCost = firstCost;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
       problem_.points.distances(candidates[i].center, candidates[i].depth, costs);
       for (std::size_t p = 0; p < n; ++p) {
         if (costs[p] < firstCost[p]) {
@@ -95,44 +106,48 @@ class Merging {
       c.ball = {candidates[i].center, 0, candidates[i].depth};
       for (const Vec3d& p : c.points) c.ball.radius = std::max(c.ball.radius, distance(p, c.ball.center));
     }
-    std::vector<Pair> touching;
+    pairsOf_.resize(clusters_.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;
     for (std::size_t p = 0; p < n; ++p)
       if (secondCost[p] < std::numeric_limits<double>::infinity() && alive(second[p]))
-        touching.push_back({std::min(first[p], second[p]), std::max(first[p], second[p]), {}});
+        touching.push_back(std::minmax(first[p], second[p]));
     std::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-    for (const Pair& pair : touching) addPair(pair.a, pair.b);
+    for (const auto& [a, b] : touching) addPair(a, b);
   }
 
-  void addPair(std::size_t a, std::size_t b) {
+  void addPair(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
+    const auto index = static_cast<std::uint32_t>(pairs_.size());
     pairs_.push_back({a, b, mergedBall(clusters_[a], clusters_[b])});
+    pairsOf_[a].push_back(index);
+    pairsOf_[b].push_back(index);
+    queue_.push({pairs_.back().merged.standOff(), index});
   }
 
-  Ball mergedBall(const Cluster& a, const Cluster& b) const {
-    std::vector<Vec3d> points = a.points;
-    points.insert(points.end(), b.points.begin(), b.points.end());
-    const EnclosingBall smallest = smallestEnclosingBall(points);
+  Ball mergedBall(const Cluster& a, const Cluster& b) {
     Ball best;
-    Ball known;  // the one whose depth says most about that of the smallest ball: none changes faster than its point
-                 // moves
-    double moved = std::numeric_limits<double>::infinity();
     for (const Cluster* old : {&a, &b}) {
-      const Ball around{old->ball.center, farthestOf(old->ball.center, a, b), old->ball.depth};
+      const Ball around{old->ball.center, radiusAround(*old, old == &a ? b : a), old->ball.depth};
       if (old == &a || around.standOff() < best.standOff()) best = around;
-      const double way = distance(around.center, smallest.center);
-      if (way < moved) known = around, moved = way;
     }
-    if (smallest.radius - (known.depth + moved) > best.standOff() + kRoundingRoom * smallest.radius) return best;
-    const Ball around{smallest.center, smallest.radius, problem_.solid.at(smallest.center, known.depth, moved).depth};
+    both_.assign(a.points.begin(), a.points.end());
+    both_.insert(both_.end(), b.points.begin(), b.points.end());
+    const EnclosingBall smallest = search_.around(both_);
+    double nearestSq = std::numeric_limits<double>::infinity();
+    for (const Vec3d& p : both_) nearestSq = std::min(nearestSq, lengthSq(p - smallest.center));
+    // Points are on the surface, so the centre is no deeper than that.
+    const double nearest = std::sqrt(nearestSq);
+    if (smallest.radius - nearest > best.standOff() + kRoundingRoom * smallest.radius) return best;
+    const Ball around{smallest.center, smallest.radius, problem_.solid.at(smallest.center, 0, nearest).depth};
     return best.standOff() < around.standOff() ? best : around;
   }
 
   /// Artificial neighbours for a cluster that has none: those its ball overlaps, or else all.
-  void adopt(std::size_t i) {
+  void adopt(std::uint32_t i) {
     bool found = false;
     for (const bool all : {false, true}) {
-      for (std::size_t k = 0; k < clusters_.size(); ++k) {
+      for (std::uint32_t k = 0; k < clusters_.size(); ++k) {
         if (k == i || !alive(k)) continue;
         const double reach = clusters_[i].ball.radius + clusters_[k].ball.radius;
         if (!all && distance(clusters_[i].ball.center, clusters_[k].ball.center) > reach) continue;
@@ -144,59 +159,62 @@ class Merging {
   }
 
   void pairAll() {
-    std::vector<Pair> known = pairs_;
-    std::sort(known.begin(), known.end());
-    for (std::size_t a = 0; a < clusters_.size(); ++a)
-      for (std::size_t b = a + 1; b < clusters_.size(); ++b)
-        if (alive(a) && alive(b) && !std::binary_search(known.begin(), known.end(), Pair{a, b, {}})) addPair(a, b);
+    std::vector<char> known(clusters_.size());
+    for (std::uint32_t a = 0; a < clusters_.size(); ++a) {
+      if (!alive(a)) continue;
+      std::fill(known.begin(), known.end(), 0);
+      for (const std::uint32_t pair : pairsOf_[a]) known[partner(pair, a)] = 1;
+      for (std::uint32_t b = a + 1; b < clusters_.size(); ++b)
+        if (alive(b) && known[b] == 0) addPair(a, b);
+    }
   }
 
   /// The merge that improves the worst ball most, if any does; otherwise the one with the smallest stand-off.
-  Pair nextPair() const {
-    assert(!pairs_.empty());
-    std::size_t worst = 0;
-    double worstStandOff = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < clusters_.size(); ++i)
-      if (alive(i) && clusters_[i].ball.standOff() > worstStandOff) {
+  std::uint32_t nextPair() {
+    std::uint32_t worst = 0;
+    double least = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < clusters_.size(); ++i)
+      if (alive(i) && clusters_[i].ball.standOff() > least) {
         worst = i;
-        worstStandOff = clusters_[i].ball.standOff();
+        least = clusters_[i].ball.standOff();
       }
-    const Pair* best = nullptr;
-    const Pair* beneficial = nullptr;
-    for (const Pair& pair : pairs_) {
-      const double standOff = pair.merged.standOff();
-      if (best == nullptr || standOff < best->merged.standOff()) best = &pair;
-      if ((pair.a == worst || pair.b == worst) && standOff < worstStandOff &&
-          (beneficial == nullptr || standOff < beneficial->merged.standOff()))
-        beneficial = &pair;
-    }
-    return beneficial != nullptr ? *beneficial : *best;
+    while (!alive(pairs_[queue_.top().index])) queue_.pop();  // there always is a pair: see `adopt`
+    std::uint32_t best = queue_.top().index;
+    for (const std::uint32_t pair : pairsOf_[worst])
+      if (alive(pairs_[pair]) && pairs_[pair].merged.standOff() < least) {
+        best = pair;
+        least = pairs_[pair].merged.standOff();
+      }
+    return best;
   }
 
-  void merge(const Pair& pair) {
-    const std::size_t merged = clusters_.size();
-    clusters_.push_back({clusters_[pair.a].points, pair.merged, true});
-    Cluster& cluster = clusters_.back();
-    cluster.points.insert(cluster.points.end(), clusters_[pair.b].points.begin(), clusters_[pair.b].points.end());
-    clusters_[pair.a].alive = clusters_[pair.b].alive = false;
-    --alive_;
-    std::vector<std::size_t> neighbors;
-    for (const Pair& p : pairs_) {
-      if (p.a == pair.a || p.a == pair.b) neighbors.push_back(p.b);
-      if (p.b == pair.a || p.b == pair.b) neighbors.push_back(p.a);
-    }
+  void merge(const Pair pair) {
+    const auto merged = static_cast<std::uint32_t>(clusters_.size());
+    std::vector<std::uint32_t> neighbors;
+    for (const std::uint32_t old : {pair.a, pair.b})
+      for (const std::uint32_t p : pairsOf_[old])
+        if (alive(pairs_[p])) neighbors.push_back(partner(p, old));
     std::sort(neighbors.begin(), neighbors.end());
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-    std::erase_if(pairs_, [&](const Pair& p) { return !alive(p.a) || !alive(p.b); });
-    for (const std::size_t k : neighbors)
+    Cluster cluster{std::move(clusters_[pair.a].points), pair.merged, true};
+    cluster.points.insert(cluster.points.end(), clusters_[pair.b].points.begin(), clusters_[pair.b].points.end());
+    clusters_.push_back(std::move(cluster));
+    pairsOf_.emplace_back();
+    clusters_[pair.a].alive = clusters_[pair.b].alive = false;
+    --alive_;
+    for (const std::uint32_t k : neighbors)
       if (alive(k)) addPair(k, merged);
-    if (alive_ > problem_.count && !hasPair(merged)) adopt(merged);
+    if (alive_ > problem_.count && pairsOf_[merged].empty()) adopt(merged);
   }
 
   const CoverProblem& problem_;
   std::vector<Cluster> clusters_;
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_;                          // of the dead too
+  std::vector<std::vector<std::uint32_t>> pairsOf_;  // by cluster
+  std::priority_queue<QueuedPair, std::vector<QueuedPair>, std::greater<>> queue_;
   std::size_t alive_ = 0;
+  std::vector<Vec3d> both_;  // the points of two clusters
+  EnclosingBallSearch search_;
 };
 
 }  // namespace

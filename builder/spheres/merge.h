@@ -13,8 +13,9 @@ namespace cairn::builder {
 /// the tightest of the smallest enclosing ball and the two old centres.
 ///
 /// Pairs are those whose regions touch: the two cheapest balls of some point. A ball without such a neighbour gets
-/// those it overlaps, or else all; from 2.5 times the count on all pairs compete. Precondition: `candidates` not empty.
-/// Some 10 evaluations (a smallest enclosing ball and a distance query) for each candidate.
+/// those it overlaps, or else all; from 2.5 times the count on all pairs compete. Preconditions: `candidates` not
+/// empty; the points have no depth in `problem.solid`. Some 10 evaluations (a smallest enclosing ball and a distance
+/// query) for each candidate.
 SphereSet merge(const CoverProblem& problem, std::span<const Ball> candidates);
 
 }  // namespace cairn::builder

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -30,7 +31,8 @@ inline double costOf(const Ball& ball, const Vec3d& point) {
 
 /// What a piece costs a ball: what its costliest corner does, since a ball is convex.
 inline double costOf(const Ball& ball, const Piece& piece) {
-  return std::max({costOf(ball, piece.corners[0]), costOf(ball, piece.corners[1]), costOf(ball, piece.corners[2])});
+  const auto distanceSq = [&](int i) { return lengthSq(ball.center - piece.corners[i]); };
+  return std::sqrt(std::max({distanceSq(0), distanceSq(1), distanceSq(2)})) - ball.depth;
 }
 
 /// Worst over the points of the least cost over the balls: the stand-off at which the set covers everything.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stand_off.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -77,6 +78,9 @@ void StandOff::gatherParts(double depth, double reach) {
   const std::optional<double> within = solid_.gather(around_, depth, reach, kMostParts, parts_);
   partsKept_ = within.has_value();
   decided_ = within.value_or(0) - 2 * reach;
+  // The nearest part goes first: most of the others need not be looked at then.
+  if (partsKept_ && !parts_.empty())
+    std::iter_swap(parts_.begin(), std::ranges::min_element(parts_, {}, &DepthField::Part::distance));
 }
 
 }  // namespace cairn::builder
