@@ -20,7 +20,7 @@ made=$({ diff -U0 "$here/rocks_gimpact.cpp" "$here/rocks_tree.cpp" || true; } | 
 (($(grep -c '^+' <<< "$made") <= 5)) || fail "more than five lines to write: $made"
 
 quietly cmake --install "$build" --prefix "$scratch/usr"
-quietly cmake -S "$here" -B "$scratch/cmake" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
+quietly cmake -G Ninja -S "$here" -B "$scratch/cmake" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix"
 quietly cmake --build "$scratch/cmake"
 
