@@ -1,6 +1,6 @@
 # What `cmake --install` and CPack carry: component "plugin" (libraries, headers, CMake and pkg-config files a game needs)
-# and component "builder" (the same for the builder, and the command `cairn`). The double-precision build has names of
-# its own, so that both can be installed side by side, as Bullet's are.
+# and component "builder" (the command `cairn`). The double-precision build has names of its own, so that both can be
+# installed side by side, as Bullet's are.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -22,9 +22,7 @@ function(cairn_install_library target include_dir)
 endfunction()
 
 cairn_install_library(cairn_core ${PROJECT_SOURCE_DIR}/core/include)
-if(CAIRN_PLUGIN)
-  cairn_install_library(cairn_bullet ${PROJECT_SOURCE_DIR}/plugin/include)
-endif()
+cairn_install_library(cairn_bullet ${PROJECT_SOURCE_DIR}/plugin/include)
 install(EXPORT cairn NAMESPACE cairn:: FILE cairnTargets.cmake DESTINATION ${cairn_package_dir} COMPONENT plugin)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/install/cairnConfig.cmake.in cairn${cairn_suffix}Config.cmake

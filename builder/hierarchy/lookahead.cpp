@@ -47,7 +47,7 @@ std::size_t Lookahead::worstIndex() const {
 }
 
 bool Lookahead::relieve(double limit, const SignedDistance& solid, const SplitSettings& settings) {
-  if (next_.size() < 2 || step_ < kLastStep || worstGrandchild() <= settings.negligible) return false;
+  if (next_.size() < 2 || step_ < kLastStep || worstGrandchild() * kWorthwhile <= settings.negligible) return false;
   const std::size_t child = worstIndex();
   limit = std::min(limit, split_.allowed);
   if (!searched_[child]) {

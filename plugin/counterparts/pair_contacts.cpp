@@ -339,11 +339,12 @@ void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch
     if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
 }
 
-// Faces at a shallow angle to each other share a cluster, and each needs its own: two sides of a groove hold against
-// different motions.
+// Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
+// sides of a groove hold against different motions.
 void PairContacts::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
                                  ContactScratch& scratch) {
   ClusteredContacts& contacts = scratch.contacts;
+  std::sort(scratch.strays.begin(), scratch.strays.end(), deeper);  // they are of several clusters
   for (int k = 0; k < kMaxClusters && !scratch.strays.empty(); ++k) {
     if (!contacts.cluster(k).empty()) continue;
     Vec3& common = commonNormals_[static_cast<std::size_t>(k)];

@@ -31,6 +31,13 @@ float closingSpeed(const btCollisionObject& first, const btCollisionObject& seco
          length(angularVelocity(first) - angularVelocity(second)) * disc;
 }
 
+float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {
+  const Vec3 apart = toVec3(first.getWorldTransform().getOrigin() - second.getWorldTransform().getOrigin());
+  const Vec3 carried = cross(angularVelocity(second), apart);
+  return length(linearVelocity(first) - linearVelocity(second) - carried) +
+         length(angularVelocity(first) - angularVelocity(second)) * disc;
+}
+
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second) {
   const float inverseMasses = inverseMass(first) + inverseMass(second);
   return inverseMasses > 0 ? 1 / inverseMasses : 0;

@@ -13,9 +13,12 @@ Vec3 linearVelocity(const btCollisionObject& object);
 /// World axes, radians per second.
 Vec3 angularVelocity(const btCollisionObject& object);
 
-/// Bound on how fast the surfaces of two bodies approach, world length per second. `disc`: how far the first reaches
-/// from its origin, world length.
+/// About how fast the surfaces of two bodies approach at most, world length per second: the second's turning counts as
+/// far as the first reaches. `disc`: that far, from its origin, world length.
 float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc);
+
+/// Bound on how fast points of the first body move in the frame of the second, which may turn; world length per second.
+float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);
 
 /// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
 /// is not its own alone, counts as held fast.

@@ -24,7 +24,7 @@ void NarrowPhase::Impl::planStep() {
   for (TreePair* pair : collected_) plan_.add(pair->survey(usual));
   if (plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
-      plan_.weigh(i, priority_->importance(collected_[i]->described()));
+      if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
   plan_.decide(means(), updatePace_, holdingPace_);
 }
 

@@ -11,6 +11,9 @@ namespace {
 // Of what a pair is expected to take: with less than this left it is not begun.
 constexpr double kLeastShare = 0.5;
 
+// And the least is one part of it.
+constexpr double kMostImportant = 1e6;
+
 void spend(StepMeans& left, double operations, double nanoseconds) {
   left.operations -= operations;
   left.nanoseconds -= nanoseconds;
@@ -46,7 +49,8 @@ bool StepPlan::isTooMuchFor(StepMeans left, const EmissionPace& pace) const {
 }
 
 void StepPlan::weigh(std::size_t pair, double importance) {
-  needs_[pair].urgency *= importance > 0 ? std::sqrt(importance) : 0;
+  const double counted = importance > 1 / kMostImportant ? std::min(importance, kMostImportant) : 1 / kMostImportant;
+  needs_[pair].urgency *= std::sqrt(counted);
 }
 
 void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace) {

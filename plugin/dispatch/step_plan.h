@@ -41,8 +41,8 @@ class StepPlan {
   /// Whether `left` is too little for all of them.
   bool isTooMuchFor(StepMeans left, const EmissionPace& pace) const;
   /// How much a pair matters (`Priority::importance`): its urgency is multiplied by the square root of that, because
-  /// what is neglected too long costs the others: its answer lapses, its bodies never come to rest. What is not a
-  /// number counts 0.
+  /// what is neglected too long costs the others: its answer lapses, its bodies never come to rest. Less than a
+  /// millionth, and what is not a number, counts as that, more than a million as a million: no pair waits for ever.
   void weigh(std::size_t pair, double importance);
 
   /// Decides about the pairs added. What cannot be held is brought up to date in any case, and of the rest at least

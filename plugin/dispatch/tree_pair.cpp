@@ -118,7 +118,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   if (isHeld_) tellOfWaiting(treeBody, otherBody);
   place(treeBody, otherBody, threshold);
   setMotion(treeBody, otherBody, timeStep);
-  noticeSetDown(motion_.placement, placement_.travel);
+  noticeSetDown(motion_.placement, speedInOther(*placement_.treeShape, treeBody, otherBody) * float(timeStep));
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
   counterpart_->place(placement_);
@@ -231,6 +231,12 @@ ScheduledPair TreePair::scheduled() {
   const bool standsIn = !traversal.done() && !contacts_.hasAnswer(motion_);
   const float unanswered = standsIn ? traversal.pairError({kRootNode, 0}) : 0;
   return {id_, &traversal, center_, smallerSize_, closingSpeed_, reducedMass_, unanswered};
+}
+
+float TreePair::speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
+                             const btCollisionObjectWrapper& other) {
+  return speedInFrameOf(*other.getCollisionObject(), *tree.getCollisionObject(),
+                        static_cast<float>(shape.getAngularMotionDisc()));
 }
 
 // What moved farther than its speed explains was set down: how far spheres had overlapped elsewhere, and were allowed

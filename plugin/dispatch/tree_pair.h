@@ -157,6 +157,8 @@ class TreePair {
 
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, float travel);
+  static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
+                            const btCollisionObjectWrapper& other);
   void beginHeld();
   void countStepAsWaited();
   void lookForJump(btScalar timeStep);

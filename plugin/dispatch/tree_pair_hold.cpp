@@ -120,10 +120,8 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
 void TreePair::lookForJump(btScalar timeStep) {
   const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
-  const float speed = closingSpeed(*tree.getCollisionObject(), *other.getCollisionObject(),
-                                   static_cast<float>(shape.getAngularMotionDisc()));
   noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
-                speed * static_cast<float>(timeStep));
+                speedInOther(shape, tree, other) * static_cast<float>(timeStep));
 }
 
 // Its traversal began here, but what it says is as old as before.

@@ -24,7 +24,8 @@ quietly cmake -G Ninja -S "$here" -B "$scratch/cmake" -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix"
 quietly cmake --build "$scratch/cmake"
 
-export PKG_CONFIG_PATH=$scratch/usr/lib/pkgconfig
+PKG_CONFIG_PATH=$(dirname "$(find "$scratch/usr" -name "cairn$suffix.pc")")
+export PKG_CONFIG_PATH
 read -ra flags <<< "$(pkg-config --cflags --libs "cairn$suffix")"
 quietly "$compiler" "$here/rocks_tree.cpp" "${flags[@]}" -o "$scratch/by_pkg_config"
 
