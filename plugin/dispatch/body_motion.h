@@ -17,7 +17,8 @@ Vec3 angularVelocity(const btCollisionObject& object);
 /// far as the first reaches. `disc`: that far, from its origin, world length.
 float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc);
 
-/// Bound on how fast points of the first body move in the frame of the second, which may turn; world length per second.
+/// Bound on how fast points of the first body move in the frame of the second, which may turn; world length
+/// per second. `disc`: as above.
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);
 
 /// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
