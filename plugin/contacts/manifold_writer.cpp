@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "contacts/manifold_writer.h"
 
+#include "contacts/restitution.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -124,15 +125,19 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
   const Vec3 onBody1 = treeIsBody0_ ? contact.onCounterpart() : contact.onTree();
   result_.addContactPoint(toBullet(normal), origin_ + toBullet(onBody1), btScalar(contact.gap));
   result_.setPersistentManifold(before);
-  tellBend(manifold, contact, origin_ + toBullet(onBody1));
+  tellSolver(manifold, contact, origin_ + toBullet(onBody1));
 }
 
-// The solver goes by a point's distance alone; where the point is stays true.
-void ManifoldWriter::tellBend(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1) {
+// The solver goes by a point's distance alone; where the point is stays true. Spheres do not bounce: what they hold may
+// not touch at all.
+void ManifoldWriter::tellSolver(btPersistentManifold& manifold, const Contact& contact,
+                                const btVector3& onBody1) const {
+  const btScalar closing = contact.ofSpheres ? btScalar(0) : btScalar(motion_.closingSpeed(contact));
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.m_positionWorldOnB == onBody1 && point.m_distance1 == btScalar(contact.gap))
-      point.m_distance1 += btScalar(contact.bend);
+    if (point.m_positionWorldOnB != onBody1 || point.m_distance1 != btScalar(contact.gap)) continue;
+    point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.bend), closing, point.m_combinedRestitution,
+                                       btScalar(motion_.timeStep));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "contacts/contact.h"
 #include "contacts/reduction.h"
+#include "contacts/relative_motion.h"
 
 namespace cairn::bullet {
 
@@ -29,9 +30,11 @@ struct HeldContacts {
 class ManifoldWriter {
  public:
   /// `origin`: the pair frame's, in the world. `treeIsBody0`: in the order of the manifolds' bodies. `inheritance`: how
-  /// far (world length, in body 0's frame) a contact may have moved in a step and still inherit by position.
-  ManifoldWriter(btManifoldResult& result, const btVector3& origin, bool treeIsBody0, float inheritance)
-      : result_(result), origin_(origin), treeIsBody0_(treeIsBody0), inheritance_(inheritance) {}
+  /// far (world length, in body 0's frame) a contact may have moved in a step and still inherit by position. `motion`
+  /// says how fast contacts close; it must outlive the writer.
+  ManifoldWriter(btManifoldResult& result, const btVector3& origin, bool treeIsBody0, float inheritance,
+                 const RelativeMotion& motion)
+      : result_(result), origin_(origin), treeIsBody0_(treeIsBody0), inheritance_(inheritance), motion_(motion) {}
 
   HeldContacts held(const btPersistentManifold& manifold) const;
   void write(btPersistentManifold& manifold, std::span<const Contact> cluster, const ContactChoice& choice);
@@ -46,12 +49,13 @@ class ManifoldWriter {
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                  const ContactChoice& choice) const;
   void add(btPersistentManifold& manifold, const Contact& contact);
-  static void tellBend(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1);
+  void tellSolver(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1) const;
 
   btManifoldResult& result_;
   btVector3 origin_;
   bool treeIsBody0_;
   float inheritance_;
+  const RelativeMotion& motion_;
 };
 
 }  // namespace cairn::bullet

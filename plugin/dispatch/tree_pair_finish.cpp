@@ -89,7 +89,7 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   if (members.empty() && !isHeld) return;
   btPersistentManifold* const m = manifold(dispatcher, k);
   if (!m) return;
-  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
+  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_, motion_);
   const HeldContacts held = writer.held(*m);
   if (finest == Finest::triangles) {
     const auto began = budget.hasDeadline() ? Budget::Clock::now() : Budget::Clock::time_point();

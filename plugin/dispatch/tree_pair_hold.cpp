@@ -180,7 +180,7 @@ void TreePair::surviveRefresh() {
 void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
   btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
   if (!m) return;
-  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_);
+  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_, motion_);
   const std::array<Contact, 1> contacts{whole};
   writer.write(*m, contacts, {.index = {0}, .count = 1});
 }
