@@ -22,21 +22,32 @@ struct ContactId {
 /// One possible contact point between a sphere-tree and its counterpart, in the *pair frame*: world axes and unit,
 /// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
 struct Contact {
-  Vec3 position;   ///< half-way between the two surfaces
+  Vec3 position;   ///< half-way between the two surfaces; of a contact ahead where the smaller body's point will stop
   Vec3 normal;     ///< unit, from the counterpart to the tree
   float gap = 0;   ///< distance of the surfaces along the normal, negative when they overlap
   float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
   float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
+  Vec3 apart;              ///< of a contact ahead: from the counterpart's point to the tree's, as they are now
   NodePair pair;           ///< of the traversal that found it
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
   bool isExact = false;    ///< measured between source triangles
   bool isSettled = false;  ///< exact, or nothing finer can be told
-  bool isWhole = false;    ///< of whole bodies: whatever is nearest in its direction, so that its id may change
+  bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
+  bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart
+  bool isWhole = false;       ///< of whole bodies: whatever is nearest in its direction, so that its id may change
 
-  Vec3 onTree() const { return position + normal * (0.5F * gap); }
-  Vec3 onCounterpart() const { return position - normal * (0.5F * gap); }
+  /// World length from the counterpart's point to the tree's along the normal.
+  float distance() const { return isAhead ? dot(normal, apart) : gap; }
+  Vec3 onTree() const {
+    if (isAhead) return treeIsLarger ? onCounterpart() + apart : position + normal * distance();
+    return position + normal * (0.5F * gap);
+  }
+  Vec3 onCounterpart() const {
+    if (isAhead) return treeIsLarger ? position - normal * distance() : onTree() - apart;
+    return position - normal * (0.5F * gap);
+  }
 };
 
 /// Deepest first; ties in an order that depends on nothing but the pair.

@@ -122,23 +122,36 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     result_.setShapeIdentifiersB(id.treePart, id.treeIndex);
   }
   const Vec3 normal = treeIsBody0_ ? contact.normal : -contact.normal;
+  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCounterpart();
   const Vec3 onBody1 = treeIsBody0_ ? contact.onCounterpart() : contact.onTree();
-  result_.addContactPoint(toBullet(normal), origin_ + toBullet(onBody1), btScalar(contact.gap));
+  // Bullet refuses points as far off as one ahead can be, and takes two that are not in line for one: it is told the
+  // point on body 0 as touching.
+  const btVector3 told = origin_ + toBullet(contact.isAhead ? onBody0 : onBody1);
+  const btScalar distance = contact.isAhead ? btScalar(0) : btScalar(contact.gap);
+  result_.addContactPoint(toBullet(normal), told, distance);
   result_.setPersistentManifold(before);
-  tellSolver(manifold, contact, origin_ + toBullet(onBody1));
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if (point.m_positionWorldOnB != told || point.m_distance1 != distance) continue;
+    if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
+    tellSolver(point, contact);
+  }
+}
+
+void ManifoldWriter::placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
+                                const btVector3& onBody1) {
+  point.m_positionWorldOnB = onBody1;
+  point.m_localPointB = manifold.getBody1()->getWorldTransform().invXform(onBody1);
+  point.m_distance1 = btScalar(contact.distance());
 }
 
 // The solver goes by a point's distance alone; where the point is stays true. Spheres do not bounce: what they hold may
 // not touch at all.
-void ManifoldWriter::tellSolver(btPersistentManifold& manifold, const Contact& contact,
-                                const btVector3& onBody1) const {
-  const btScalar closing = contact.ofSpheres ? btScalar(0) : btScalar(motion_.closingSpeed(contact));
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.m_positionWorldOnB != onBody1 || point.m_distance1 != btScalar(contact.gap)) continue;
-    point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.bend), closing, point.m_combinedRestitution,
-                                       btScalar(motion_.timeStep));
-  }
+void ManifoldWriter::tellSolver(btManifoldPoint& point, const Contact& contact) const {
+  const bool mayBounce = contact.isAhead || !contact.ofSpheres;
+  const btScalar closing = mayBounce ? btScalar(motion_.closingSpeed(contact)) : btScalar(0);
+  point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.bend), closing, point.m_combinedRestitution,
+                                     btScalar(motion_.timeStep));
 }
 
 }  // namespace cairn::bullet

@@ -49,7 +49,9 @@ class ManifoldWriter {
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                  const ContactChoice& choice) const;
   void add(btPersistentManifold& manifold, const Contact& contact);
-  void tellSolver(btPersistentManifold& manifold, const Contact& contact, const btVector3& onBody1) const;
+  static void placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
+                         const btVector3& onBody1);
+  void tellSolver(btManifoldPoint& point, const Contact& contact) const;
 
   btManifoldResult& result_;
   btVector3 origin_;

@@ -24,8 +24,8 @@ struct RelativeMotion {
 
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
   float closingSpeed(const Contact& c) const {
-    const Vec3 tree = treeLinear + cross(treeAngular, c.position - treeCenter);
-    const Vec3 other = otherLinear + cross(otherAngular, c.position - otherCenter);
+    const Vec3 tree = treeLinear + cross(treeAngular, (c.isAhead ? c.onTree() : c.position) - treeCenter);
+    const Vec3 other = otherLinear + cross(otherAngular, (c.isAhead ? c.onCounterpart() : c.position) - otherCenter);
     return dot(c.normal, other - tree);
   }
 

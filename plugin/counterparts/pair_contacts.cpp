@@ -16,6 +16,8 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr float kApproachFraction = 0.008F;
 // Clusters whose common normals are closer than 10 degrees resist the same motion.
 constexpr float kSameNormalCosine = 0.984807753F;
+// Normals more than 120 degrees apart hold against opposite motions.
+constexpr float kOpposedCosine = 0.5F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
 
@@ -292,8 +294,21 @@ bool PairContacts::isRecent(const RelativeMotion& motion) const {
   return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
+// What runs into something, or has passed it, is held on the side it came from: what touches on the other means
+// nothing.
+void PairContacts::dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
+  if (ahead.empty()) return;
+  for (int k = 0; k < kMaxClusters; ++k) {
+    for (Contact& c : scratch.contacts.cluster(k)) {
+      const auto opposes = [&](const Contact& one) { return dot(c.normal, one.normal) < -kOpposedCosine; };
+      if (!c.isAhead && std::ranges::any_of(ahead, opposes)) c.gap = reach;
+    }
+    scratch.contacts.resort(k, reach);
+  }
+}
+
 void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
-                          Budget& budget, ContactScratch& scratch) {
+                          std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
@@ -314,8 +329,10 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   else if (!isDone && policy != Unresolved::ignore)
     appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
+  contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.contacts.group(seeds_, reach);
   flatten(counterpart, reach, scratch);
+  dropOpposed(ahead, reach, scratch);
   if (!counterpart.givesWay()) return;
   for (Contact& contact : contacts)
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);

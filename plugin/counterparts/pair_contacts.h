@@ -55,9 +55,9 @@ class PairContacts {
   std::uint64_t standInCost(const Counterpart& counterpart) const;
 
   /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
-  /// the budget whatever is left of it.
-  void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach, Budget& budget,
-              ContactScratch& scratch);
+  /// the budget whatever is left of it. `ahead`: contacts that are joined to them, see `Contact::isAhead`.
+  void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
+              std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch);
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
   // have moved against each other since the last `begin`, at most.
@@ -104,6 +104,7 @@ class PairContacts {
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
+  static void dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;

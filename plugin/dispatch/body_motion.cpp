@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Zlib
 #include "dispatch/body_motion.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <cmath>
+
+#include "cairn/bullet/sphere_tree_shape.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
@@ -29,6 +33,18 @@ Vec3 angularVelocity(const btCollisionObject& object) {
 float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc) {
   return length(linearVelocity(first) - linearVelocity(second)) +
          length(angularVelocity(first) - angularVelocity(second)) * disc;
+}
+
+float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time) {
+  const btCollisionObject &first = *body0.getCollisionObject(), &second = *body1.getCollisionObject();
+  const btScalar one = first.getCcdMotionThreshold(), two = second.getCcdMotionThreshold();
+  if (time <= 0 || (one <= 0 && two <= 0)) return 0;
+  const SphereTreeShape* const tree0 = asSphereTree(body0.getCollisionShape());
+  const SphereTreeShape* const shape = tree0 ? tree0 : asSphereTree(body1.getCollisionShape());
+  const float disc = shape ? static_cast<float>(shape->getAngularMotionDisc()) : 0;
+  const float travel = closingSpeed(first, second, disc) * static_cast<float>(time);
+  const bool isFast = (one > 0 && travel > static_cast<float>(one)) || (two > 0 && travel > static_cast<float>(two));
+  return isFast && std::isfinite(travel) ? travel : 0;
 }
 
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {

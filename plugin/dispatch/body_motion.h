@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <LinearMath/btScalar.h>
+
 #include "cairn/core/vec3.h"
 
 class btCollisionObject;
+struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
@@ -16,6 +19,11 @@ Vec3 angularVelocity(const btCollisionObject& object);
 /// About how fast the surfaces of two bodies approach at most, world length per second: the second's turning counts as
 /// far as the first reaches. `disc`: that far, from its origin, world length.
 float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc);
+
+/// How far two bodies, one of them a sphere-tree, may come nearer to each other in so much time, world length, if that
+/// is so far that one of them asks for continuous collision detection (`setCcdMotionThreshold`, as with Bullet's own
+/// shapes; a tree's turning counts too); else 0.
+float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
 /// Bound on how fast points of the first body move in the frame of the second, which may turn; world length
 /// per second. `disc`: as above.

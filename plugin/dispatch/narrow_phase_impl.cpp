@@ -144,9 +144,15 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   stepBegan_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
   left_ = budgetOf(stepLimit());
-  timeStep_ = info.m_timeStep;
+  takeTime(info);
   collected_.clear();
   scheduled_.clear();
+}
+
+// Where Bullet is not to look ahead, its broad phase does not either.
+void NarrowPhase::Impl::takeTime(const btDispatcherInfo& info) {
+  timeStep_ = info.m_timeStep;
+  sweptTime_ = info.m_useContinuous ? info.m_timeStep : btScalar(0);
 }
 
 // A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
@@ -163,7 +169,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
-    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted())) {
+    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_)) {
       ++apartPairs_;
       return;
     }
@@ -186,7 +192,7 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
   Budget budget = Budget::unlimited();
-  if (!pair.begin(body0, body1, info.m_timeStep, result.m_closestPointDistanceThreshold, false, budget)) return;
+  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, false, budget)) return;
   pair.refine(budget);
   ContactScratch scratch;  // queries may come from any thread
   pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
@@ -280,7 +286,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
   const bool isThrifty =
       isScarce_ && !plan_.isScarce() && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
-  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, 0, isThrifty, left_)) return dismiss(index);
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, isThrifty, left_)) return dismiss(index);
   ++statistics_.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.

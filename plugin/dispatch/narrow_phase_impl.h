@@ -59,6 +59,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
                const btDispatcherInfo& info, btManifoldResult& result, bool mayDefer);
 
  private:
+  void takeTime(const btDispatcherInfo& info);
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
@@ -140,7 +141,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
 
   bool isCollecting_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
-  btScalar timeStep_ = 0;
+  btScalar timeStep_ = 0, sweptTime_ = 0;               // seconds
   ThreadCpuClock::time_point stepBegan_;
   std::atomic<std::uint32_t> apartPairs_{0};
   std::mutex mutex_;                  // guards what follows while algorithms run

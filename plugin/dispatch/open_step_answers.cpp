@@ -40,7 +40,7 @@ bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObject
                                          const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                          btManifoldResult& result) {
   if (isGhost(*body0.getCollisionObject()) || isGhost(*body1.getCollisionObject())) return false;
-  timeStep_ = info.m_timeStep;
+  takeTime(info);
   isAnswering_ = true;
   const bool isAnswered = answerOpenly(pair, body0, body1, result);
   isAnswering_ = false;
@@ -60,7 +60,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted());
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_);
   open_.answered(pair, wasExpected || pair.isSettled());
   if (pair.isSettled()) {
     ++statistics_.pairs;
@@ -105,8 +105,9 @@ void NarrowPhase::Impl::beginOpenStep() {
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
   const bool alsoFromPlanes = mayBeInterrupted();
-  const auto near = std::ranges::count_if(
-      collected_, [&](TreePair* pair) { return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes); });
+  const auto near = std::ranges::count_if(collected_, [&](TreePair* pair) {
+    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes, sweptTime_);
+  });
   const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
   scheduled_.clear();
@@ -155,7 +156,7 @@ bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWr
     share.operations =
         std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = budgetOf(share);
-  const bool hasBegun = pair.begin(body0, body1, timeStep_, 0, false, budget);
+  const bool hasBegun = pair.begin(body0, body1, timeStep_, sweptTime_, 0, false, budget);
   if (hasBegun) pair.refine(budget);
   bookRefinement(budget, began);
   return hasBegun;

@@ -36,7 +36,7 @@ bool RootSpheres::areApart(btScalar reach) const {
 
 namespace {
 
-bool isClearOf(const btCollisionObjectWrapper& planeBody, const btCollisionObjectWrapper& treeBody) {
+bool isClearOf(const btCollisionObjectWrapper& planeBody, const btCollisionObjectWrapper& treeBody, btScalar travel) {
   const auto& plane = static_cast<const btStaticPlaneShape&>(*planeBody.getCollisionShape());
   const SphereTreeShape& tree = *asSphereTree(treeBody.getCollisionShape());
   const btTransform &planePose = planeBody.getWorldTransform(), &treePose = treeBody.getWorldTransform();
@@ -45,7 +45,7 @@ bool isClearOf(const btCollisionObjectWrapper& planeBody, const btCollisionObjec
   tree.getBoundingSphere(center, radius);
   const btVector3 way = treePose.getOrigin() - planePose.getOrigin(), arm = treePose.getBasis() * center;
   const btScalar height = (planePose.getBasis() * plane.getPlaneNormal()).dot(way + arm) - plane.getPlaneConstant();
-  const btScalar wanted = radius + btScalar(kSpeculativeFraction) * tree.size();
+  const btScalar wanted = radius + btScalar(kSpeculativeFraction) * tree.size() + travel;
   const btScalar lengths = way.length() + arm.length() + std::abs(plane.getPlaneConstant()) + wanted;
   return height > wanted + btScalar(kOverlapSlack) * lengths;
 }
@@ -57,13 +57,13 @@ bool isPlane(const btCollisionObjectWrapper& body) {
 }  // namespace
 
 bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                   const std::optional<RootSpheres>& roots) {
+                   const std::optional<RootSpheres>& roots, btScalar travel) {
   if (roots) {
     const SphereTreeShape &a = *asSphereTree(body0.getCollisionShape()), &b = *asSphereTree(body1.getCollisionShape());
-    return roots->areApart(btScalar(kSpeculativeFraction) * std::min(a.size(), b.size()));
+    return roots->areApart(btScalar(kSpeculativeFraction) * std::min(a.size(), b.size()) + travel);
   }
-  if (isPlane(body0)) return asSphereTree(body1.getCollisionShape()) && isClearOf(body0, body1);
-  return isPlane(body1) && asSphereTree(body0.getCollisionShape()) && isClearOf(body1, body0);
+  if (isPlane(body0)) return asSphereTree(body1.getCollisionShape()) && isClearOf(body0, body1, travel);
+  return isPlane(body1) && asSphereTree(body0.getCollisionShape()) && isClearOf(body1, body0, travel);
 }
 
 bool RootSpheres::areAlike() const {

@@ -50,6 +50,8 @@ void TreePair::reset() {
   counterpart_->reset();
   subject_ = {};
   promised_ = {};
+  ahead_ = {};
+  isFast_ = false;
   roots_.reset();
   forgetWaiting();
   id_ = kUnnamed;
@@ -59,10 +61,12 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                           bool alsoFromPlanes) {
-  if (!stillApart(body0, body1)) {
+                           bool alsoFromPlanes, btScalar sweptTime) {
+  const float travel = fastTravel(body0, body1, sweptTime);
+  isFast_ = travel > 0 || (sweep_ && sweep_->isAnchored());
+  if (!stillApart(body0, body1, travel)) {
     roots_ = rootSpheres(body0, body1);
-    if ((!roots_ && !alsoFromPlanes) || !areRootsApart(body0, body1, roots_)) return false;
+    if ((!roots_ && !alsoFromPlanes) || !areRootsApart(body0, body1, roots_, btScalar(travel))) return false;
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
@@ -81,9 +85,12 @@ void TreePair::forgetWaiting() {
   moved_ = untold_ = 0;
   wholeAt_ = -1;
   spent_ = fullOperations_ = 0;
+  wasAhead_ = false;
+  if (sweep_) sweep_->forget();
 }
 
-bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                          float travel) const {
   if (!subject_.tree) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
@@ -91,7 +98,7 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
   const btCollisionShape& other = *otherBody.getCollisionShape();
   if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return false;
   return contacts_.stillApart(relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform()),
-                              speculative_);
+                              speculative_ + travel);
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
@@ -105,7 +112,7 @@ PairKey TreePair::key(std::size_t arrival) const {
 }
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar threshold, bool isThrifty, Budget& budget) {
+                     btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget) {
   promised_ = {};  // of a step that an exception ended
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
@@ -122,8 +129,21 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
   counterpart_->place(placement_);
+  lookAhead(treeBody, otherBody, sweptTime, budget);
   if (contacts_.begin(*counterpart_, motion_, isThrifty, budget)) spent_ = 0;
   return true;
+}
+
+void TreePair::lookAhead(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                         btScalar sweptTime, Budget& budget) {
+  ahead_ = {};
+  isFast_ = fastTravel(treeBody, otherBody, sweptTime) > 0;
+  const bool isAnchored = sweep_ && sweep_->isAnchored();
+  if (!isFast_ && !isAnchored) return;
+  if (!sweep_) sweep_ = std::make_unique<Sweep>(kind_);
+  ahead_ = sweep_->run({placement_.treeShape, placement_.otherShape, Course(treeBody, sweptTime),
+                        Course(otherBody, sweptTime), origin_, placement_.reach, isFast_},
+                       budget);
 }
 
 void TreePair::tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody) {
@@ -146,6 +166,7 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
   forget();
   if (*kind != kind_) {
     kind_ = *kind;
+    sweep_.reset();
     counterpart_ = makeCounterpart(kind_);
   }
   subject_ = {tree->sharedTree(),
@@ -243,7 +264,10 @@ float TreePair::speedInOther(const SphereTreeShape& shape, const btCollisionObje
 // to, means nothing here.
 void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
   const auto moved = static_cast<float>(now.displacementSince(seenAt_));
-  if (isPlaced_ && moved > travel + kOwnMotionFraction * smallerSize_) contacts_.forgetGuards();
+  if (isPlaced_ && moved > travel + kOwnMotionFraction * smallerSize_) {
+    contacts_.forgetGuards();
+    if (sweep_) sweep_->forget();
+  }
   seenAt_ = now;
 }
 

@@ -8,11 +8,13 @@
 #include <compare>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/bullet/step.h"
 #include "cairn/core/scheduler.h"
+#include "continuous/sweep.h"
 #include "counterparts/pair_contacts.h"
 #include "dispatch/body_snapshot.h"
 #include "dispatch/emission_pace.h"
@@ -64,7 +66,9 @@ class TreePair {
   /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
   /// `alsoFromPlanes`: whether the sphere of a body above a plane is looked at as well. Where nothing is interrupted a
   /// traversal says it once for many steps, and pairs keep the order they always had.
-  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes);
+  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes,
+                   btScalar sweptTime);
   /// Whether `settleApart` said so for the copies last taken.
   bool isSettled() const { return isSettled_; }
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
@@ -85,10 +89,10 @@ class TreePair {
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are no longer a sphere-tree
-  /// and something it can meet.
+  /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are
+  /// no longer a sphere-tree and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar threshold, bool isThrifty, Budget& budget);
+             btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
   Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }
@@ -119,7 +123,7 @@ class TreePair {
   bool isBegun() const { return isBegun_; }
   /// Whether what it said last serves better than what was resolved in this step: it is to be held, begun or not.
   /// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
-  bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone()); }
+  bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone() && !isFast_); }
 
   void appendManifolds(btManifoldArray& manifolds) const;
   void releaseManifolds(btDispatcher& dispatcher);
@@ -178,7 +182,7 @@ class TreePair {
   void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);
   void clearManifolds();
   bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
-  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const;
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
@@ -192,6 +196,9 @@ class TreePair {
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
                                      ContactScratch& scratch) const;
   bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
+  void lookAhead(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                 btScalar sweptTime, Budget& budget);
+  void forgetImpulsesAhead();
   void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
                     ContactScratch& scratch, PairReport& report);
 
@@ -217,6 +224,12 @@ class TreePair {
   Promise promised_;
 
   RelativePlacement seenAt_;  // in the last step
+
+  // For bodies that move far in a step.
+  std::unique_ptr<Sweep> sweep_;    // made when it is first needed
+  std::span<const Contact> ahead_;  // of this step
+  bool isFast_ = false;             // in this step
+  bool wasAhead_ = false;           // contacts ahead were written in the last step
 
   // For steps in which the pair has to wait.
   std::optional<RootSpheres> roots_;  // of this step

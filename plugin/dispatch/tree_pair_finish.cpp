@@ -110,6 +110,14 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   report.manifolds += choice.count > 0 ? 1 : 0;
 }
 
+// What stopped a body is no guess at what holds it now.
+void TreePair::forgetImpulsesAhead() {
+  if (wasAhead_)
+    for (btPersistentManifold* m : manifolds_)
+      for (int i = 0; m && i < m->getNumContacts(); ++i) m->getContactPoint(i).m_appliedImpulse = 0;
+  wasAhead_ = !ahead_.empty();
+}
+
 void TreePair::promise(Budget& budget, const EmissionPace& pace) {
   budget.redeem(promised_);
   promised_.operations = contacts_.measuringCost(*counterpart_);
@@ -123,7 +131,8 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, budget, scratch);
+  contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, ahead_, budget, scratch);
+  forgetImpulsesAhead();
   for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   if (policy.mayBeInterrupted) surviveRefresh();

@@ -57,13 +57,13 @@ PairNeed TreePair::survey(std::uint64_t usualOperations) {
   const bool hasWhole = roots_ && roots_->areAlike();
   if (!isSame || !isPlaced_) {
     const bool isNew = isSame || !subject_.tree;
-    return {kUnknownError * (1 + waited_), usualOperations, hasWhole && isNew, true};
+    return {kUnknownError * (1 + waited_), usualOperations, hasWhole && isNew && !isFast_, true};
   }
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   moved_ = static_cast<float>(now.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
-  return {error * (1 + waited_), expectedOperations(now, usualOperations), isHoldingStill_ || hasWhole,
+  return {error * (1 + waited_), expectedOperations(now, usualOperations), !isFast_ && (isHoldingStill_ || hasWhole),
           !isHoldingStill_ || !isDone()};
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Zlib
+#include "continuous/course.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btTransformUtil.h>
+
+namespace cairn::bullet {
+
+namespace {
+
+// Bullet turns no body by more than a quarter of a right angle's double in one step.
+btVector3 clampedTurn(const btVector3& angular, btScalar timeStep) {
+  const btScalar turn = angular.length() * timeStep;
+  return turn > ANGULAR_MOTION_THRESHOLD ? angular * (ANGULAR_MOTION_THRESHOLD / turn) : angular;
+}
+
+}  // namespace
+
+Course::Course(const btCollisionObjectWrapper& body, btScalar timeStep)
+    : object_(body.getCollisionObject()->getWorldTransform()),
+      childInObject_(object_.inverseTimes(body.getWorldTransform())),
+      linear_(body.getCollisionObject()->getInterpolationLinearVelocity()),
+      angular_(body.getCollisionObject()->getInterpolationAngularVelocity()),
+      timeStep_(timeStep) {
+  if (const btRigidBody* const rigid = btRigidBody::upcast(body.getCollisionObject())) {
+    linear_ = rigid->getLinearVelocity() +
+              rigid->getTotalForce() * rigid->getLinearFactor() * (rigid->getInvMass() * timeStep);
+    angular_ = rigid->getAngularVelocity();
+  }
+  angular_ = clampedTurn(angular_, timeStep);
+}
+
+btTransform Course::at(btScalar fraction) const {
+  btTransform moved;
+  btTransformUtil::integrateTransform(object_, linear_, angular_, timeStep_ * fraction, moved);
+  return moved * childInObject_;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+struct btCollisionObjectWrapper;
+
+namespace cairn::bullet {
+
+/// How a body's shape moves within a step if nothing stops it: as Bullet will integrate it, the step's forces included.
+class Course {
+ public:
+  /// `body`: of an object, or of a child of a compound, which moves with it. `timeStep`: seconds.
+  Course(const btCollisionObjectWrapper& body, btScalar timeStep);
+
+  /// Where the shape stands after this part of the step, 0 to 1; world frame.
+  btTransform at(btScalar fraction) const;
+  /// Radians within the whole step.
+  btScalar turn() const { return angular_.length() * timeStep_; }
+
+ private:
+  btTransform object_, childInObject_;
+  btVector3 linear_, angular_;
+  btScalar timeStep_;
+};
+
+}  // namespace cairn::bullet

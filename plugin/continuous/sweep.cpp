@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Zlib
+#include "continuous/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "continuous/swept_tree.h"
+#include "shape/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Radians that a tree may turn against the other within a segment: the points of a leaf are then up to a fifth of its
+// radius beside its straight way.
+constexpr btScalar kTurn = btScalar(0.2);
+// Moving a sphere and testing it once; measuring a leaf pair moves two.
+constexpr std::uint32_t kTestCost = kSphereUpdateCost + kOverlapTestCost;
+constexpr std::uint32_t kLeafCost = 2 * kSphereUpdateCost + kOverlapTestCost;
+// Of the way: what closes by less along a direction passes by.
+constexpr float kPassingFraction = 1e-4F;
+
+// Of a node's radius: so deep it may be already and still be in front, as what slides is.
+constexpr float kSunkFraction = 0.1F;
+constexpr float kNotMet = 2;  // beyond any part of the step
+
+Pose poseOf(const SphereTreeShape& shape, const btTransform& body) {
+  const btTransform fromTree = body * shape.bodyFromTree();
+  return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
+}
+
+// 2 sin(t/2) for the angle t between two rotations.
+btScalar chordBetween(const btMatrix3x3& x, const btMatrix3x3& y) {
+  btScalar sum = 0;
+  for (int row = 0; row < 3; ++row) sum += (x[row] - y[row]).length2();
+  return std::sqrt(sum / 2);
+}
+
+btScalar turnBetween(const btTransform& x, const btTransform& y) {
+  return x.getRotation().angleShortestPath(y.getRotation());
+}
+
+}  // namespace
+
+const std::vector<Contact>& Sweep::run(const SweptPair& pair, Budget& budget) {
+  const SphereTreeShape* const other = asSphereTree(pair.other);
+  if (!other || other->size() >= pair.tree->size()) {
+    sweep(pair, budget);
+    return contacts_;
+  }
+  sweep({other, pair.tree, pair.otherCourse, pair.treeCourse, pair.origin, pair.reach, pair.isFast}, budget);
+  for (Contact& contact : contacts_) swapSides(contact);
+  return contacts_;
+}
+
+void Sweep::swapSides(Contact& contact) {
+  contact.normal = -contact.normal;
+  contact.apart = -contact.apart;
+  contact.treeIsLarger = true;
+  std::swap(contact.pair.a, contact.pair.b);
+  contact.id = {contact.id.otherPart, contact.id.otherIndex, contact.id.treePart, contact.id.treeIndex};
+}
+
+void Sweep::sweep(const SweptPair& pair, Budget& budget) {
+  meetings_.clear();
+  contacts_.clear();
+  tests_ = 0;
+  cut(pair);
+  if (target_->rootCount() > 0) {
+    meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), -1);
+    for (const Segment& s : segments_) {
+      // What it came to on the way from the anchor and is in front of still, it may run into now.
+      if (s.from == 0)
+        for (Meeting& m : meetings_)
+          if (!m.isContact) m.at = kNotMet;
+      search(pair, s, budget);
+    }
+  }
+  bool isSunk = false;
+  for (const Meeting& m : meetings_) {
+    if (m.isContact) contacts_.push_back(m.contact);
+    isSunk = isSunk || (m.isContact && m.at < 0);
+  }
+  if (isSunk) return;
+  anchor_.reset();
+  if (pair.isFast) anchor_ = placeAt(pair, 0);
+}
+
+// The tree in the other's frame.
+btTransform Sweep::placeAt(const SweptPair& pair, float part) const {
+  const auto at = [&](btScalar p) { return pair.otherCourse.at(p).inverseTimes(pair.treeCourse.at(p)); };
+  if (part >= 0) return at(btScalar(part));
+  const btTransform now = at(0);
+  const btScalar back = -btScalar(part);
+  return btTransform(now.getRotation().slerp(anchor_->getRotation(), back),
+                     now.getOrigin().lerp(anchor_->getOrigin(), back));
+}
+
+// Also asks the target for all that is near the way.
+void Sweep::cut(const SweptPair& pair) {
+  segments_.clear();
+  if (anchor_) append(pair, -1, 0, turnBetween(*anchor_, placeAt(pair, 0)));
+  if (pair.isFast) append(pair, 0, 1, pair.treeCourse.turn() + pair.otherCourse.turn());
+  btVector3 lower(SIMD_INFINITY, SIMD_INFINITY, SIMD_INFINITY), upper = -lower;
+  for (const Segment& s : segments_) {
+    const MovedNode root = moved(s, kRootNode);
+    const float out = root.ball.radius + root.slack + pair.reach;
+    for (const Vec3& center : {root.ball.center, root.ball.center + root.way}) {
+      lower.setMin(toBullet(center - Vec3(out, out, out)));
+      upper.setMax(toBullet(center + Vec3(out, out, out)));
+    }
+  }
+  target_->take(*pair.other, lower, upper);
+}
+
+void Sweep::append(const SweptPair& pair, float from, float to, btScalar turn) {
+  const int count = std::max(1, static_cast<int>(std::ceil(turn / kTurn)));
+  const auto border = [&](int i) { return from + (to - from) * float(i) / float(count); };
+  for (int i = 0; i < count; ++i) segments_.push_back(segment(pair, border(i), border(i + 1)));
+}
+
+Sweep::Segment Sweep::segment(const SweptPair& pair, float from, float to) const {
+  const btTransform begin = placeAt(pair, from), middle = placeAt(pair, 0.5F * (from + to)), end = placeAt(pair, to);
+  btVector3 center;
+  btScalar radius = 0;
+  pair.tree->getBoundingSphere(center, radius);
+  const btScalar bow = (middle * center - (begin * center).lerp(end * center, btScalar(0.5))).length();
+  return {from,
+          to,
+          begin,
+          PlacedTree(pair.tree->tree(), poseOf(*pair.tree, begin)),
+          PlacedTree(pair.tree->tree(), poseOf(*pair.tree, end)),
+          static_cast<float>(chordBetween(begin.getBasis(), end.getBasis())),
+          static_cast<float>(2 * bow)};
+}
+
+// A ball's points move as its middle does but for what turning adds; its middle moves on an arc about the tree's.
+Sweep::MovedNode Sweep::moved(const Segment& segment, NodeId node) {
+  const Sphere ball = segment.tree.sphere(node);
+  const float arm = distance(ball.center, segment.tree.sphere(kRootNode).center);
+  const float height = arm * segment.chord * segment.chord / 8;
+  return {ball, segment.treeAtEnd.sphere(node).center - ball.center,
+          ball.radius * segment.chord + height + segment.bow};
+}
+
+void Sweep::enter(const Segment& segment, const NodePair& pair) {
+  MovedNode node = moved(segment, pair.a);
+  node.ball.radius += node.slack + margin_;
+  const std::optional<float> at = target_->entry(node.ball, pair.b, node.way);
+  if (!at || isSettled(pair.a, segment.from + *at * (segment.to - segment.from))) return;
+  heap_.push_back({*at, pair});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+// Earliest first, so that what a leaf runs into first rules out most of the rest.
+void Sweep::search(const SweptPair& pair, const Segment& segment, Budget& budget) {
+  heap_.clear();
+  margin_ = static_cast<float>(pair.tree->getMargin());
+  for (std::uint32_t i = 0; i < target_->rootCount(); ++i) enter(segment, {kRootNode, i});
+  budget.chargeAnyway(std::uint64_t{kTestCost} * target_->rootCount());
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Candidate candidate = heap_.back();
+    heap_.pop_back();
+    if (isSettled(candidate.pair.a, segment.from + candidate.entry * (segment.to - segment.from))) continue;
+    if (tests_ < kMaxTests && split(segment, candidate, budget)) continue;
+    budget.chargeAnyway(kLeafCost);
+    if (const std::optional<Hit> hit = hitOf(pair, segment, candidate)) note(pair, segment, candidate.pair, *hit);
+  }
+}
+
+// False for two leaves.
+bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& budget) {
+  const auto [a, b] = candidate.pair;
+  const SphereTree& tree = segment.tree.tree();
+  const SweptTarget::Children below = target_->children(b);
+  const bool splitsTree =
+      !tree.isLeaf(a) && (below.count == 0 || tree.sphere(a).radius * segment.tree.scale() >= target_->radius(b));
+  const std::uint32_t first = splitsTree ? tree.childFamily(a) * kFamilyWidth : below.first;
+  const std::uint32_t count = splitsTree ? tree.childCount(a) : below.count;
+  for (std::uint32_t child = first; child < first + count; ++child) {
+    enter(segment, splitsTree ? NodePair{child, b} : NodePair{a, child});
+  }
+  tests_ += count;
+  budget.chargeAnyway(std::uint64_t{kTestCost} * count);
+  return count > 0;
+}
+
+// Along each direction the regions stay apart for a while; what counts is the one along which they do so for longest.
+// Nothing if that is to the end of the segment, or if they are in contact already.
+std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
+  const auto [a, b] = candidate.pair;
+  const MovedNode node = moved(segment, a);
+  const Vec3 center = node.ball.center + node.way * candidate.entry;
+  normals_.clear();
+  target_->appendNormals(b, center, normals_);
+  appendFaces(segment.tree, a, normals_);
+  const float way = length(node.way);
+  if (way == 0) return std::nullopt;
+  const Vec3 along = node.way / way;
+  if (!normals_.all().empty()) {
+    const Vec3 line = normals_.all().front(), beside = line - along * dot(along, line);
+    if (const float norm = length(beside); norm > 0.1F) normals_.add(beside / norm);
+  }
+  const float margins = target_->margin() + static_cast<float>(pair.tree->getMargin());
+  const float sunk = std::max(pair.reach, kSunkFraction * node.ball.radius);
+  std::optional<Hit> latest;
+  for (const Vec3& normal : normals_.all()) {
+    const Vec3 onTree = segment.tree.support(a, -normal), onOther = target_->support(b, normal);
+    const float gap = dot(normal, onTree - onOther) - margins;
+    const float closing = -dot(normal, node.way);
+    if (!(gap - closing * candidate.entry > -sunk)) continue;
+    const float least = gap - node.slack;
+    if (closing <= kPassingFraction * way || least + pair.reach >= closing) return std::nullopt;
+    const Hit hit{std::clamp(least / closing, candidate.entry, 1.0F), normal, closing};
+    if (!latest || hit.at > latest->at) latest = hit;
+  }
+  return latest;
+}
+
+// The smaller region knows where: on a flat one any point may be the extreme one.
+Sweep::Points Sweep::pointsOf(const Segment& segment, const NodePair& nodes, const Hit& hit) const {
+  const Vec3 onTree = segment.tree.support(nodes.a, -hit.normal), onOther = target_->support(nodes.b, hit.normal);
+  const Vec3 way = moved(segment, nodes.a).way * hit.at;
+  const Vec3 apart = hit.normal * dot(hit.normal, onTree + way - onOther);
+  if (segment.tree.sphere(nodes.a).radius <= target_->radius(nodes.b)) return {onTree, onTree + way - apart};
+  return {onOther - way + apart, onOther};
+}
+
+// Where the two regions are now, with the plane that they reach then.
+void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
+  const float length = segment.to - segment.from, at = segment.from + hit.at * length;
+  if (isSettled(nodes.a, at)) return;
+  const auto inPair = [&](btTransform pose) {
+    pose.getOrigin() -= pair.origin;
+    return pose;
+  };
+  const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(pair.otherCourse.at(0));
+  Contact contact;
+  contact.isAhead = contact.ofSpheres = true;
+  contact.pair = nodes;
+  contact.normal = toVec3(other.getBasis() * toBullet(hit.normal));
+  const Points points = pointsOf(segment, nodes, hit);
+  const Vec3 onTree = toVec3(tree * segment.treeInOther.invXform(toBullet(points.onTree)));
+  const Vec3 onOther = toVec3(other * toBullet(points.onOther));
+  const float margins = target_->margin() + static_cast<float>(pair.tree->getMargin());
+  contact.apart = onTree - onOther - contact.normal * margins;
+  const float gap = dot(contact.normal, contact.apart);
+  const bool isSunk = segment.from < 0;
+  if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between
+  contact.position = onTree - contact.normal * dot(contact.normal, contact.apart);
+  contact.gap = -(1 - at) * hit.closing / length;
+  contact.id = {static_cast<int>(segment.tree.tree().level(nodes.a)), static_cast<int>(nodes.a), -1, -1};
+  target_->name(nodes.b, contact.id);
+
+  int& known = meetingOf_[nodes.a];
+  if (known < 0) {
+    known = static_cast<int>(meetings_.size());
+    meetings_.emplace_back();
+  }
+  const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
+  meetings_[static_cast<std::size_t>(known)] = {at, isSunk ? gap < 0 : !isLeftToOthers, contact};
+}
+
+// Whether the node has met something by then.
+bool Sweep::isSettled(NodeId node, float at) const {
+  const int known = meetingOf_[node];
+  return known >= 0 && meetings_[static_cast<std::size_t>(known)].at <= at;
+}
+
+}  // namespace cairn::bullet

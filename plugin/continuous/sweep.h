@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cairn/core/budget.h"
+#include "continuous/course.h"
+#include "continuous/swept_target.h"
+
+namespace cairn::bullet {
+
+/// A sphere-tree and what it may meet within a step.
+struct SweptPair {
+  const SphereTreeShape* tree;
+  const btCollisionShape* other;
+  Course treeCourse, otherCourse;
+  btVector3 origin;    ///< of the pair frame, in the world
+  float reach = 0;     ///< what is nearer than this now is left to the contacts of where the bodies are
+  bool isFast = true;  ///< or slow again: only what has sunk in is looked for
+};
+
+/// Finds what a body runs into within a step, leaf by leaf: continuous collision by speculative contacts. Each leaf
+/// that would be passed through by the end of the step becomes a contact ahead (`Contact::isAhead`), with the plane
+/// that keeps the two regions apart for longest. The solver then lets each come as far as that plane, and all together
+/// stop the body wherever it is met first. See docs/algorithms/continuous.md.
+///
+/// What has sunk in nevertheless is found again: a sweep remembers where the bodies stood when nothing had, and goes by
+/// way of there until that is so again. Of two trees the smaller one is moved.
+///
+/// Work: at most `kMaxTests` pairs of nodes a step, charged whatever is left of the budget; beyond that nodes stand for
+/// their leaves. Buffers are kept; one for each pair that is fast.
+class Sweep {
+ public:
+  static constexpr std::uint32_t kMaxTests = 1U << 16;
+
+  explicit Sweep(CounterpartKind kind) : target_(makeSweptTarget(kind)) {}
+
+  /// The contacts ahead, pair frame, at most one for each leaf of the smaller tree, in an order that depends on nothing
+  /// but the pair. Valid until the next run.
+  const std::vector<Contact>& run(const SweptPair& pair, Budget& budget);
+  /// Whether something had sunk in, or might in this step: it has to be run in the next as well.
+  bool isAnchored() const { return anchor_.has_value(); }
+  /// The bodies were set down elsewhere.
+  void forget() { anchor_.reset(); }
+
+ private:
+  // A part of the step in which the tree hardly turns against the other.
+  struct Segment {
+    float from, to;  // parts of the step; below 0 on the way from the anchor, which is as long as one
+    btTransform treeInOther;
+    PlacedTree tree, treeAtEnd;
+    float chord;  // 2 sin(t/2) for the angle by which it turns
+    float bow;    // how far its middle may be beside its straight way
+  };
+  // One node in a segment: where it begins, its straight way, and how far any of its points may be beside that.
+  struct MovedNode {
+    Sphere ball;
+    Vec3 way;
+    float slack = 0;
+  };
+  static MovedNode moved(const Segment& segment, NodeId node);
+  struct Candidate {
+    float entry;
+    NodePair pair;
+    // Greatest on top of a heap: the earliest.
+    friend bool operator<(const Candidate& x, const Candidate& y) {
+      if (x.entry != y.entry) return x.entry > y.entry;
+      return x.pair.a != y.pair.a ? x.pair.a > y.pair.a : x.pair.b > y.pair.b;
+    }
+  };
+  // What a node of the moved tree comes to first: on the way from the anchor, no contact if it is still in front of it.
+  struct Meeting {
+    float at = 0;
+    bool isContact = false;
+    Contact contact;
+  };
+  struct Hit {
+    float at = 0;  // part of the segment
+    Vec3 normal;
+    float closing = 0;  // along it, in the whole segment
+  };
+
+  void cut(const SweptPair& pair);
+  void append(const SweptPair& pair, float from, float to, btScalar turn);
+  Segment segment(const SweptPair& pair, float from, float to) const;
+  btTransform placeAt(const SweptPair& pair, float part) const;
+  void sweep(const SweptPair& pair, Budget& budget);
+  static void swapSides(Contact& contact);
+  void search(const SweptPair& pair, const Segment& segment, Budget& budget);
+  void enter(const Segment& segment, const NodePair& pair);
+  bool isSettled(NodeId node, float at) const;
+  bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
+  std::optional<Hit> hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate);
+  // A point of each, where the tree is at the segment's beginning.
+  struct Points {
+    Vec3 onTree, onOther;
+  };
+  Points pointsOf(const Segment& segment, const NodePair& nodes, const Hit& hit) const;
+  void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
+
+  std::unique_ptr<SweptTarget> target_;
+  std::vector<Segment> segments_;
+  std::vector<Candidate> heap_;
+  std::vector<int> meetingOf_;  // by node of the moved tree, which of them; -1: none
+  std::vector<Meeting> meetings_;
+  std::vector<Contact> contacts_;
+  SeparatingNormals normals_;
+  float margin_ = 0;  // of the moved tree
+  std::uint32_t tests_ = 0;
+  std::optional<btTransform> anchor_;  // where the moved tree stood in the other's frame when nothing had sunk in
+};
+
+}  // namespace cairn::bullet

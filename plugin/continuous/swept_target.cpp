@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Zlib
+#include "continuous/swept_target.h"
+
+#include "continuous/swept_solids.h"
+#include "continuous/swept_tree.h"
+#include "continuous/swept_triangles.h"
+
+namespace cairn::bullet {
+
+std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind) {
+  switch (kind) {
+    case CounterpartKind::tree:
+      return std::make_unique<SweptTree>();
+    case CounterpartKind::plane:
+      return std::make_unique<SweptPlane>();
+    case CounterpartKind::convex:
+      return std::make_unique<SweptConvex>();
+    case CounterpartKind::triangles:
+      break;
+  }
+  return std::make_unique<SweptTriangles>();
+}
+
+}  // namespace cairn::bullet

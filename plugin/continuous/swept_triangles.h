@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <vector>
+
+#include "continuous/swept_target.h"
+#include "counterparts/triangle_soup.h"
+
+namespace cairn::bullet {
+
+/// The triangles of any concave shape, both sides alike.
+class SweptTriangles final : public SweptTarget {
+ public:
+  void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;
+  std::uint32_t rootCount() const override { return static_cast<std::uint32_t>(elements_.size()); }
+  float radius(std::uint32_t element) const override;
+  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
+  Vec3 support(std::uint32_t element, const Vec3& direction) const override;
+  void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
+  void name(std::uint32_t element, ContactId& id) const override;
+
+ private:
+  struct Element {
+    Triangle triangle;
+    Vec3 normal, lower, upper;
+  };
+  TriangleSoup soup_;
+  std::vector<Element> elements_;
+};
+
+}  // namespace cairn::bullet
