@@ -79,8 +79,10 @@ void FewFaces::start(const SphereTree& a, const SphereTree& b) {
   takeOutwards(b, outwardsB_);
   uppers_.reserve(outwardsA_.size());
   lowers_.reserve(outwardsB_.size());
-  pairs_.reserve(outwardsA_.size() * outwardsB_.size());
-  pairAt_.reserve(outwardsA_.size() * outwardsB_.size());
+  // Convex bodies have few in common at a time.
+  const std::size_t most = outwardsA_.size() * outwardsB_.size();
+  pairs_.reserve(areConvex_ ? std::min(most, PlacedMesh::kMaxTriangles) : most);
+  pairAt_.reserve(most);
 }
 
 void FewFaces::learn(const PlacedTree& a, const PlacedTree& b, std::span<const Vec3> normals) {
