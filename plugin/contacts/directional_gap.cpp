@@ -99,20 +99,22 @@ DirectionalGap::Box DirectionalGap::boxOf(const Corners& p) {
           {std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y})}};
 }
 
-void DirectionalGap::addUpper(const Corners& p) {
+bool DirectionalGap::addUpper(const Corners& p) {
   const Vec3 outwards = cross(p[1] - p[0], p[2] - p[0]);
-  if (!(outwards.z < 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return;
+  if (!(outwards.z < 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return false;
   const Patch patch{p, boxOf(p), std::min({p[0].z, p[1].z, p[2].z}), outwards};
-  if (patch.box.meets(frame_)) uppers_.push_back(patch);
+  if (!patch.box.meets(frame_)) return false;
+  uppers_.push_back(patch);
+  return true;
 }
 
-void DirectionalGap::addLower(const Corners& p) {
+bool DirectionalGap::addLower(const Corners& p) {
   const Vec3 outwards = cross(p[1] - p[0], p[2] - p[0]);
-  if (!(outwards.z > 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return;
+  if (!(outwards.z > 0 && outwards.z * outwards.z > kEdgeOnCosine * kEdgeOnCosine * lengthSq(outwards))) return false;
   Facet facet;
   facet.box = boxOf(p);
   facet.outwards = outwards;
-  if (!facet.box.meets(frame_)) return;
+  if (!facet.box.meets(frame_)) return false;
   facet.ceiling = std::max({p[0].z, p[1].z, p[2].z});
   facet.anchor = p[0];
   facet.slopeU = -outwards.x / outwards.z;
@@ -122,11 +124,12 @@ void DirectionalGap::addLower(const Corners& p) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 along = p[(k + 1) % 3] - p[k];
     const float norm = std::sqrt(along.x * along.x + along.y * along.y);
-    if (!(norm > 0)) return;
+    if (!(norm > 0)) return false;
     const float x = -along.y / norm, y = along.x / norm;
     facet.sides[k] = {x, y, slack - x * p[k].x - y * p[k].y};
   }
   lowers_.push_back(facet);
+  return true;
 }
 
 // What both cover within the window.
@@ -161,7 +164,9 @@ void DirectionalGap::compare(const Patch& upper, const Facet& lower, float reach
     if (q.z - below >= reach) continue;
     deepest_ = std::min(deepest_, q.z - below);
     points_.push_back({q.z - below, window_.center + inCallersFrame({q.x, q.y, 0.5F * (q.z + below)}),
-                       normalized(inCallersFrame(upper.outwards)), normalized(inCallersFrame(lower.outwards))});
+                       normalized(inCallersFrame(upper.outwards)), normalized(inCallersFrame(lower.outwards)),
+                       static_cast<std::uint32_t>(&upper - uppers_.data()),
+                       static_cast<std::uint32_t>(&lower - lowers_.data())});
   }
 }
 

@@ -41,6 +41,7 @@ struct GapPoint {
   float gap = 0;              ///< height of the upper surface over the lower one there, negative where it is below
   Vec3 position;              ///< half-way between the two
   Vec3 upperFace, lowerFace;  ///< unit, outward normals of the two triangles there
+  std::uint32_t upper = 0, lower = 0;  ///< these, in the order in which they were taken in
 };
 
 /// How far one set of triangles can move against another along a direction before they touch: exact, up to rounding,
@@ -54,8 +55,9 @@ class DirectionalGap {
   /// A new question.
   void begin(const GapWindow& window);
   /// What faces along the window's normal is left out of the upper surface, what faces against it of the lower one.
-  void addUpper(const Corners& corners);
-  void addLower(const Corners& corners);
+  /// False when it is, and where it is seen edge-on or lies beside the window.
+  bool addUpper(const Corners& corners);
+  bool addLower(const Corners& corners);
   /// Pairs that `run` will compare.
   std::uint64_t pairCount() const { return uppers_.size() * lowers_.size(); }
 

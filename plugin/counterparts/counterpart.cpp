@@ -21,6 +21,12 @@ Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> 
   return {};
 }
 
+std::optional<float> Counterpart::appendOfMesh(Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
+  return std::nullopt;
+}
+
+void Counterpart::learnNormals(std::span<const Vec3> /*normals*/) {}
+
 bool Counterpart::sharpen(const Contact& /*rough*/, Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
   return false;
 }

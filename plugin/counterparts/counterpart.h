@@ -84,6 +84,14 @@ class Counterpart {
   /// they belong to another one. Default: nothing is flat.
   virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays);
 
+  /// In place of `appendContacts` for all leaf pairs of a traversal that is done, where the source mesh has so few
+  /// triangles that it says more for less: appends the contacts, and returns how far the surfaces are apart at least
+  /// (world length), minus infinity where that is not known. Charged whatever is left of the budget. Nothing, and
+  /// nothing appended, when the leaf pairs have to be asked. Default: nothing.
+  virtual std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts);
+  /// The common normals of this step's clusters, measured between leaves; zero where there is none.
+  virtual void learnNormals(std::span<const Vec3> normals);
+
   /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
   /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say
   /// nothing; then the contact is all that is known. Default: false, there are no triangles on both sides.

@@ -48,7 +48,7 @@ void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion&
                       std::span<const NodePair> known, bool isThrifty) {
   areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
   if (areAllNear_) {
-    near_.assign(leafPairs.begin(), leafPairs.end());
+    leafPairs_ = leafPairs;
     pickedAt_ = motion.placement;
     return;
   }
@@ -79,6 +79,12 @@ void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& mot
   const std::size_t before = contacts.size();
   counterpart.appendContacts(near_, contacts);
   measuredInVain_ += near_.size() - std::min(near_.size(), contacts.size() - before);
+}
+
+void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
+  gaps_.clear();
+  leastGap_ = gap;
+  measuredAt_ = motion.placement;
 }
 
 void KeptAnswer::makeRoom(std::size_t count) {

@@ -40,13 +40,17 @@ class KeptAnswer {
   /// were, and suffice where they are not empty and the step `isThrifty`.
   void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
             bool isThrifty);
-  /// What was picked. Valid until the next `pick`.
-  std::span<const NodePair> near() const { return near_; }
+  /// What was picked. Valid until the next `pick` or traversal.
+  std::span<const NodePair> near() const { return areAllNear_ ? leafPairs_ : std::span<const NodePair>(near_); }
 
   /// Measures all leaf pairs of a traversal that is done, and how far apart they are.
   void measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
   /// Measures what was picked.
   void measureNear(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
+
+  /// How far apart the surfaces are now at least, told by something else than their leaf pairs; minus infinity where
+  /// they touch.
+  void setGap(float gap, const RelativeMotion& motion);
 
   /// Allocates what `count` leaf pairs may need, wanted now or not: a pair that slows down later allocates nothing.
   void makeRoom(std::size_t count);
@@ -65,6 +69,7 @@ class KeptAnswer {
   // again costs no more than what it is likely to save.
   std::size_t measuredInVain_ = 0;
   std::vector<NodePair> near_;
+  std::span<const NodePair> leafPairs_;  // the traversal's, where all may be near
   bool areAllNear_ = false;
 };
 

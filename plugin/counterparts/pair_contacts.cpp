@@ -14,10 +14,6 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
 // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
 constexpr float kApproachFraction = 0.008F;
-// Clusters whose common normals are closer than 10 degrees resist the same motion.
-constexpr float kSameNormalCosine = 0.984807753F;
-// Normals more than 120 degrees apart hold against opposite motions.
-constexpr float kOpposedCosine = 0.5F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
 
@@ -111,6 +107,16 @@ void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMoti
   else
     counterpart.appendContacts(pairs, contacts);
   seenLeafPairs_ = leafPairs;
+}
+
+bool PairContacts::appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                                std::vector<Contact>& contacts) {
+  const std::optional<float> gap = counterpart.appendOfMesh(budget, contacts);
+  if (!gap) return false;
+  kept_.setGap(*gap, motion);
+  kept_.makeRoom(counterpart.traversal().leafPairs().size());
+  seenLeafPairs_ = counterpart.traversal().leafPairs().size();
+  return true;
 }
 
 std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const {
@@ -294,19 +300,6 @@ bool PairContacts::isRecent(const RelativeMotion& motion) const {
   return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
-// What runs into something, or has passed it, is held on the side it came from: what touches on the other means
-// nothing.
-void PairContacts::dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
-  if (ahead.empty()) return;
-  for (int k = 0; k < kMaxClusters; ++k) {
-    for (Contact& c : scratch.contacts.cluster(k)) {
-      const auto opposes = [&](const Contact& one) { return dot(c.normal, one.normal) < -kOpposedCosine; };
-      if (!c.isAhead && std::ranges::any_of(ahead, opposes)) c.gap = reach;
-    }
-    scratch.contacts.resort(k, reach);
-  }
-}
-
 void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
                           std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
@@ -314,8 +307,12 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
   if (!isDone) retest(counterpart, budget);
-  if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
-  appendUnmeasured(counterpart, motion, budget, contacts);
+  const bool isOfMesh = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
+                        appendOfMesh(counterpart, motion, budget, contacts);
+  if (!isOfMesh) {
+    if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
+    appendUnmeasured(counterpart, motion, budget, contacts);
+  }
   if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
@@ -331,59 +328,14 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.contacts.group(seeds_, reach);
-  flatten(counterpart, reach, scratch);
+  if (isOfMesh)
+    keepNormals(scratch.contacts);
+  else
+    flatten(counterpart, reach, scratch);
   dropOpposed(ahead, reach, scratch);
   if (!counterpart.givesWay()) return;
   for (Contact& contact : contacts)
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);
-}
-
-void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch& scratch) {
-  ClusteredContacts& contacts = scratch.contacts;
-  scratch.strays.clear();
-  const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
-  for (int k = 0; k < kMaxClusters; ++k) {
-    const std::span<Contact> cluster = contacts.cluster(k);
-    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts, scratch.strays);
-    // Along the common normal some turn out to be farther apart than what is wanted.
-    if (lengthSq(common) > 0) contacts.resort(k, reach);
-  }
-  clusterStrays(counterpart, reach, lasts, scratch);
-  joinSameNormals(contacts);
-  isFlat_ = !contacts.list().empty();
-  for (int k = 0; k < kMaxClusters; ++k)
-    if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
-}
-
-// Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
-// sides of a groove hold against different motions.
-void PairContacts::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
-                                 ContactScratch& scratch) {
-  ClusteredContacts& contacts = scratch.contacts;
-  std::sort(scratch.strays.begin(), scratch.strays.end(), deeper);  // they are of several clusters
-  for (int k = 0; k < kMaxClusters && !scratch.strays.empty(); ++k) {
-    if (!contacts.cluster(k).empty()) continue;
-    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    scratch.moreStrays.clear();
-    common = counterpart.flatten(scratch.strays, lasts, scratch.moreStrays);
-    if (lengthSq(common) == 0) return;
-    contacts.fill(k, scratch.strays);
-    contacts.resort(k, reach);
-    seeds_[static_cast<std::size_t>(k)] = {common, true};
-    scratch.strays.swap(scratch.moreStrays);
-  }
-}
-
-// Tilted centre lines can put one pair of faces into several clusters.
-void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
-  for (std::size_t k = 0; k < commonNormals_.size(); ++k)
-    for (std::size_t j = k + 1; j < commonNormals_.size(); ++j) {
-      if (dot(commonNormals_[k], commonNormals_[j]) < kSameNormalCosine) continue;
-      contacts.join(static_cast<int>(k), static_cast<int>(j));
-      commonNormals_[j] = {};
-      seeds_[j].active = false;
-    }
 }
 
 void PairContacts::remember(const Contact& chosen) {

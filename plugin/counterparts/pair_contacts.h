@@ -105,10 +105,13 @@ class PairContacts {
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
   static void dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
+  bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                    std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
   bool isKnown(const NodePair& pair) const;
   void flatten(Counterpart& counterpart, float reach, ContactScratch& scratch);
+  void keepNormals(ClusteredContacts& contacts);
   void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ContactScratch& scratch);
   void joinSameNormals(ClusteredContacts& contacts);
   // Whether the bodies have hardly approached since the traversal that gave the last answer began.

@@ -65,7 +65,10 @@ struct Edges {
     const std::span<const Vec3> faces = tree.tree().faceNormals(node);
     const Mat3 pairFromAxes = transpose(tree.axesFromPair());
     for (std::size_t i = 0; i < faces.size(); ++i)
-      for (std::size_t j = i + 1; j < faces.size(); ++j) direction[count++] = pairFromAxes * cross(faces[i], faces[j]);
+      for (std::size_t j = i + 1; j < faces.size(); ++j) {
+        const Vec3 along = cross(faces[i], faces[j]);  // of none where they are the two sides of a plate
+        if (lengthSq(along) > kParallelEdges * kParallelEdges) direction[count++] = pairFromAxes * along;
+      }
   }
 };
 

@@ -5,11 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {
+
+namespace {
+// Not near: no node of a tree has that name.
+constexpr NodeId kNoLeaf = ~NodeId{0};
+}  // namespace
 
 void PlaneObstacle::place(const Vec3& normal, float offset, float margin) {
   normal_ = normal;
@@ -43,7 +49,14 @@ void PlaneCounterpart::placeObstacle() {
   obstacle_.place(tree_.axesFromPair() * normal_, below, (reach_ + skin_ + margin_) * unit + kOverlapSlack * lengths);
 }
 
+void PlaneCounterpart::reset() {
+  Counterpart::reset();
+  leafOf_.clear();
+}
+
 void PlaneCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
+  leafOf_.clear();
+  if (hasFewVertices()) leafOf_.reserve(tree_.tree().vertices().size());
   skin_ = skin;
   placeObstacle();
   traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
@@ -65,6 +78,40 @@ void PlaneCounterpart::appendContacts(std::span<const NodePair> pairs, std::vect
     for (const Vec3& point : tree_.supportPoints(pair.a))
       appendContact(pair, tree_.toPair() * point, index++, contacts);
   }
+}
+
+bool PlaneCounterpart::hasFewVertices() const {
+  return tree_.tree().vertices().size() <= kMaxVertices;
+}
+
+// Of the leaves that are near, the first that holds a vertex stands for it.
+void PlaneCounterpart::findLeaves() {
+  const SphereTree& tree = tree_.tree();
+  const std::span<const NodePair> leafPairs = traversal_.leafPairs();
+  leafOf_.assign(tree.vertices().size(), kNoLeaf);
+  for (const NodePair& pair : leafPairs)
+    for (const std::uint32_t triangle : tree.regionTriangles(pair.a))
+      for (const std::uint32_t v : tree.triangles()[triangle]) {
+        const Sphere ball = tree.sphere(pair.a);
+        if (leafOf_[v] == kNoLeaf && distance(tree.vertices()[v], ball.center) <= ball.radius) leafOf_[v] = pair.a;
+      }
+}
+
+// The lowest of a mesh are vertices, whichever leaf they are in.
+std::optional<float> PlaneCounterpart::appendOfMesh(Budget& budget, std::vector<Contact>& contacts) {
+  if (!hasFewVertices() || traversal_.leafPairs().empty()) return std::nullopt;
+  if (leafOf_.empty()) findLeaves();
+  budget.chargeAnyway(kSphereUpdateCost * leafOf_.size());
+  const std::size_t before = contacts.size();
+  float lowest = reach_ + skin_;  // or farther: what the traversal did not look for
+  for (std::size_t v = 0; v < leafOf_.size(); ++v) {
+    if (leafOf_[v] == kNoLeaf) continue;
+    const Vec3 vertex = tree_.toPair() * tree_.tree().vertices()[v];
+    lowest = std::min(lowest, dot(normal_, vertex) - offset_ - margin_);
+    appendContact({leafOf_[v], kRootNode}, vertex, static_cast<int>(v), contacts);
+  }
+  for (Contact& contact : std::span(contacts).subspan(before)) contact.isExact = contact.isSettled = true;
+  return lowest;
 }
 
 void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex,

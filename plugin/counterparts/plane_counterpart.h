@@ -25,6 +25,11 @@ class PlaneObstacle final : public Obstacle {
 /// A btStaticPlaneShape.
 class PlaneCounterpart final : public Counterpart {
  public:
+  /// Meshes of so few vertices are asked themselves. What has more may be meant to be round, and rolls better by its
+  /// leaves.
+  static constexpr std::size_t kMaxVertices = 48;
+
+  void reset() override;
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
@@ -32,12 +37,15 @@ class PlaneCounterpart final : public Counterpart {
   bool keepsAnswer() const override { return true; }
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:
   void placeObstacle();
+  bool hasFewVertices() const;
+  void findLeaves();
   void appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex, std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
@@ -48,6 +56,7 @@ class PlaneCounterpart final : public Counterpart {
   float offset_ = 0;
   PlaneObstacle obstacle_;
   ObstacleTraversal traversal_;
+  std::vector<NodeId> leafOf_;  // by vertex, of the traversal at hand once it is done
 };
 
 }  // namespace cairn::bullet

@@ -17,6 +17,11 @@ constexpr float kMuchLarger = 2;
 constexpr int kMaxWholeSplits = 8;
 }  // namespace
 
+void TreeCounterpart::reset() {
+  Counterpart::reset();
+  fewFaces_.reset();
+}
+
 void TreeCounterpart::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
   const btTransform pairFromTree = placement.other * shape.bodyFromTree();
@@ -31,6 +36,7 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
 }
 
 void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
+  fewFaces_.start(a_.tree(), b_.tree());
   traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 
@@ -67,6 +73,7 @@ void TreeCounterpart::expect(std::span<const Vec3> normals) {
   expectedCount_ = 0;
   for (const Vec3& normal : normals)
     if (lengthSq(normal) > 0) expected_[expectedCount_++] = normal;
+  fewFaces_.carry(a_, b_, std::span(expected_).first(expectedCount_));
 }
 
 float TreeCounterpart::separation(const NodePair& pair, const Vec3& along) const {
@@ -193,6 +200,14 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
   }
   contacts.insert(contacts.end(), wholes_.begin(), wholes_.end());
   return tests;
+}
+
+std::optional<float> TreeCounterpart::appendOfMesh(Budget& budget, std::vector<Contact>& contacts) {
+  return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), budget, contacts);
+}
+
+void TreeCounterpart::learnNormals(std::span<const Vec3> normals) {
+  fewFaces_.learn(a_, b_, normals);
 }
 
 bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {

