@@ -27,6 +27,10 @@ class ExtremePoints;
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 
+/// Which of a tree's levels `serialize` writes as a compound: level two of a tree of eight children has at most 64
+/// spheres.
+inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
+
 /// A certified sphere-tree as a Bullet collision shape for moving (and static) concave bodies.
 ///
 /// The type is `FAST_CONCAVE_MESH_PROXYTYPE`: every generic path of Bullet that knows only concave shapes (rays,
@@ -81,6 +85,15 @@ class SphereTreeShape final : public btConcaveShape {
                            const btVector3& aabbMax) const override;
   const char* getName() const override { return "CairnSphereTree"; }
 
+  /// The level whose spheres `serialize` writes for programs that know only Bullet; leaves above it count as its own.
+  std::uint32_t compoundLevel() const { return compoundLevel_; }
+  void setCompoundLevel(std::uint32_t level) { compoundLevel_ = level; }
+  int calculateSerializeBufferSize() const override;
+  /// For `btDefaultSerializer`: a compound of the spheres of `compoundLevel` (radii grown by the margin, all rounded to
+  /// float), which Bullet's own importer loads, and beside it the tree, which `WorldImporter` gives back; a tree that
+  /// several shapes share is written once. See docs/file-format.md. Linear in the tree.
+  const char* serialize(void* dataBuffer, btSerializer* serializer) const override;
+
  private:
   SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale);
   void applyScale(btScalar scale);
@@ -88,6 +101,7 @@ class SphereTreeShape final : public btConcaveShape {
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
   BodyFrame frame_;
+  std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar scale_ = 1;
   btScalar size_ = 0;
   btScalar angularMotionDisc_ = 0;
