@@ -24,6 +24,23 @@ quietly cmake -G Ninja -S "$here" -B "$scratch/cmake" -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix"
 quietly cmake --build "$scratch/cmake"
 
+# A Bullet of the game's own, of this precision and of the other; the same folder again, once mended.
+own=float other=double
+[[ -z $suffix ]] || { own=double other=float; }
+takes() {  # found|built HEADERS LIBRARY
+  cmake -G Ninja -S "$here/precision" -B "$scratch/precision_$1" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix" -DOWN_BULLET="$1" -DOWN_HEADERS="$2" \
+    -DOWN_LIBRARY="$3" ${4:+-U "$4"} > "$scratch/log" 2>&1
+}
+for kind in found built; do
+  for pair in "$other $other" "$other $own" "$own $other"; do
+    read -r headers library <<< "$pair"
+    ! takes $kind "$headers" "$library" '*_found' || fail "a Bullet ($kind) of $pair is taken by cairn$suffix"
+    tr -s '\n ' ' ' < "$scratch/log" | grep -q 'must not be mixed' || fail "$kind, $pair: $(cat "$scratch/log")"
+  done
+  takes $kind $own $own '*_found' || fail "a Bullet ($kind) of $own is refused: $(cat "$scratch/log")"
+done
+
 PKG_CONFIG_PATH=$(dirname "$(find "$scratch/usr" -name "cairn$suffix.pc")")
 export PKG_CONFIG_PATH
 read -ra flags <<< "$(pkg-config --cflags --libs "cairn$suffix")"
