@@ -19,7 +19,7 @@ btVector3 errorColor(double errorFraction) {
   const double at = std::clamp(onErrorScale(fraction), 0.0, 1.0) * (kErrorColors.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at), kErrorColors.size() - 2);
   const double weight = at - static_cast<double>(i);
-  btVector3 color;
+  btVector3 color(0, 0, 0);
   for (std::size_t c = 0; c < 3; ++c)
     color[static_cast<int>(c)] = btScalar((1 - weight) * kErrorColors[i][c] + weight * kErrorColors[i + 1][c]);
   return color;
