@@ -58,6 +58,7 @@ echo "stripped: $(size rocks_tree) bytes with sphere-trees, $(size rocks_gimpact
 [[ -x $scratch/usr/bin/cairn && -x $build/bin/make_rock ]] || exit 0
 quietly "$build/bin/make_rock" --seed 1 --subdivisions 2 -o "$scratch/rock.obj"
 quietly "$scratch/usr/bin/cairn" build "$scratch/rock.obj" -o "$scratch/rock.cairn"
+[[ ! -x $scratch/cmake/save_and_load ]] || quietly "$scratch/cmake/save_and_load" "$scratch/rock.cairn"
 for game in cmake/rocks_gimpact cmake/rocks_tree by_pkg_config; do
   heights=$("$scratch/$game" "$scratch/rock.obj" "$scratch/rock.cairn") || fail "$game does not run"
   awk -v name="$game" '$1 < 0.1 || $1 > 5 { print name ": a rock ends at " $1; bad = 1 } END { exit bad }' <<< "$heights"

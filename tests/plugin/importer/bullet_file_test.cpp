@@ -250,6 +250,42 @@ TEST(BulletFile, TreesAreChildrenOfCompounds) {
   EXPECT_NEAR(body.getInvInertiaDiagLocal().x(), before.getInvInertiaDiagLocal().x(), 1e-4);
 }
 
+// Two blocks of one tree, as tests/data holds them from both precisions.
+struct Blocks {
+  std::shared_ptr<SphereTreeShape> shape = treeShape(plainTree(cuboid({1, 2, 3}, 1)), btScalar(1.5));
+  BulletWorld<> w;
+  Blocks() {
+    shape->setMargin(btScalar(0.0625));
+    for (int i = 0; i < 2; ++i) w.add(shape, btScalar(1 + i), btVector3(btScalar(4 * i), btScalar(0.5), -2));
+  }
+};
+const std::filesystem::path kData = CAIRN_TEST_DATA_DIR;
+
+// Writes this precision's file: --gtest_also_run_disabled_tests --gtest_filter=*WritesItsPrecision.
+TEST(BulletFile, DISABLED_WritesItsPrecision) {
+  Blocks blocks;
+  const char* name = sizeof(btScalar) == 4 ? "blocks_float.bullet" : "blocks_double.bullet";
+  ASSERT_TRUE(writeFileAtomically(kData / name, saved(blocks.w.world)).ok());
+}
+
+TEST(BulletFile, FilesOfBothPrecisionsAreRead) {
+  Blocks blocks;
+  for (const char* name : {"blocks_float.bullet", "blocks_double.bullet"}) {
+    TreeImporter importer;
+    const Status status = importer.loadFile(kData / name);
+    ASSERT_TRUE(status.ok()) << status.error().message;
+    ASSERT_EQ(importer.getNumRigidBodies(), 2);
+    for (int i = 0; i < 2; ++i) {
+      const btCollisionObject& body = *importer.getRigidBodyByIndex(i);
+      expectSameBody(*blocks.w.world.getCollisionObjectArray()[i], body);
+      expectSameShape(*blocks.shape, treeOf(body));
+    }
+    StockImporter stock;
+    ASSERT_TRUE(stock.loadFile((kData / name).c_str()));
+    expectSpheresOf(*blocks.shape, stock.getRigidBodyByIndex(1)->getCollisionShape());
+  }
+}
+
 TEST(BulletFile, ADamagedTreeLoadsNothing) {
   SavedWorld s;
   const Bytes letters = {std::byte{'C'}, std::byte{'A'}, std::byte{'R'}, std::byte{'N'}};
