@@ -18,6 +18,7 @@ Cairn: collision detection that keeps its deadline.
                              beside the same blocks merely streamed, on every instruction set
   ./cairn.sh bench still [OPTIONS] how flat and smooth bodies stand, slide and roll as sphere-trees, beside Bullet's own
                              shapes and the textbook
+  ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
                              (tests/bench/builder.sh --help lists the options)
@@ -175,8 +176,15 @@ bench_still() {
   build/release/bin/still_bench "$@"
 }
 
+bench_memory() {
+  need "${everything[@]}" tests
+  configure_and_build release --target memory_bench
+  build/release/bin/memory_bench "$@"
+}
+
 bench() {
   case ${1:-} in
+    memory) bench_memory "${@:2}"; return ;;
     still) bench_still "${@:2}"; return ;;
     builder) bench_builder "${@:2}"; return ;;
     traversal) bench_traversal "${@:2}"; return ;;

@@ -1,14 +1,11 @@
-# Bullet::Collision and Bullet::Dynamics as imported targets, from existing targets or from an installed Bullet.
+# Bullet::Collision and Bullet::Dynamics as imported targets, from existing targets or from an installed Bullet, and
+# Bullet::WorldImporter where Bullet's extras are installed: only who loads .bullet files needs it.
 #
 # Debian's package ships two ABIs side by side (float and -float64) and a BulletConfig.cmake whose paths are relative and
-# which defines no targets; it is used for the version and the definitions only. A mismatch between header precision and
-# library would corrupt memory at run time, so a symbol whose mangled name contains the scalar type is linked right here.
+# which defines no targets; it is used for the version and the definitions only. A mismatch between the precision of
+# headers, library and Cairn would corrupt memory at run time, so targets that exist are checked like those made here.
 
 include(CheckCXXSourceCompiles)
-
-if(TARGET Bullet::Collision AND TARGET Bullet::Dynamics)
-  return()
-endif()
 
 if(CAIRN_DOUBLE_PRECISION)
   set(cairn_bullet_suffix -float64)
@@ -16,6 +13,84 @@ if(CAIRN_DOUBLE_PRECISION)
 else()
   set(cairn_bullet_suffix "")
   set(cairn_bullet_config BulletConfig.cmake)
+endif()
+
+set(cairn_precision_advice "Single and double precision must not be mixed: set CAIRN_DOUBLE_PRECISION (installed: take \
+the package cairn or cairn-float64) to what Bullet was built with, and let the targets carry BT_USE_DOUBLE_PRECISION if \
+that is double.")
+
+# What headers with a target's definitions make of btScalar, and a symbol of its library whose mangled name contains it.
+# Asked again after every refusal: the answer may be another once the target has been mended.
+function(cairn_check_bullet_precision target)
+  set(CMAKE_REQUIRED_LIBRARIES ${target})
+  if(CAIRN_DOUBLE_PRECISION)
+    set(size sizeof\(double\))
+  else()
+    set(size sizeof\(float\))
+  endif()
+  check_cxx_source_compiles("
+    #include <btBulletCollisionCommon.h>
+    static_assert(sizeof(btScalar) == ${size});
+    int main() {
+      btSphereShape sphere(1);
+      btVector3 center;
+      btScalar radius;
+      sphere.btCollisionShape::getBoundingSphere(center, radius);
+      return radius > 2;
+    }" CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix})
+  if(NOT CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix})
+    unset(CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix} CACHE)
+    message(FATAL_ERROR "${target} does not serve Cairn${cairn_bullet_suffix}: headers and library of one precision did "
+                        "not compile and link. ${cairn_precision_advice}")
+  endif()
+endfunction()
+
+# A Bullet built by this very project cannot be linked yet: its definitions have to tell. They must be double for its own
+# sources and for who links it, or for neither.
+function(cairn_check_bullet_definitions target)
+  get_target_property(type ${target} TYPE)
+  get_target_property(own ${target} COMPILE_DEFINITIONS)
+  get_target_property(passed_on ${target} INTERFACE_COMPILE_DEFINITIONS)
+  get_directory_property(of_cairn COMPILE_DEFINITIONS)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(own ${passed_on})
+  endif()
+  list(APPEND own ${CMAKE_CXX_FLAGS})
+  list(APPEND passed_on ${of_cairn} ${CMAKE_CXX_FLAGS})
+  foreach(definitions own passed_on)
+    if("${${definitions}}" MATCHES "BT_USE_DOUBLE_PRECISION")
+      set(double TRUE)
+    else()
+      set(double FALSE)
+    endif()
+    if((double AND NOT CAIRN_DOUBLE_PRECISION) OR (CAIRN_DOUBLE_PRECISION AND NOT double))
+      message(FATAL_ERROR "${target} does not serve Cairn${cairn_bullet_suffix}: by its definitions, it and what links it "
+                          "are not of that precision. ${cairn_precision_advice}")
+    endif()
+  endforeach()
+endfunction()
+
+# Whether all a target stands for exists already.
+function(cairn_is_imported target result)
+  get_target_property(imported ${target} IMPORTED)
+  get_target_property(libraries ${target} INTERFACE_LINK_LIBRARIES)
+  foreach(library IN LISTS libraries)
+    if(imported AND TARGET ${library})
+      cairn_is_imported(${library} imported)
+    endif()
+  endforeach()
+  set(${result} ${imported} PARENT_SCOPE)
+endfunction()
+
+if(TARGET Bullet::Collision AND TARGET Bullet::Dynamics)
+  cairn_is_imported(Bullet::Collision cairn_bullet_exists)
+  if(cairn_bullet_exists)
+    unset(CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix} CACHE)  # another target than last time, perhaps
+    cairn_check_bullet_precision(Bullet::Collision)
+  else()
+    cairn_check_bullet_definitions(Bullet::Collision)
+  endif()
+  return()
 endif()
 
 find_package(Bullet CONFIG QUIET CONFIGS ${cairn_bullet_config})
@@ -52,21 +127,14 @@ function(cairn_import_bullet target)
 endfunction()
 cairn_import_bullet(Bullet::Collision BulletCollision LinearMath)
 cairn_import_bullet(Bullet::Dynamics BulletDynamics BulletCollision LinearMath)
-
-set(CMAKE_REQUIRED_LIBRARIES Bullet::Collision)
-check_cxx_source_compiles("
-  #include <btBulletCollisionCommon.h>
-  int main() {
-    btSphereShape sphere(1);
-    btVector3 center;
-    btScalar radius;
-    sphere.btCollisionShape::getBoundingSphere(center, radius);
-    return radius > 2;
-  }" CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix})
-unset(CMAKE_REQUIRED_LIBRARIES)
-if(NOT CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix})
-  message(FATAL_ERROR "Bullet's library ${CAIRN_BulletCollision${cairn_bullet_suffix}} does not match its headers with "
-                      "definitions '${cairn_bullet_definitions}': single and double precision must not be mixed. Set "
-                      "CAIRN_DOUBLE_PRECISION to what the library was built with.")
-endif()
+cairn_check_bullet_precision(Bullet::Collision)
 message(STATUS "Bullet ${BULLET_VERSION_STRING}${cairn_bullet_suffix}: ${CAIRN_BulletCollision${cairn_bullet_suffix}}")
+
+foreach(library BulletWorldImporter BulletFileLoader)
+  find_library(CAIRN_${library}${cairn_bullet_suffix} ${library}${cairn_bullet_suffix}
+               HINTS ${BULLET_ROOT_DIR}/${BULLET_LIBRARY_DIRS})
+endforeach()
+if(CAIRN_BulletWorldImporter${cairn_bullet_suffix} AND CAIRN_BulletFileLoader${cairn_bullet_suffix} AND
+   EXISTS ${CAIRN_BULLET_INCLUDE_DIR}/BulletWorldImporter/btBulletWorldImporter.h)
+  cairn_import_bullet(Bullet::WorldImporter BulletWorldImporter BulletFileLoader BulletDynamics BulletCollision LinearMath)
+endif()

@@ -62,6 +62,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_NAME libcairn${cairn_suffix}-dev)
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS "libbullet-dev (>= 3.0), libhwy-dev")
+set(CPACK_DEBIAN_PLUGIN_PACKAGE_SUGGESTS "libbullet-extras-dev")  # for cairn/bullet/world_importer.h
 if(CAIRN_DOUBLE_PRECISION)
   string(APPEND CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS ", libcairn-dev (= ${PROJECT_VERSION})")
 endif()

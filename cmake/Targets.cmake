@@ -1,6 +1,6 @@
 # cairn_library(NAME sources...)   a library `cairn_NAME`, alias `cairn::NAME`, built as the house builds everything
 # cairn_program(NAME sources...)   a program in bin/
-# cairn_check_headers(TARGET dir)  compiles every public header of a library alone
+# cairn_check_headers(TARGET dir [WITHOUT headers...])  compiles every public header of a library alone, but for some
 
 add_library(cairn_house INTERFACE)
 target_compile_options(cairn_house INTERFACE
@@ -31,7 +31,11 @@ function(cairn_check_headers target include_dir)
   if(NOT CAIRN_TESTS OR NOT CAIRN_CHECK_HEADERS)
     return()
   endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" WITHOUT)
   file(GLOB_RECURSE headers RELATIVE ${include_dir} CONFIGURE_DEPENDS ${include_dir}/*.h)
+  if(arg_WITHOUT)
+    list(REMOVE_ITEM headers ${arg_WITHOUT})
+  endif()
   set(sources)
   foreach(header IN LISTS headers)
     string(MAKE_C_IDENTIFIER ${header} id)

@@ -33,6 +33,7 @@ class ExtremePoints {
   /// Diagonal of the points' axis-aligned box.
   float diagonal() const { return diagonal_; }
   float slack() const { return slack_; }
+  std::size_t memoryBytes() const { return sizeof *this + blocks_.capacity() * sizeof(Block); }
 
  private:
   static constexpr std::size_t kLanes = 8;

@@ -110,6 +110,17 @@ void SphereTreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) c
   inertia = toBullet(diagonal * factor);
 }
 
+std::size_t SphereTreeShape::memoryBytes() const {
+  return sizeof *this + extremes_->memoryBytes();
+}
+
+void SphereTreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform& principal, btVector3& inertia) const {
+  const MassProperties& m = tree_->mass();
+  const btTransform meshFromPrincipal(toBullet(m.principalAxes), toBullet(m.centerOfMass * double(scale_)));
+  principal = bodyFrame() == BodyFrame::mesh ? meshFromPrincipal : btTransform::getIdentity();
+  inertia = toBullet(m.principalMoments * (double(mass) * double(scale_) * double(scale_)));
+}
+
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape) {
   if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || typeid(*shape) != typeid(SphereTreeShape)) return nullptr;
   return static_cast<const SphereTreeShape*>(shape);

@@ -24,6 +24,23 @@ quietly cmake -G Ninja -S "$here" -B "$scratch/cmake" -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix"
 quietly cmake --build "$scratch/cmake"
 
+# A Bullet of the game's own, of this precision and of the other; the same folder again, once mended.
+own=float other=double
+[[ -z $suffix ]] || { own=double other=float; }
+takes() {  # found|built HEADERS LIBRARY
+  cmake -G Ninja -S "$here/precision" -B "$scratch/precision_$1" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_PREFIX_PATH="$scratch/usr" -DCAIRN_PACKAGE="cairn$suffix" -DOWN_BULLET="$1" -DOWN_HEADERS="$2" \
+    -DOWN_LIBRARY="$3" ${4:+-U "$4"} > "$scratch/log" 2>&1
+}
+for kind in found built; do
+  for pair in "$other $other" "$other $own" "$own $other"; do
+    read -r headers library <<< "$pair"
+    ! takes $kind "$headers" "$library" '*_found' || fail "a Bullet ($kind) of $pair is taken by cairn$suffix"
+    tr -s '\n ' ' ' < "$scratch/log" | grep -q 'must not be mixed' || fail "$kind, $pair: $(cat "$scratch/log")"
+  done
+  takes $kind $own $own '*_found' || fail "a Bullet ($kind) of $own is refused: $(cat "$scratch/log")"
+done
+
 PKG_CONFIG_PATH=$(dirname "$(find "$scratch/usr" -name "cairn$suffix.pc")")
 export PKG_CONFIG_PATH
 read -ra flags <<< "$(pkg-config --cflags --libs "cairn$suffix")"
@@ -41,6 +58,7 @@ echo "stripped: $(size rocks_tree) bytes with sphere-trees, $(size rocks_gimpact
 [[ -x $scratch/usr/bin/cairn && -x $build/bin/make_rock ]] || exit 0
 quietly "$build/bin/make_rock" --seed 1 --subdivisions 2 -o "$scratch/rock.obj"
 quietly "$scratch/usr/bin/cairn" build "$scratch/rock.obj" -o "$scratch/rock.cairn"
+[[ ! -x $scratch/cmake/save_and_load ]] || quietly "$scratch/cmake/save_and_load" "$scratch/rock.cairn"
 for game in cmake/rocks_gimpact cmake/rocks_tree by_pkg_config; do
   heights=$("$scratch/$game" "$scratch/rock.obj" "$scratch/rock.cairn") || fail "$game does not run"
   awk -v name="$game" '$1 < 0.1 || $1 > 5 { print name ": a rock ends at " $1; bad = 1 } END { exit bad }' <<< "$heights"

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "cairn/bullet/tree_drawing.h"
+
 namespace cairn::scenes {
 namespace {
 
@@ -23,34 +25,8 @@ constexpr double kPanelWidth = 1.03;
 constexpr double kLabelHeight = -0.66;
 constexpr double kScaleHeight = -1.05;
 
-/// The colour scale is logarithmic over this range of certified error, as a fraction of the bounding-box diagonal.
-constexpr double kLeastError = 0.003;
-constexpr double kGreatestError = 0.5;
-
-using Colour = std::array<double, 3>;
-
-/// From blue through green to yellow, lightness rising steadily: readable in print and by everyone.
-Colour scaleColour(double t) {
-  static constexpr std::array<Colour, 6> kStops{{{0.29, 0.36, 0.72},
-                                                 {0.20, 0.52, 0.74},
-                                                 {0.20, 0.66, 0.63},
-                                                 {0.47, 0.77, 0.47},
-                                                 {0.82, 0.84, 0.34},
-                                                 {0.99, 0.80, 0.26}}};
-  const double at = std::clamp(t, 0.0, 1.0) * (kStops.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double weight = at - static_cast<double>(i);
-  Colour colour;
-  for (std::size_t c = 0; c < 3; ++c) colour[c] = (1 - weight) * kStops[i][c] + weight * kStops[i + 1][c];
-  return colour;
-}
-
-double scalePosition(double errorFraction) {
-  return std::log(std::max(errorFraction, kLeastError) / kLeastError) / std::log(kGreatestError / kLeastError);
-}
-
-std::string srgb(const Colour& c) {
-  return fmt::format("srgb <{:.3f},{:.3f},{:.3f}>", c[0], c[1], c[2]);
+std::string srgb(const btVector3& c) {
+  return fmt::format("srgb <{:.3f},{:.3f},{:.3f}>", double(c.x()), double(c.y()), double(c.z()));
 }
 
 /// The tree in picture units: diagonal 1, bounding box centred, turned and tilted: x right, z up, seen along +y.
@@ -111,7 +87,7 @@ light_source {{ <14,-14,4> srgb 0.34 parallel point_at 0 shadowless }}
 
 std::string sphereText(const Vec3d& center, double radius, double errorFraction, double transmit) {
   return fmt::format("sphere {{ {}, {:.5g} pigment {{ {} transmit {:.2f} }} finish {{ Matt }} }}\n",
-                     povrayVector(center), radius, srgb(scaleColour(scalePosition(errorFraction))), transmit);
+                     povrayVector(center), radius, srgb(bullet::errorColor(errorFraction)), transmit);
 }
 
 /// Coarse spheres are glassy and show the mesh within; fine ones stand for the object themselves.
@@ -135,17 +111,19 @@ std::string labelText(const std::string& heading, const std::string& line, doubl
 std::string scaleText() {
   constexpr double kLength = 3.0, kHeight = 0.07, z = kScaleHeight;
   constexpr int kCells = 240;
+  constexpr double kRange = bullet::kGreatestErrorShown / bullet::kLeastErrorShown;
   std::string text;
   for (int i = 0; i < kCells; ++i) {
     const double left = kLength * (static_cast<double>(i) / kCells - 0.5);
     text += fmt::format(
         "box {{ <{:.5g},-0.01,{:.5g}>, <{:.5g},0.01,{:.5g}> no_shadow pigment {{ {} }} finish {{ ambient 0 diffuse 0 "
         "emission 1 }} }}\n",
-        left, z - kHeight / 2, left + kLength / kCells * 1.02, z + kHeight / 2, srgb(scaleColour((i + 0.5) / kCells)));
+        left, z - kHeight / 2, left + kLength / kCells * 1.02, z + kHeight / 2,
+        srgb(bullet::errorColor(bullet::kLeastErrorShown * std::pow(kRange, (i + 0.5) / kCells))));
   }
   for (const double tick : {0.003, 0.01, 0.03, 0.1, 0.3})
     text += fmt::format("Label(\"{:.3g} %\", 0.064, {:.5g}, {:.5g})\n", 100 * tick,
-                        kLength * (scalePosition(tick) - 0.5), z - kHeight / 2 - 0.085);
+                        kLength * (bullet::onErrorScale(tick) - 0.5), z - kHeight / 2 - 0.085);
   text += fmt::format(
       "Label(\"certified error: how far a sphere can stick out of the object, in % of its size\", 0.064, 0, {:.5g})\n",
       z + kHeight / 2 + 0.06);

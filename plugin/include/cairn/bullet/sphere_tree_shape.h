@@ -27,6 +27,10 @@ class ExtremePoints;
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 
+/// Which of a tree's levels `serialize` writes as a compound: level two of a tree of eight children has at most 64
+/// spheres.
+inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
+
 /// A certified sphere-tree as a Bullet collision shape for moving (and static) concave bodies.
 ///
 /// The type is `FAST_CONCAVE_MESH_PROXYTYPE`: every generic path of Bullet that knows only concave shapes (rays,
@@ -34,6 +38,9 @@ inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 /// handled by `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
 class SphereTreeShape final : public btConcaveShape {
  public:
+  /// The margin, Bullet's `setMargin`, is 0 at first and grows the surface: contacts, boxes and bounding spheres take
+  /// it into account. It is metres whatever the scale.
+  ///
   /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
   /// is not. Cost: a convex hull of the mesh.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
@@ -60,10 +67,14 @@ class SphereTreeShape final : public btConcaveShape {
   /// Diagonal of the source mesh's bounding box, scaled: what fractions of "body size" refer to.
   btScalar size() const { return size_; }
 
+  /// Bytes of memory the shape holds of its own, without the tree it shares (`SphereTree::memoryBytes`).
+  std::size_t memoryBytes() const;
+
   /// Spheres stay spheres only under uniform scale. Anything else, or a scale `create` would refuse, is refused
   /// and leaves the shape as it was.
   Status setScale(const btVector3& scaling);
-  /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it.
+  /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it. A compound scaled
+  /// unevenly hands that on to its children: it moves its trees' places and leaves their size.
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return localScaling_; }
 
@@ -71,15 +82,33 @@ class SphereTreeShape final : public btConcaveShape {
   /// the speculative distance, so that no contact the narrow phase could report is lost to the broad phase. Linear in
   /// the hull's vertices.
   void getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const override;
+  /// The tree's root, grown by the margin.
   void getBoundingSphere(btVector3& center, btScalar& radius) const override;
-  btScalar getAngularMotionDisc() const override { return angularMotionDisc_; }
+  /// The largest distance of the surface, grown by the margin, from the body's origin (within 1e-4 of the size): how
+  /// far a turn moves it. Bullet's contact breaking threshold is 0.02 of it, for pairs that Bullet's own algorithms
+  /// handle; those of `Dispatcher` set their own on their manifolds.
+  btScalar getAngularMotionDisc() const override { return angularMotionDisc_ + getMargin(); }
   /// Inertia of the solid mesh at uniform density, exact (polyhedral integrals), diagonal in the body's frame: complete
-  /// for `principalAxes`, the diagonal about the frame's origin for `mesh`.
+  /// for `principalAxes`, the diagonal about the frame's origin for `mesh`. The margin has no mass.
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
+  /// As btCompoundShape's: the centre of mass and the principal axes in the body's frame, and the moments about them,
+  /// ascending. The identity for `principalAxes`. A body in the mesh's frame is turned into one in principal axes by
+  /// taking a shape of that frame and `bodyTransform * principal` as its place.
+  void calculatePrincipalAxisTransform(btScalar mass, btTransform& principal, btVector3& inertia) const;
   /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle.
   void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                            const btVector3& aabbMax) const override;
+  /// Of the kind of shape, as everywhere in Bullet; a shape's own name is given to the serializer.
   const char* getName() const override { return "CairnSphereTree"; }
+
+  /// The level whose spheres `serialize` writes for programs that know only Bullet; leaves above it count as its own.
+  std::uint32_t compoundLevel() const { return compoundLevel_; }
+  void setCompoundLevel(std::uint32_t level) { compoundLevel_ = level; }
+  int calculateSerializeBufferSize() const override;
+  /// For `btDefaultSerializer`: a compound of the spheres of `compoundLevel` (radii grown by the margin, all rounded to
+  /// float), which Bullet's own importer loads, and beside it the tree, which `WorldImporter` gives back; a tree that
+  /// several shapes share is written once. See docs/file-format.md. Linear in the tree.
+  const char* serialize(void* dataBuffer, btSerializer* serializer) const override;
 
  private:
   SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale);
@@ -88,6 +117,7 @@ class SphereTreeShape final : public btConcaveShape {
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
   BodyFrame frame_;
+  std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar scale_ = 1;
   btScalar size_ = 0;
   btScalar angularMotionDisc_ = 0;
