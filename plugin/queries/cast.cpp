@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Zlib
+#include "queries/cast.h"
+
+#include "queries/ray_query.h"
+
+namespace cairn::bullet {
+
+bool answerCast(const SphereTreeShape& shape, btTriangleCallback& callback) {
+  if (auto* const ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
+    castRay(shape, *ray);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace cairn::bullet
