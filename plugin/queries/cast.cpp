@@ -2,6 +2,7 @@
 #include "queries/cast.h"
 
 #include "queries/ray_query.h"
+#include "queries/sweep_query.h"
 
 namespace cairn::bullet {
 
@@ -10,7 +11,8 @@ bool answerCast(const SphereTreeShape& shape, btTriangleCallback& callback) {
     castRay(shape, *ray);
     return true;
   }
-  return false;
+  auto* const sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback);
+  return sweep && castConvex(shape, *sweep);
 }
 
 }  // namespace cairn::bullet

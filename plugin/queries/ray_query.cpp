@@ -2,9 +2,9 @@
 #include "queries/ray_query.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "queries/leaf_walk.h"
+#include "queries/query_frame.h"
 #include "queries/seen_triangles.h"
 #include "shape/bullet_math.h"
 #include "shape/placed_triangle.h"
@@ -16,20 +16,13 @@ namespace {
 // Bullet's test takes a triangle as larger: a hit may be outside it by 1e-4 in each barycentric coordinate, three of
 // which move a point by at most twice the longest edge.
 constexpr double kEdgeTolerance = 2e-4;
-// It works in the body's frame, from the ray's ends: dot products of three, each end's and a corner's, then an
-// interpolation; eight units of rounding cover what that shifts a hit by.
-constexpr double kRoundings = 8;
-
 Vec3d inTree(const SphereTreeShape& shape, const btVector3& p) {
   return toVec3d(shape.bodyFromTree().invXform(p)) / double(shape.scale());
 }
 
 Segment segmentOf(const SphereTreeShape& shape, const btVector3& from, const btVector3& to) {
-  const double scale = double(shape.scale());
-  const double farthest = double(std::max(from.length(), to.length())) / scale + double(shape.tree().reach());
-  const double slack = kEdgeTolerance * double(shape.size()) / scale +
-                       kRoundings * farthest * double(SIMD_EPSILON) +
-                       kRoundings * double(shape.tree().reach()) * double(std::numeric_limits<float>::epsilon());
+  const double slack = kEdgeTolerance * double(shape.size()) / double(shape.scale()) +
+                       roundingSlack(shape, double(std::max(from.length(), to.length())));
   return {inTree(shape, from), inTree(shape, to), slack};
 }
 

@@ -55,7 +55,8 @@ struct Totals {
 };
 
 // Compares one ray's hits with the oracle's, all or the closest one.
-void expectSameHits(const bullet::SphereTreeShape& shape, const Way& way, unsigned int flags, bool all, Totals& totals) {
+void expectSameHits(const bullet::SphereTreeShape& shape, const Way& way, unsigned int flags, bool all,
+                    Totals& totals) {
   Collect fast(way, flags, all), slow(way, flags, all);
   btVector3 lower = way.from, upper = way.from;
   lower.setMin(way.to);
@@ -105,8 +106,7 @@ TEST(Ray, AlongEdgesAndFacesFindsWhatAllTrianglesGive) {
     for (int trial = 0; trial < 4000; ++trial) {
       Vec3d from(onGrid(), onGrid(), onGrid()), to(onGrid(), onGrid(), onGrid());
       from[static_cast<int>(engine() % 3)] = scale * (engine() % 2 == 0 ? 2 : -2);
-      if (engine() % 2 == 0)
-        to = from;
+      if (engine() % 2 == 0) to = from;
       to[static_cast<int>(engine() % 3)] = scale * (engine() % 2 == 0 ? 3 : -3);
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
       expectSameHits(*shape, {toBt(from), toBt(to)}, kEveryFlags[engine() % 4], trial % 2 == 0, totals);

@@ -90,8 +90,8 @@ btScalar castRay(const Way& way, btCollisionObject& object) {
 btScalar sweep(const Way& way, btCollisionObject& object, const btConvexShape& shape) {
   btCollisionWorld::ClosestConvexResultCallback result(way.from, way.to);
   const btTransform from(btQuaternion::getIdentity(), way.from), to(btQuaternion::getIdentity(), way.to);
-  btCollisionWorld::objectQuerySingle(&shape, from, to, &object, object.getCollisionShape(),
-                                      object.getWorldTransform(), result, 0);
+  btCollisionWorld::objectQuerySingle(&shape, from, to, &object, object.getCollisionShape(), object.getWorldTransform(),
+                                      result, 0);
   return result.m_closestHitFraction;
 }
 
@@ -141,9 +141,8 @@ bool benchTree(const std::string& name, std::shared_ptr<const SphereTree> tree, 
   for (std::size_t i = 0; i < options.sweeps; ++i) sweeps.push_back(test::randomWay(engine, size, options.spread));
   const btSphereShape ball(btScalar(0.05 * size));
   const bool raysAgree = measure("ray", asked, rays, options.runs, castRay);
-  const bool sweepsAgree = measure("sweep", asked, sweeps, options.runs, [&](const Way& way, btCollisionObject& object) {
-    return sweep(way, object, ball);
-  });
+  const bool sweepsAgree = measure("sweep", asked, sweeps, options.runs,
+                                   [&](const Way& way, btCollisionObject& object) { return sweep(way, object, ball); });
   return raysAgree && sweepsAgree;
 }
 
@@ -157,8 +156,7 @@ int run(const Options& options) {
     }
     agree = benchTree(file, std::make_shared<const SphereTree>(std::move(tree).value()), options) && agree;
   }
-  if (options.trees.empty())
-    agree = benchTree("torus", test::plainTree(test::torus(1, 0.4, 96), 32), options);
+  if (options.trees.empty()) agree = benchTree("torus", test::plainTree(test::torus(1, 0.4, 96), 32), options);
   if (!agree) fmt::print("some closest hits differ\n");
   return agree ? 0 : 1;
 }
@@ -168,12 +166,14 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   cairn::bench::Options options;
-  CLI::App app("Microseconds a ray and a sweep take at sphere-trees and at Bullet's mesh shapes of the same triangles.");
+  CLI::App app(
+      "Microseconds a ray and a sweep take at sphere-trees and at Bullet's mesh shapes of the same triangles.");
   app.add_option("tree", options.trees, "Trees (default: one of a generated torus)");
   app.add_option("--rays", options.rays, "Rays a run")->check(CLI::PositiveNumber);
   app.add_option("--sweeps", options.sweeps, "Sweeps a run, of a ball of 5 % of the size")->check(CLI::PositiveNumber);
   app.add_option("--runs", options.runs, "Runs, of which the fastest counts")->check(CLI::PositiveNumber);
-  app.add_option("--spread", options.spread, "From how far they begin, in sizes of the body")->check(CLI::PositiveNumber);
+  app.add_option("--spread", options.spread, "From how far they begin, in sizes of the body")
+      ->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "Of the rays");
   CLI11_PARSE(app, argc, argv);
   return cairn::bench::run(options);
