@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Zlib
 #include "queries/cast.h"
 
+#include "queries/ball_query.h"
 #include "queries/ray_query.h"
 #include "queries/sweep_query.h"
 
 namespace cairn::bullet {
 
-bool answerCast(const SphereTreeShape& shape, btTriangleCallback& callback) {
+bool answerCast(const SphereTreeShape& shape, const LeafBalls* balls, btTriangleCallback& callback) {
   if (auto* const ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
-    castRay(shape, *ray);
+    if (balls)
+      castRayAtBalls(shape, *balls, *ray);
+    else
+      castRay(shape, *ray);
     return true;
   }
   auto* const sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback);
-  return sweep && castConvex(shape, *sweep);
+  if (!sweep) return false;
+  return balls ? castConvexAtBalls(shape, *balls, *sweep) : castConvex(shape, *sweep);
 }
 
 }  // namespace cairn::bullet

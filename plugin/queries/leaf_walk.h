@@ -11,7 +11,7 @@ namespace cairn::bullet {
 
 /// Calls `visit(leaf)` for the leaves a query meets, nearest entry first among siblings.
 ///
-/// `entries(family, livingLanes, end)` says where it enters the spheres of a family; `end()` how far it still goes,
+/// `entries(family, end)` says where it enters the spheres of the family of that index; `end()` how far it still goes,
 /// which may shrink from visit to visit. No allocation.
 template <class EntriesOf, class End, class Visit>
 void walkLeaves(const SphereTree& tree, const EntriesOf& entries, const End& end, const Visit& visit) {
@@ -24,7 +24,7 @@ void walkLeaves(const SphereTree& tree, const EntriesOf& entries, const End& end
   std::size_t size = 0;
   const auto push = [&](std::uint32_t family) {
     const std::size_t first = size;
-    const Entries found = entries(tree.family(family), tree.livingLanes(family), end());
+    const Entries found = entries(family, end());
     for (std::uint32_t lanes = found.lanes; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       std::size_t slot = size++;

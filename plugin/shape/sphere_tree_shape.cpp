@@ -9,6 +9,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "queries/leaf_balls.h"
 #include "shape/bullet_math.h"
 #include "shape/extreme_points.h"
 
@@ -67,6 +68,10 @@ void SphereTreeShape::applyScale(btScalar scale) {
   size_ = btScalar(extremes_->diagonal()) * scale;
   const Vec3 bodyOriginInTree(center - tree_->origin());
   angularMotionDisc_ = btScalar(extremes_->radiusAround(bodyOriginInTree)) * scale;
+}
+
+void SphereTreeShape::setCastTarget(CastTarget target) {
+  leafBalls_ = target == CastTarget::spheres ? std::make_unique<const LeafBalls>(*tree_) : nullptr;
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {

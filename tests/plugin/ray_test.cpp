@@ -5,6 +5,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -114,6 +116,204 @@ TEST(Ray, AlongEdgesAndFacesFindsWhatAllTrianglesGive) {
     }
   }
   EXPECT_GT(totals.hits, totals.rays / 8);
+}
+
+TEST(Ray, AsksFewOfManyTriangles) {
+  constexpr std::uint64_t kSeed = 22;
+  std::mt19937_64 engine(kSeed);
+  double previous = 0;
+  for (const int segments : {24, 48, 96}) {
+    const auto shape = treeShape(plainTree(torus(1, 0.4, segments), 4));
+    Totals totals;
+    for (int trial = 0; trial < 200; ++trial)
+      expectSameHits(*shape, randomWay(engine, double(shape->size()), 2), 0, true, totals);
+    const double asked = double(totals.asked) / double(totals.rays);
+    std::printf("%zu triangles: %.1f asked a ray\n", shape->tree().triangles().size(), asked);
+    // Four times the triangles are twice as many along a line.
+    if (previous > 0) EXPECT_LT(asked, 2.5 * previous) << "seed " << kSeed;
+    previous = asked;
+  }
+}
+
+TEST(Ray, EndsWhereTheCallbackSaysSo) {
+  struct First final : btTriangleRaycastCallback {
+    using btTriangleRaycastCallback::btTriangleRaycastCallback;
+    int reports = 0;
+    btScalar reportHit(const btVector3&, btScalar, int, int) override { return ++reports, btScalar(0); }
+  };
+  const auto shape = treeShape(plainTree(twoCuboids({1, 1, 1}, {2, 0, 0}, 4), 2));
+  First first(btVector3(-5, btScalar(0.1), btScalar(0.2)), btVector3(5, btScalar(0.1), btScalar(0.2)));
+  shape->processAllTriangles(&first, btVector3(0, 0, 0), btVector3(0, 0, 0));
+  EXPECT_EQ(first.reports, 1);
+}
+
+// A user's callback may look around from where it has been told of a hit.
+TEST(Ray, MayBeCastInsideAnother) {
+  struct Nested final : btTriangleRaycastCallback {
+    Nested(const bullet::SphereTreeShape& s, const btVector3& from, const btVector3& to, int levels)
+        : btTriangleRaycastCallback(from, to), shape(s), deeper(levels) {}
+    btScalar reportHit(const btVector3&, btScalar, int, int triangle) override {
+      hits.push_back(triangle);
+      if (deeper > 0) {
+        Nested inside(shape, m_to, m_from, deeper - 1);
+        shape.processAllTriangles(&inside, btVector3(0, 0, 0), btVector3(0, 0, 0));
+        EXPECT_EQ(inside.hits.size(), 4U);
+      }
+      return 1;
+    }
+    const bullet::SphereTreeShape& shape;
+    int deeper;
+    std::vector<int> hits;
+  };
+  const auto shape = treeShape(plainTree(twoCuboids({1, 1, 1}, {2, 0, 0}, 4), 2));
+  Nested outer(*shape, btVector3(-5, btScalar(0.11), btScalar(0.23)), btVector3(5, btScalar(0.11), btScalar(0.23)), 2);
+  shape->processAllTriangles(&outer, btVector3(0, 0, 0), btVector3(0, 0, 0));
+  EXPECT_EQ(std::set<int>(outer.hits.begin(), outer.hits.end()).size(), 4U) << "in and out of both cuboids";
+  EXPECT_EQ(outer.hits.size(), 4U) << "each triangle once";
+}
+
+TEST(Ray, ThatHasNoLengthOrNoEndIsAnswered) {
+  const auto shape = treeShape(plainTree(ball(1, 6), 4));
+  const btScalar end = std::numeric_limits<btScalar>::infinity(), none = std::numeric_limits<btScalar>::quiet_NaN();
+  for (const btVector3& to : {btVector3(0, 0, 0), btVector3(end, 0, 0), btVector3(none, 0, 0)}) {
+    Collect all({btVector3(0, 0, 0), to}, 0, true);
+    shape->processAllTriangles(&all, btVector3(0, 0, 0), to);
+    EXPECT_TRUE(all.hits.empty());
+  }
+  Collect far({btVector3(btScalar(0.1), btScalar(0.2), -3), btVector3(btScalar(0.1), btScalar(0.2), btScalar(1e6))}, 0,
+              true);
+  shape->processAllTriangles(&far, far.m_from, far.m_to);
+  EXPECT_EQ(far.hits.size(), 2U);
+}
+
+// Three bodies of the same triangles at the same place: hits are told beside Bullet's own mesh shape, and lead back to
+// the mesh and to the tree.
+struct PlacedBody {
+  explicit PlacedBody(std::shared_ptr<const SphereTree> tree)
+      : shape(
+            bullet::SphereTreeShape::create(std::move(tree), bullet::BodyFrame::principalAxes, btScalar(1.3)).value()) {
+    struct Copy final : btTriangleCallback {
+      btTriangleMesh& mesh;
+      explicit Copy(btTriangleMesh& to) : mesh(to) {}
+      void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
+    } copy(mesh);
+    castOverAll(*shape, copy);
+    bvh = std::make_shared<btBvhTriangleMeshShape>(&mesh, true);
+  }
+  std::shared_ptr<bullet::SphereTreeShape> shape;
+  btTriangleMesh mesh;
+  std::shared_ptr<btBvhTriangleMeshShape> bvh;
+};
+
+struct Closest final : btCollisionWorld::ClosestRayResultCallback {
+  using ClosestRayResultCallback::ClosestRayResultCallback;
+  btScalar addSingleResult(btCollisionWorld::LocalRayResult& hit, bool inWorld) override {
+    part = hit.m_localShapeInfo->m_shapePart;
+    triangle = hit.m_localShapeInfo->m_triangleIndex;
+    return ClosestRayResultCallback::addSingleResult(hit, inWorld);
+  }
+  int part = -1, triangle = -1;
+};
+
+TEST(Ray, ThroughTheWorldHitsWhatBulletsMeshShapeHits) {
+  constexpr std::uint64_t kSeed = 23;
+  std::mt19937_64 engine(kSeed);
+  PlacedBody body(plainTree(torus(1, 0.3, 24), 4));
+  int hits = 0;
+  for (int trial = 0; trial < 800; ++trial) {
+    const btTransform at = randomTransform(engine);
+    BulletWorld<> trees, meshes;
+    btRigidBody& tree = trees.add(body.shape, trial % 2, at.getOrigin(), at.getRotation());
+    meshes.add(body.bvh, 0, at.getOrigin(), at.getRotation());
+    const Way local = randomWay(engine, double(body.shape->size()), 2);
+    const btVector3 from = at * local.from, to = at * local.to;
+    Closest ours(from, to), theirs(from, to);
+    trees.world.rayTest(from, to, ours);
+    meshes.world.rayTest(from, to, theirs);
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+    ASSERT_EQ(ours.hasHit(), theirs.hasHit());
+    btCollisionWorld::AllHitsRayResultCallback allOurs(from, to), allTheirs(from, to);
+    trees.world.rayTest(from, to, allOurs);
+    meshes.world.rayTest(from, to, allTheirs);
+    ASSERT_EQ(allOurs.m_hitFractions.size(), allTheirs.m_hitFractions.size());
+    if (!ours.hasHit()) continue;
+    ++hits;
+    EXPECT_EQ(ours.m_closestHitFraction, theirs.m_closestHitFraction) << "the same arithmetic on the same triangle";
+    EXPECT_LT((ours.m_hitNormalWorld - theirs.m_hitNormalWorld).length(), 1e-5);
+    EXPECT_EQ(ours.m_collisionObject, &tree);
+    EXPECT_EQ(ours.part, 0);
+    const btVector3 point = at.invXform(ours.m_hitPointWorld);
+    const auto leaf = body.shape->leafOf(ours.triangle, point);
+    ASSERT_TRUE(leaf) << "the hit leads back to a node";
+    const auto region = body.shape->tree().regionTriangles(*leaf);
+    EXPECT_NE(std::find(region.begin(), region.end(), static_cast<std::uint32_t>(ours.triangle)), region.end());
+  }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(Ray, FindsTheTreeInsideACompound) {
+  const auto child = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
+  auto compound = std::make_shared<btCompoundShape>();
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 2)), child.get());
+  BulletWorld<> w;
+  w.add(compound, 0, btVector3(1, 0, 0));
+  Closest hit(btVector3(btScalar(1.1), btScalar(0.2), 9), btVector3(btScalar(1.1), btScalar(0.2), -1));
+  w.world.rayTest(hit.m_rayFromWorld, hit.m_rayToWorld, hit);
+  ASSERT_TRUE(hit.hasHit());
+  EXPECT_NEAR(hit.m_closestHitFraction, 0.65, 1e-6);
+  EXPECT_NEAR(hit.m_hitNormalWorld.z(), 1, 1e-6);
+}
+
+// All leaves' balls one by one, in double.
+std::vector<double> entriesOfAllLeaves(const bullet::SphereTreeShape& shape, const Way& way) {
+  std::vector<double> fractions;
+  const SphereTree& tree = shape.tree();
+  const auto at = [](const btVector3& v) { return Vec3d(double(v.x()), double(v.y()), double(v.z())); };
+  for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
+    const NodeId node = tree.nodeAt(record);
+    if (!tree.isLeaf(node)) continue;
+    const Sphere s = tree.sphere(node);
+    const Vec3d center = at(shape.bodyFromTree() * (toBt(Vec3d(s.center)) * shape.scale()));
+    const double radius = double(s.radius) * double(shape.scale()) + double(shape.getMargin());
+    const Vec3d d = at(way.to) - at(way.from), m = at(way.from) - center;
+    const double a = lengthSq(d), b = dot(m, d), c = lengthSq(m) - radius * radius;
+    if (c <= 0 || b * b - a * c < 0) continue;
+    const double fraction = (-b - std::sqrt(b * b - a * c)) / a;
+    if (fraction >= 0 && fraction < 1) fractions.push_back(fraction);
+  }
+  std::sort(fractions.begin(), fractions.end());
+  return fractions;
+}
+
+TEST(Ray, AtSpheresEntersEveryLeafsBall) {
+  constexpr std::uint64_t kSeed = 24;
+  std::mt19937_64 engine(kSeed);
+  int hits = 0;
+  for (const auto& shape : everyShape()) {
+    shape->setCastTarget(bullet::CastTarget::spheres);
+    for (int trial = 0; trial < 500; ++trial) {
+      shape->setMargin(trial % 2 == 0 ? btScalar(0) : shape->size() / 20);
+      const Way way = randomWay(engine, double(shape->size()), 2);
+      Collect all(way, 0, true), closest(way, 0, false);
+      shape->processAllTriangles(&all, way.from, way.to);
+      shape->processAllTriangles(&closest, way.from, way.to);
+      const std::vector<double> expected = entriesOfAllLeaves(*shape, way);
+      std::sort(all.hits.begin(), all.hits.end(), [](const Hit& a, const Hit& b) { return a.fraction < b.fraction; });
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+      ASSERT_EQ(all.hits.size(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_NEAR(double(all.hits[i].fraction), expected[i], 1e-5);
+      ASSERT_EQ(closest.hits.empty(), expected.empty());
+      if (expected.empty()) continue;
+      ++hits;
+      EXPECT_NEAR(double(closest.hits.back().fraction), expected[0], 1e-5);
+      const auto node = static_cast<NodeId>(closest.hits.back().triangle);
+      EXPECT_TRUE(shape->tree().isLeaf(node));
+      EXPECT_EQ(closest.hits.back().part, static_cast<int>(shape->tree().level(node)));
+      EXPECT_NEAR(closest.hits.back().normal.length(), 1, 1e-5);
+      EXPECT_LT(closest.hits.back().normal.dot(way.to - way.from), 0);
+    }
+  }
+  EXPECT_GT(hits, 400);
 }
 
 }  // namespace

@@ -88,5 +88,78 @@ TEST(Sweep, FindsWhatAllTrianglesGive) {
   std::printf("%d sweeps, %d hit\n", sweeps, hits);
 }
 
+TEST(Sweep, ThroughTheWorldStopsWhereItDoesAtBulletsMeshShape) {
+  constexpr std::uint64_t kSeed = 31;
+  std::mt19937_64 engine(kSeed);
+  const auto shape = treeShape(plainTree(torus(1, 0.3, 12), 4));
+  btTriangleMesh mesh;
+  struct Copy final : btTriangleCallback {
+    btTriangleMesh& mesh;
+    explicit Copy(btTriangleMesh& to) : mesh(to) {}
+    void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
+  } copy(mesh);
+  castOverAll(*shape, copy);
+  const auto bvh = std::make_shared<btBvhTriangleMeshShape>(&mesh, true);
+  bvh->setMargin(0);
+  int hits = 0;
+  for (const auto& convex : everyConvex(btScalar(0.15)))
+    for (int trial = 0; trial < 40; ++trial) {
+      const btTransform at = randomTransform(engine);
+      BulletWorld<> trees, meshes;
+      trees.add(shape, trial % 2, at.getOrigin(), at.getRotation());
+      meshes.add(bvh, 0, at.getOrigin(), at.getRotation());
+      Sweep sweep = randomSweep(engine, *convex, 2, false);
+      sweep.from = at * sweep.from;
+      sweep.to = at * sweep.to;
+      btCollisionWorld::ClosestConvexResultCallback ours(sweep.from.getOrigin(), sweep.to.getOrigin());
+      btCollisionWorld::ClosestConvexResultCallback theirs(sweep.from.getOrigin(), sweep.to.getOrigin());
+      trees.world.convexSweepTest(sweep.shape, sweep.from, sweep.to, ours);
+      meshes.world.convexSweepTest(sweep.shape, sweep.from, sweep.to, theirs);
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+      ASSERT_EQ(ours.hasHit(), theirs.hasHit());
+      EXPECT_EQ(ours.m_closestHitFraction, theirs.m_closestHitFraction) << "the same cast at the same triangle";
+      hits += ours.hasHit() ? 1 : 0;
+    }
+  EXPECT_GT(hits, 50);
+}
+
+// The oracle: Bullet's own compound of the leaves' balls.
+TEST(Sweep, AtSpheresStopsWhereACompoundOfThemDoes) {
+  constexpr std::uint64_t kSeed = 32;
+  std::mt19937_64 engine(kSeed);
+  const auto shape = treeShape(plainTree(torus(1, 0.3, 12), 4), btScalar(0.7));
+  shape->setCastTarget(bullet::CastTarget::spheres);
+  shape->setMargin(btScalar(0.02));
+  btCompoundShape compound;
+  std::vector<std::unique_ptr<btSphereShape>> balls;
+  for (std::uint32_t record = 0; record < shape->tree().nodeCount(); ++record) {
+    const NodeId node = shape->tree().nodeAt(record);
+    if (!shape->tree().isLeaf(node)) continue;
+    const Sphere s = shape->tree().sphere(node);
+    balls.push_back(std::make_unique<btSphereShape>(btScalar(s.radius) * shape->scale() + shape->getMargin()));
+    const btVector3 center = shape->bodyFromTree() * (toBt(Vec3d(s.center)) * shape->scale());
+    compound.addChildShape(btTransform(btQuaternion::getIdentity(), center), balls.back().get());
+  }
+  int hits = 0;
+  for (const auto& convex : everyConvex(btScalar(0.1)))
+    for (int trial = 0; trial < 40; ++trial) {
+      const Sweep sweep = randomSweep(engine, *convex, 1.5, trial % 2 == 1);
+      const auto ours = closest(sweep, *shape, 0), theirs = closest(sweep, compound, 0);
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+      ASSERT_EQ(ours.hasHit(), theirs.hasHit());
+      EXPECT_NEAR(ours.m_closestHitFraction, theirs.m_closestHitFraction, 1e-5);
+      hits += ours.hasHit() ? 1 : 0;
+    }
+  EXPECT_GT(hits, 50);
+}
+
+TEST(Sweep, ThatOnlyTurnsIsAnswered) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 3), 2));
+  const btBoxShape plank(btVector3(2, btScalar(0.1), btScalar(0.1)));
+  btTransform from(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI * btScalar(0.98)), btVector3(-1, 0, 0));
+  btTransform to(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI / 9), btVector3(-1, 0, 0));
+  EXPECT_TRUE(closest({&plank, from, to}, *shape, 0).hasHit());
+}
+
 }  // namespace
 }  // namespace cairn::test

@@ -3,7 +3,9 @@
 
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cairn/core/result.h"
@@ -21,7 +23,17 @@ enum class BodyFrame : std::uint8_t {
   mesh,
 };
 
+/// What rays and convex sweeps hit.
+enum class CastTarget : std::uint8_t {
+  /// The source mesh, by Bullet's own tests of a triangle. Part 0, index: the source triangle; `leafOf` names its node.
+  triangles,
+  /// The balls of the tree's leaves, grown by the margin: what bodies collide with. Part: the leaf's level, index: its
+  /// `NodeId`. As at a btSphereShape, a ray that begins inside a ball does not hit that ball.
+  spheres,
+};
+
 class ExtremePoints;
+class LeafBalls;
 
 /// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
@@ -60,6 +72,14 @@ class SphereTreeShape final : public btConcaveShape {
   /// Diagonal of the source mesh's bounding box, scaled: what fractions of "body size" refer to.
   btScalar size() const { return size_; }
 
+  CastTarget castTarget() const { return leafBalls_ ? CastTarget::spheres : CastTarget::triangles; }
+  /// Of all bodies with this shape. Default: triangles. Not while another thread casts. Cost of `spheres`: linear in
+  /// the tree, and 16 bytes a node.
+  void setCastTarget(CastTarget target);
+  /// A leaf whose ball holds `point` (body's frame) of a source triangle and whose region has a piece of that triangle,
+  /// or nothing where there is none. Of several, the one whose centre is nearest. Cost: one descent.
+  std::optional<NodeId> leafOf(int triangle, const btVector3& point) const;
+
   /// Spheres stay spheres only under uniform scale. Anything else, or a scale `create` would refuse, is refused
   /// and leaves the shape as it was.
   Status setScale(const btVector3& scaling);
@@ -76,7 +96,9 @@ class SphereTreeShape final : public btConcaveShape {
   /// Inertia of the solid mesh at uniform density, exact (polyhedral integrals), diagonal in the body's frame: complete
   /// for `principalAxes`, the diagonal about the frame's origin for `mesh`.
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
-  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle.
+  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle. A callback of
+  /// Bullet's rays or convex sweeps is served along its way instead, whatever the box: its `castTarget` it can hit,
+  /// near ones first, until its hit fraction says that nothing farther is wanted.
   void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                            const btVector3& aabbMax) const override;
   const char* getName() const override { return "CairnSphereTree"; }
@@ -87,6 +109,7 @@ class SphereTreeShape final : public btConcaveShape {
 
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
+  std::unique_ptr<const LeafBalls> leafBalls_;  // only where casts are to hit spheres
   BodyFrame frame_;
   btScalar scale_ = 1;
   btScalar size_ = 0;
