@@ -7,17 +7,18 @@
 
 namespace cairn::bullet {
 
-bool answerCast(const SphereTreeShape& shape, const LeafBalls* balls, btTriangleCallback& callback) {
+bool answerCast(const SphereTreeShape& shape, const RegionBalls& regions, const LeafBalls* balls,
+                btTriangleCallback& callback) {
   if (auto* const ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
     if (balls)
       castRayAtBalls(shape, *balls, *ray);
     else
-      castRay(shape, *ray);
+      castRay(shape, regions, *ray);
     return true;
   }
   auto* const sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback);
   if (!sweep) return false;
-  return balls ? castConvexAtBalls(shape, *balls, *sweep) : castConvex(shape, *sweep);
+  return balls ? castConvexAtBalls(shape, *balls, *sweep) : castConvex(shape, regions, *sweep);
 }
 
 }  // namespace cairn::bullet

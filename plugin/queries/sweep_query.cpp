@@ -50,23 +50,13 @@ float entryOf(const SweptBox& box, const SphereTree& tree, std::uint32_t triangl
   return box.entryOf(lower, upper, end);
 }
 
-// The leaf's triangles the box can meet, those first that it can meet first.
-void candidatesOf(const SphereTree& tree, NodeId leaf, const SweptBox& box, float end, SeenTriangles& seen,
-                  std::vector<Candidate>& candidates) {
-  candidates.clear();
-  for (const std::uint32_t triangle : tree.regionTriangles(leaf)) {
-    if (!seen.insert(triangle)) continue;
-    const float at = entryOf(box, tree, triangle, end);
-    if (at <= end) candidates.push_back({at, triangle});
-  }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
-  });
+bool isEarlier(const Candidate& a, const Candidate& b) {
+  return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
 }
 
 }  // namespace
 
-bool castConvex(const SphereTreeShape& shape, btTriangleConvexcastCallback& callback) {
+bool castConvex(const SphereTreeShape& shape, const RegionBalls& regions, btTriangleConvexcastCallback& callback) {
   const SphereTree& tree = shape.tree();
   const SweptBox box = sweptBox(shape, callback, 0);
   if (!box.path().isSane()) return false;
@@ -74,20 +64,28 @@ bool castConvex(const SphereTreeShape& shape, btTriangleConvexcastCallback& call
   SeenTriangles seen(tree.triangles().size());
   std::vector<Candidate> candidates;
   const auto end = [&] { return box.path().placeOf(double(caster.m_hitFraction)); };
+  const auto entries = [&](const Family& family, std::uint32_t living, float until) {
+    return box.entriesOf(family, living, until);
+  };
+  const auto gather = [&](std::uint32_t triangle) {
+    if (!seen.insert(triangle)) return;
+    const float at = entryOf(box, tree, triangle, end());
+    if (at <= end()) candidates.push_back({at, triangle});
+  };
+  const auto castAtLeaf = [&](NodeId leaf) {
+    candidates.clear();
+    regions.visitTriangles(leaf, entries, end, gather);
+    std::sort(candidates.begin(), candidates.end(), isEarlier);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.at > end()) return;
+      PlacedTriangle triangle(shape, candidate.triangle);
+      caster.processTriangle(triangle.corners, 0, static_cast<int>(candidate.triangle));
+    }
+  };
   walkLeaves(
       tree,
-      [&](std::uint32_t family, float until) {
-        return box.entriesOf(tree.family(family), tree.livingLanes(family), until);
-      },
-      end,
-      [&](NodeId leaf) {
-        candidatesOf(tree, leaf, box, end(), seen, candidates);
-        for (const Candidate& candidate : candidates) {
-          if (candidate.at > end()) return;
-          PlacedTriangle triangle(shape, candidate.triangle);
-          caster.processTriangle(triangle.corners, 0, static_cast<int>(candidate.triangle));
-        }
-      });
+      [&](std::uint32_t family, float until) { return entries(tree.family(family), tree.livingLanes(family), until); },
+      end, castAtLeaf);
   return true;
 }
 

@@ -72,7 +72,7 @@ Box toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const bt
 
 void SphereTreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                                           const btVector3& aabbMax) const {
-  if (answerCast(*this, leafBalls_.get(), *callback)) return;
+  if (answerCast(*this, *regionBalls_, leafBalls_.get(), *callback)) return;
   for (const std::uint32_t index : trianglesNear(*tree_, toTreeFrame(*this, aabbMin, aabbMax))) {
     PlacedTriangle triangle(*this, index);
     if (TestTriangleAgainstAabb2(triangle.corners, aabbMin, aabbMax))

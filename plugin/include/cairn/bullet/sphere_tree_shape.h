@@ -34,6 +34,7 @@ enum class CastTarget : std::uint8_t {
 
 class ExtremePoints;
 class LeafBalls;
+class RegionBalls;
 
 /// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
@@ -47,7 +48,7 @@ inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 class SphereTreeShape final : public btConcaveShape {
  public:
   /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
-  /// is not. Cost: a convex hull of the mesh.
+  /// is not. Cost: a convex hull of the mesh, and balls around its triangles, n log n, for casts.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
                                                          BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1);
@@ -109,6 +110,7 @@ class SphereTreeShape final : public btConcaveShape {
 
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
+  std::unique_ptr<const RegionBalls> regionBalls_;
   std::unique_ptr<const LeafBalls> leafBalls_;  // only where casts are to hit spheres
   BodyFrame frame_;
   btScalar scale_ = 1;
