@@ -28,7 +28,7 @@ using test::Way;
 
 struct Options {
   std::vector<std::string> trees;
-  std::size_t rays = 20000, sweeps = 1000, runs = 5;
+  std::size_t rays = 2000, sweeps = 20, runs = 3;
   double spread = 2;
   std::uint64_t seed = 1;
 };
