@@ -48,12 +48,7 @@ class Walker {
 // What ground is made of: the tree, or Bullet's own shape of the same triangles.
 struct Ground {
   explicit Ground(const Solid& solid) : tree(treeShape(plainTree(solid, 4))) {
-    struct Copy final : btTriangleCallback {
-      btTriangleMesh& mesh;
-      explicit Copy(btTriangleMesh& to) : mesh(to) {}
-      void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
-    } copy(mesh);
-    castOverAll(*tree, copy);
+    copyTriangles(*tree, mesh);
     bvh = std::make_shared<btBvhTriangleMeshShape>(&mesh, true);
   }
   std::shared_ptr<btCollisionShape> shape(bool asTree) const {

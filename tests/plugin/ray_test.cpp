@@ -192,12 +192,7 @@ struct PlacedBody {
   explicit PlacedBody(std::shared_ptr<const SphereTree> tree)
       : shape(
             bullet::SphereTreeShape::create(std::move(tree), bullet::BodyFrame::principalAxes, btScalar(1.3)).value()) {
-    struct Copy final : btTriangleCallback {
-      btTriangleMesh& mesh;
-      explicit Copy(btTriangleMesh& to) : mesh(to) {}
-      void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
-    } copy(mesh);
-    castOverAll(*shape, copy);
+    copyTriangles(*shape, mesh);
     bvh = std::make_shared<btBvhTriangleMeshShape>(&mesh, true);
   }
   std::shared_ptr<bullet::SphereTreeShape> shape;

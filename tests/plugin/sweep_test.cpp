@@ -94,12 +94,7 @@ TEST(Sweep, ThroughTheWorldStopsWhereItDoesAtBulletsMeshShape) {
   std::mt19937_64 engine(kSeed);
   const auto shape = treeShape(plainTree(torus(1, 0.3, 12), 4));
   btTriangleMesh mesh;
-  struct Copy final : btTriangleCallback {
-    btTriangleMesh& mesh;
-    explicit Copy(btTriangleMesh& to) : mesh(to) {}
-    void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
-  } copy(mesh);
-  castOverAll(*shape, copy);
+  copyTriangles(*shape, mesh);
   const auto bvh = std::make_shared<btBvhTriangleMeshShape>(&mesh, true);
   bvh->setMargin(0);
   int hits = 0;

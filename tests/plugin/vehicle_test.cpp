@@ -65,12 +65,7 @@ Drive drive(std::shared_ptr<btCollisionShape> ground) {
 TEST(Vehicle, DrivesOverATreeAsOverBulletsMeshShape) {
   const auto tree = treeShape(plainTree(waves(), 8));
   btTriangleMesh mesh;
-  struct Copy final : btTriangleCallback {
-    btTriangleMesh& mesh;
-    explicit Copy(btTriangleMesh& to) : mesh(to) {}
-    void processTriangle(btVector3* t, int, int) override { mesh.addTriangle(t[0], t[1], t[2]); }
-  } copy(mesh);
-  castOverAll(*tree, copy);
+  copyTriangles(*tree, mesh);
   const Drive ours = drive(tree), theirs = drive(std::make_shared<btBvhTriangleMeshShape>(&mesh, true));
   std::printf("drove %.2f m; wheels off the ground %d times\n",
               double((ours.places.back() - ours.places.front()).length()), ours.airborne);

@@ -25,6 +25,16 @@ inline void castOverAll(const btConcaveShape& shape, btTriangleCallback& callbac
   shape.processAllTriangles(&all, btVector3(-end, -end, -end), btVector3(end, end, end));
 }
 
+/// The shape's triangles, in its frame and order, for one of Bullet's own mesh shapes.
+inline void copyTriangles(const btConcaveShape& shape, btTriangleMesh& mesh) {
+  struct Copy final : btTriangleCallback {
+    explicit Copy(btTriangleMesh& out) : to(out) {}
+    void processTriangle(btVector3* t, int, int) override { to.addTriangle(t[0], t[1], t[2]); }
+    btTriangleMesh& to;
+  } copy(mesh);
+  castOverAll(shape, copy);
+}
+
 inline btVector3 toBt(const Vec3d& v) {
   return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
 }

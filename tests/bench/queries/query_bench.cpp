@@ -58,14 +58,10 @@ class ByBox final : public btConcaveShape {
 struct Asked {
   explicit Asked(std::shared_ptr<const SphereTree> tree)
       : shape(SphereTreeShape::create(tree, bullet::BodyFrame::mesh).value()), box(*shape) {
-    for (const auto& t : tree->triangles())
-      mesh.addTriangle(corner(*tree, t[0]), corner(*tree, t[1]), corner(*tree, t[2]));
+    test::copyTriangles(*shape, mesh);
     bvh = std::make_unique<btBvhTriangleMeshShape>(&mesh, true);
     gimpact = std::make_unique<btGImpactMeshShape>(&mesh);
     gimpact->updateBound();
-  }
-  btVector3 corner(const SphereTree& tree, std::uint32_t i) const {
-    return shape->bodyFromTree() * test::toBt(Vec3d(tree.vertices()[i]));
   }
   std::vector<std::pair<std::string, btCollisionShape*>> all() {
     return {{"tree", shape.get()}, {"bvh", bvh.get()}, {"gimpact", gimpact.get()}, {"tree by box", &box}};
