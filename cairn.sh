@@ -16,6 +16,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
   ./cairn.sh bench traversal [TREE] [OPTIONS] sphere tests per second of whole traversals (default of generated trees),
                              beside the same blocks merely streamed, on every instruction set
+  ./cairn.sh bench queries [TREE...] [OPTIONS] microseconds of rays and sweeps beside Bullet's mesh shapes (default of a
+                             generated tree)
   ./cairn.sh bench still [OPTIONS] how flat and smooth bodies stand, slide and roll as sphere-trees, beside Bullet's own
                              shapes and the textbook
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
@@ -170,6 +172,12 @@ bench_traversal() {
   build/release/bin/traversal_bench "$@"
 }
 
+bench_queries() {
+  need "${everything[@]}" tests
+  configure_and_build release --target query_bench
+  build/release/bin/query_bench "$@"
+}
+
 bench_still() {
   need "${everything[@]}" tests
   configure_and_build release --target still_bench
@@ -186,6 +194,7 @@ bench() {
   case ${1:-} in
     memory) bench_memory "${@:2}"; return ;;
     still) bench_still "${@:2}"; return ;;
+    queries) bench_queries "${@:2}"; return ;;
     builder) bench_builder "${@:2}"; return ;;
     traversal) bench_traversal "${@:2}"; return ;;
   esac

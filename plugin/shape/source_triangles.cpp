@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "queries/cast.h"
 #include "shape/bullet_math.h"
+#include "shape/placed_triangle.h"
 
 namespace cairn::bullet {
 
@@ -70,13 +72,11 @@ Box toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const bt
 
 void SphereTreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                                           const btVector3& aabbMax) const {
+  if (answerCast(*this, *regionBalls_, leafBalls_.get(), *callback)) return;
   for (const std::uint32_t index : trianglesNear(*tree_, toTreeFrame(*this, aabbMin, aabbMax))) {
-    btVector3 corners[3];
-    for (int k = 0; k < 3; ++k)
-      corners[k] = bodyFromTree_ *
-                   (toBullet(tree_->vertices()[tree_->triangles()[index][static_cast<std::size_t>(k)]]) * scale_);
-    if (TestTriangleAgainstAabb2(corners, aabbMin, aabbMax))
-      callback->processTriangle(corners, 0, static_cast<int>(index));
+    PlacedTriangle triangle(*this, index);
+    if (TestTriangleAgainstAabb2(triangle.corners, aabbMin, aabbMax))
+      callback->processTriangle(triangle.corners, 0, static_cast<int>(index));
   }
 }
 

@@ -9,6 +9,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include "queries/leaf_balls.h"
+#include "queries/region_balls.h"
 #include "shape/bullet_math.h"
 #include "shape/extreme_points.h"
 
@@ -47,7 +49,10 @@ Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr
 }
 
 SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale)
-    : tree_(std::move(tree)), extremes_(std::make_unique<ExtremePoints>(tree_->vertices())), frame_(frame) {
+    : tree_(std::move(tree)),
+      extremes_(std::make_unique<ExtremePoints>(tree_->vertices())),
+      regionBalls_(std::make_unique<const RegionBalls>(*tree_)),
+      frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   applyScale(scale);
 }
@@ -67,6 +72,10 @@ void SphereTreeShape::applyScale(btScalar scale) {
   size_ = btScalar(extremes_->diagonal()) * scale;
   const Vec3 bodyOriginInTree(center - tree_->origin());
   angularMotionDisc_ = btScalar(extremes_->radiusAround(bodyOriginInTree)) * scale;
+}
+
+void SphereTreeShape::setCastTarget(CastTarget target) {
+  leafBalls_ = target == CastTarget::spheres ? std::make_unique<const LeafBalls>(*tree_) : nullptr;
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {
@@ -111,7 +120,8 @@ void SphereTreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) c
 }
 
 std::size_t SphereTreeShape::memoryBytes() const {
-  return sizeof *this + extremes_->memoryBytes();
+  const std::size_t balls = leafBalls_ ? leafBalls_->memoryBytes() : 0;
+  return sizeof *this + extremes_->memoryBytes() + regionBalls_->memoryBytes() + balls;
 }
 
 void SphereTreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform& principal, btVector3& inertia) const {

@@ -3,7 +3,9 @@
 
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cairn/core/result.h"
@@ -21,7 +23,18 @@ enum class BodyFrame : std::uint8_t {
   mesh,
 };
 
+/// What rays and convex sweeps hit.
+enum class CastTarget : std::uint8_t {
+  /// The source mesh, by Bullet's own tests of a triangle. Part 0, index: the source triangle; `leafOf` names its node.
+  triangles,
+  /// The balls of the tree's leaves, grown by the margin: what bodies collide with. Part: the leaf's level, index: its
+  /// `NodeId`. As at a btSphereShape, a ray that begins inside a ball does not hit that ball.
+  spheres,
+};
+
 class ExtremePoints;
+class LeafBalls;
+class RegionBalls;
 
 /// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
 /// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
@@ -42,7 +55,7 @@ class SphereTreeShape final : public btConcaveShape {
   /// it into account. It is metres whatever the scale.
   ///
   /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
-  /// is not. Cost: a convex hull of the mesh.
+  /// is not. Cost: a convex hull of the mesh, and balls around its triangles, n log n, for casts.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
                                                          BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1);
@@ -69,6 +82,13 @@ class SphereTreeShape final : public btConcaveShape {
 
   /// Bytes of memory the shape holds of its own, without the tree it shares (`SphereTree::memoryBytes`).
   std::size_t memoryBytes() const;
+  CastTarget castTarget() const { return leafBalls_ ? CastTarget::spheres : CastTarget::triangles; }
+  /// Of all bodies with this shape. Default: triangles. Not while another thread casts. Cost of `spheres`: linear in
+  /// the tree, and 16 bytes a node.
+  void setCastTarget(CastTarget target);
+  /// A leaf whose ball holds `point` (body's frame) of a source triangle and whose region has a piece of that triangle,
+  /// or nothing where there is none. Of several, the one whose centre is nearest. Cost: one descent.
+  std::optional<NodeId> leafOf(int triangle, const btVector3& point) const;
 
   /// Spheres stay spheres only under uniform scale. Anything else, or a scale `create` would refuse, is refused
   /// and leaves the shape as it was.
@@ -96,6 +116,9 @@ class SphereTreeShape final : public btConcaveShape {
   /// taking a shape of that frame and `bodyTransform * principal` as its place.
   void calculatePrincipalAxisTransform(btScalar mass, btTransform& principal, btVector3& inertia) const;
   /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle.
+  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle. A callback of
+  /// Bullet's rays or convex sweeps is served along its way instead, whatever the box: its `castTarget` it can hit,
+  /// near ones first, until its hit fraction says that nothing farther is wanted.
   void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                            const btVector3& aabbMax) const override;
   /// Of the kind of shape, as everywhere in Bullet; a shape's own name is given to the serializer.
@@ -116,6 +139,8 @@ class SphereTreeShape final : public btConcaveShape {
 
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
+  std::unique_ptr<const RegionBalls> regionBalls_;
+  std::unique_ptr<const LeafBalls> leafBalls_;  // only where casts are to hit spheres
   BodyFrame frame_;
   std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar scale_ = 1;

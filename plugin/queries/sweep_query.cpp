@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Zlib
+#include "queries/sweep_query.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "queries/leaf_walk.h"
+#include "queries/query_frame.h"
+#include "queries/seen_triangles.h"
+#include "shape/placed_triangle.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Bullet's test of a triangle, with an ear for what the callback answers.
+class Caster final : public btTriangleConvexcastCallback {
+ public:
+  explicit Caster(btTriangleConvexcastCallback& callback)
+      : btTriangleConvexcastCallback(callback.m_convexShape, callback.m_convexShapeFrom, callback.m_convexShapeTo,
+                                     callback.m_triangleToWorld, callback.m_triangleCollisionMargin),
+        callback_(callback) {
+    m_hitFraction = callback.m_hitFraction;
+    m_allowedPenetration = callback.m_allowedPenetration;
+  }
+  btScalar reportHit(const btVector3& normal, const btVector3& point, btScalar fraction, int part,
+                     int triangle) override {
+    const btScalar answer = callback_.reportHit(normal, point, fraction, part, triangle);
+    if (answer == fraction) m_hitFraction = std::min(m_hitFraction, fraction);
+    return answer;
+  }
+
+ private:
+  btTriangleConvexcastCallback& callback_;
+};
+
+struct Candidate {
+  float at;
+  std::uint32_t triangle;
+};
+
+float entryOf(const SweptBox& box, const SphereTree& tree, std::uint32_t triangle, float end) {
+  const auto& corners = tree.triangles()[triangle];
+  Vec3 lower = tree.vertices()[corners[0]], upper = lower;
+  for (const std::uint32_t c : {corners[1], corners[2]})
+    for (int axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], tree.vertices()[c][axis]);
+      upper[axis] = std::max(upper[axis], tree.vertices()[c][axis]);
+    }
+  return box.entryOf(lower, upper, end);
+}
+
+bool isEarlier(const Candidate& a, const Candidate& b) {
+  return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
+}
+
+}  // namespace
+
+bool castConvex(const SphereTreeShape& shape, const RegionBalls& regions, btTriangleConvexcastCallback& callback) {
+  const SphereTree& tree = shape.tree();
+  const SweptBox box = sweptBox(shape, callback, 0);
+  if (!box.path().isSane()) return false;
+  Caster caster(callback);
+  SeenTriangles seen(tree.triangles().size());
+  std::vector<Candidate> candidates;
+  const auto end = [&] { return box.path().placeOf(double(caster.m_hitFraction)); };
+  const auto entries = [&](const Family& family, std::uint32_t living, float until) {
+    return box.entriesOf(family, living, until);
+  };
+  const auto gather = [&](std::uint32_t triangle) {
+    if (!seen.insert(triangle)) return;
+    const float at = entryOf(box, tree, triangle, end());
+    if (at <= end()) candidates.push_back({at, triangle});
+  };
+  const auto castAtLeaf = [&](NodeId leaf) {
+    candidates.clear();
+    regions.visitTriangles(leaf, entries, end, gather);
+    std::sort(candidates.begin(), candidates.end(), isEarlier);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.at > end()) return;
+      PlacedTriangle triangle(shape, candidate.triangle);
+      caster.processTriangle(triangle.corners, 0, static_cast<int>(candidate.triangle));
+    }
+  };
+  walkLeaves(
+      tree,
+      [&](std::uint32_t family, float until) { return entries(tree.family(family), tree.livingLanes(family), until); },
+      end, castAtLeaf);
+  return true;
+}
+
+}  // namespace cairn::bullet
