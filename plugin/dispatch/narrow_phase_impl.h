@@ -80,6 +80,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);
+  void fetchPairsAfter(std::size_t index) const;
+  void fetchPairsAskedNext(TreePair& pair);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
   void bookTo(TreePair& pair, const Budget& budget);
@@ -145,6 +147,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::atomic<std::uint32_t> apartPairs_{0};
   std::mutex mutex_;                  // guards what follows while algorithms run
   std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
+  // The order in which Bullet asks about pairs hardly changes: up to here as in this step, from here on as in the last.
+  std::vector<TreePair*> asked_;
+  std::atomic<std::size_t> askedUntil_{0};
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
 
@@ -153,6 +158,11 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
     TreePair* pair;
   };
   std::vector<NewPair> newPairs_;
+  struct Named {
+    std::uint64_t id;
+    TreePair* pair;
+  };
+  std::vector<Named> named_;  // working memory of `orderPairs`
   std::vector<ScheduledPair> scheduled_;  // one for each collected pair
   TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;
