@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cairn/core/round_robin.h"
+#include "dispatch/written_room.h"
 
 namespace cairn::bullet {
 
@@ -112,9 +113,11 @@ void NarrowPhase::Impl::reserve(const std::array<std::size_t, kCounterpartKinds>
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
   }
-  collected_.reserve(all);
-  newPairs_.reserve(all);
-  scheduled_.reserve(all);
+  makeWrittenRoom(collected_, all);
+  makeWrittenRoom(asked_, all);
+  makeWrittenRoom(newPairs_, all);
+  makeWrittenRoom(named_, all);
+  makeWrittenRoom(scheduled_, all);
   plan_.reserve(all);
 }
 
@@ -124,6 +127,9 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
   if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
   TreePair* const pair = idle.back();
   idle.pop_back();
+  // Pairs are often made many at a time.
+  constexpr std::size_t kAhead = 2;
+  if (idle.size() >= kAhead) idle[idle.size() - kAhead]->fetchState();
   return pair;
 }
 
@@ -294,7 +300,6 @@ void NarrowPhase::Impl::beginPairs() {
 }
 
 void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
-  constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
   const auto after = [&](std::size_t ahead) {
     return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
   };

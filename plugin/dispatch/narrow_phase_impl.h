@@ -134,8 +134,10 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr double kLearning = 1.0 / 16;
   static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
   // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles.
-  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 96, 32, 32};
+  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 128, 32, 32};
   static constexpr std::uint64_t kStepsOfThrift = 4;
+  // How many pairs ahead what one needs is fetched.
+  static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
   std::uint32_t updated_ = 0;  // pairs begun in this step
   bool isScarce_ = false;      // the last step left pairs unresolved
   std::uint64_t step_ = 0;     // that were collected
@@ -162,7 +164,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
     std::uint64_t id;
     TreePair* pair;
   };
-  std::vector<Named> named_;  // working memory of `orderPairs`
+  std::vector<Named> named_;              // working memory of `orderPairs`
   std::vector<ScheduledPair> scheduled_;  // one for each collected pair
   TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;

@@ -146,7 +146,7 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
   }
   const SphereTreeShape* const otherTree = asSphereTree(&other);
   if (isSubject(*tree, otherTree, other)) return true;
-  forget();
+  if (subject_.tree) forget();  // else there is nothing to forget, and much to write
   if (*kind != kind_) {
     kind_ = *kind;
     counterpart_ = makeCounterpart(kind_);

@@ -127,7 +127,8 @@ class alignas(64) TreePair {
   void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
   /// What `collect` writes, unless the pair was settled in the last step. Looks at the former.
   void fetchCopies() const {
-    if (!isSettled_) for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+    if (!isSettled_)
+      for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
   }
   /// What is looked at from `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
   void fetchState() const;
@@ -253,7 +254,7 @@ class alignas(64) TreePair {
   std::uint64_t spent_ = 0;           // operations, on the traversal at hand
   std::uint64_t fullOperations_ = 0;  // that the last complete one took
   std::size_t knownAt_ = kUnknown;
-  std::uint64_t answeredIn_ = 0;          // open steps count from 1
+  std::uint64_t answeredIn_ = 0;        // open steps count from 1
   std::array<BodySnapshot, 2> bodies_;  // last, because they hardly ever need all their room
 };
 

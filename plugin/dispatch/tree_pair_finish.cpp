@@ -31,7 +31,10 @@ bool canBeSharpened(const Contact& contact) {
 // Null only when Bullet's pool is used up and the user forbade it to grow.
 btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) {
   btPersistentManifold*& m = manifolds_[static_cast<std::size_t>(cluster)];
-  if (!m) m = dispatcher.getNewManifold(objects_[0], objects_[1]);
+  if (!m) {
+    m = dispatcher.getNewManifold(objects_[0], objects_[1]);
+    if (m) fetchAhead(m + 1, sizeof(btPersistentManifold));  // the next, as long as Bullet's pool is in order
+  }
   if (m) m->setContactBreakingThreshold(breakingThreshold());
   mayHavePoints_ = true;
   return m;
