@@ -74,7 +74,8 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
                                  otherBody.getCollisionObject()->getWorldTransform().getOrigin()));
   }
   clearManifolds();  // a guard may have been left
-  return isSettled_ = true;
+  isSettled_.store(true, std::memory_order_relaxed);
+  return true;
 }
 
 void TreePair::forgetWaiting() {
@@ -97,7 +98,8 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  isBegun_ = isSettled_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = false;
+  isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].take(body0) && bodies_[1].take(body1);
 }
 

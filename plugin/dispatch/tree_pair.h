@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <array>
+#include <atomic>
 #include <compare>
 #include <memory>
 #include <optional>
@@ -66,7 +67,7 @@ class alignas(64) TreePair {
   /// traversal says it once for many steps, and pairs keep the order they always had.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes);
   /// Whether `settleApart` said so for the copies last taken.
-  bool isSettled() const { return isSettled_; }
+  bool isSettled() const { return isSettled_.load(std::memory_order_relaxed); }
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
@@ -127,7 +128,7 @@ class alignas(64) TreePair {
   void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
   /// What `collect` writes, unless the pair was settled in the last step. Looks at the former.
   void fetchCopies() const {
-    if (!isSettled_)
+    if (!isSettled())
       for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
   }
   /// What is looked at from `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
@@ -215,7 +216,7 @@ class alignas(64) TreePair {
   // First what tells whether anything has to be done in a step. Of most pairs of a heap nothing else is looked at.
   CounterpartKind kind_;
   bool treeIsBody0_ = true;
-  bool isSettled_ = false;  // in this step
+  std::atomic<bool> isSettled_{false};  // in this step; threads look at others' pairs to fetch them
   bool mayHavePoints_ = false;
   float speculative_ = 0;
   std::uint64_t id_ = kUnnamed;
