@@ -38,6 +38,9 @@ Result<SphereTree> SphereTree::create(SphereTreeData data) {
 }
 
 SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
+  // Asked for the first time, a processor takes tens of microseconds to say what it can do: not in somebody's first
+  // step.
+  static_cast<void>(simdTargetName());
   linkFamilies();
   const std::size_t slots = families_.size() * kFamilyWidth;
   traversalNodes_.resize(slots);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contacts/fetch_ahead.h"
 #include "contacts/relative_motion.h"
 #include "counterparts/counterpart.h"
 
@@ -52,19 +53,26 @@ class KeptAnswer {
   /// they touch.
   void setGap(float gap, const RelativeMotion& motion);
 
+  /// See `fetchAhead`: of the lists, what `pick` and `near` look at.
+  void fetchLists() const {
+    fetchAhead(gaps_.data(), gaps_.size() * sizeof(float));
+    fetchAhead(near_.data(), near_.size() * sizeof(NodePair));
+  }
+
   /// Allocates what `count` leaf pairs may need, wanted now or not: a pair that slows down later allocates nothing.
   void makeRoom(std::size_t count);
 
  private:
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
-  RelativePlacement beganAt_, measuredAt_;
-  RelativePlacement pickedAt_;  // where all that may be in contact was picked last
+  // First what tells whether nothing can touch: of most pairs nothing else is looked at in a step.
   float reach_ = 0;
   float skin_ = 0;
   float wandered_ = 0;         // greatest displacement from where it began while the traversal was under way
-  std::vector<float> gaps_;    // one for each leaf pair, or none if they were not measured together
-  float leastGap_ = kUnknown;  // of them
+  float leastGap_ = kUnknown;  // of `gaps_`
+  RelativePlacement beganAt_, measuredAt_;
+  RelativePlacement pickedAt_;  // where all that may be in contact was picked last
+  std::vector<float> gaps_;     // one for each leaf pair, or none if they were not measured together
   // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
   // again costs no more than what it is likely to save.
   std::size_t measuredInVain_ = 0;

@@ -79,6 +79,12 @@ class PairContacts {
   std::uint64_t keptCost(const Counterpart& counterpart) const;
   bool isKept() const { return isKept_; }
 
+  /// See `fetchAhead`: what a step looks at besides the object itself.
+  void fetchLists() const {
+    fetchAhead(known_.data(), known_.size() * sizeof(NodePair));
+    kept_.fetchLists();
+  }
+
   /// Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
 
@@ -123,6 +129,7 @@ class PairContacts {
 
   static constexpr std::size_t kMaxGuards = 4;
 
+  KeptAnswer kept_;  // first, see there
   std::vector<NodePair> known_;
   std::vector<Contact> retested_;
   std::vector<Guard> guards_;
@@ -137,7 +144,6 @@ class PairContacts {
   bool isAnswered_ = false;         // was the traversal ever done
   bool answerHadContacts_ = false;  // and did it find any
   Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
-  KeptAnswer kept_;
   bool isKept_ = false;
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;

@@ -38,8 +38,8 @@ class BodySnapshot {
     btTransform transform;
     std::optional<btCollisionObjectWrapper> wrapper;  // refers to `transform`
   };
-  std::array<Level, kMaxNesting> levels_;  // outermost first
   std::size_t depth_ = 0;
+  std::array<Level, kMaxNesting> levels_;  // outermost first
 };
 
 /// Digest of the child indices on the way to a wrapper's shape; 0 for a body that is no compound.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cairn/core/round_robin.h"
+#include "dispatch/written_room.h"
 
 namespace cairn::bullet {
 
@@ -112,9 +113,11 @@ void NarrowPhase::Impl::reserve(const std::array<std::size_t, kCounterpartKinds>
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
   }
-  collected_.reserve(all);
-  newPairs_.reserve(all);
-  scheduled_.reserve(all);
+  makeWrittenRoom(collected_, all);
+  makeWrittenRoom(asked_, all);
+  makeWrittenRoom(newPairs_, all);
+  makeWrittenRoom(named_, all);
+  makeWrittenRoom(scheduled_, all);
   plan_.reserve(all);
 }
 
@@ -124,6 +127,9 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
   if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
   TreePair* const pair = idle.back();
   idle.pop_back();
+  // Pairs are often made many at a time.
+  constexpr std::size_t kAhead = 2;
+  if (idle.size() >= kAhead) idle[idle.size() - kAhead]->fetchState();
   return pair;
 }
 
@@ -147,6 +153,8 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   takeTime(info);
   collected_.clear();
   scheduled_.clear();
+  asked_.resize(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));
+  askedUntil_ = 0;
 }
 
 // Where Bullet is not to look ahead, its broad phase does not either.
@@ -169,6 +177,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   // A result of another class belongs to a query, which wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
+    if (isCollecting_) fetchPairsAskedNext(pair);
     if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_)) {
       ++apartPairs_;
       return;
@@ -177,6 +186,18 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
     if (stepEnd_ == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
   }
   answerAtOnce(pair, body0, body1, info, result);
+}
+
+// In a large heap the states of all pairs are far more than any cache holds.
+void NarrowPhase::Impl::fetchPairsAskedNext(TreePair& pair) {
+  constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
+  const std::size_t at = askedUntil_++;
+  if (at + kSubjectsAhead >= asked_.size()) return;
+  // Several threads may ask: what one reads, another may have written.
+  const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
+  if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed)) next->fetchSubject();
+  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed)) next->fetchCopies();
+  asked(at).store(&pair, std::memory_order_relaxed);
 }
 
 bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
@@ -259,11 +280,13 @@ void NarrowPhase::Impl::learnFromStep() {
 void NarrowPhase::Impl::orderPairs() {
   std::erase(collected_, nullptr);
   nameNewPairs();
-  std::sort(collected_.begin(), collected_.end(),
-            [](const TreePair* x, const TreePair* y) { return x->id() < y->id(); });
-  for (std::size_t i = 0; i < collected_.size(); ++i) {
+  named_.clear();
+  for (TreePair* pair : collected_) named_.push_back({pair->id(), pair});
+  std::sort(named_.begin(), named_.end(), [](const Named& x, const Named& y) { return x.id < y.id; });
+  for (std::size_t i = 0; i < named_.size(); ++i) {
+    collected_[i] = named_[i].pair;
     collected_[i]->setCollectedAt(i);
-    scheduled_.push_back({.id = collected_[i]->id(), .traversal = &nothing_});
+    scheduled_.push_back({.id = named_[i].id, .traversal = &nothing_});
   }
 }
 
@@ -276,8 +299,19 @@ void NarrowPhase::Impl::beginPairs() {
       if (collected_[i]) beginPair(i);
     return;
   }
-  for (std::size_t i = 0; i < collected_.size(); ++i)
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    fetchPairsAfter(i);
     if (collected_[i]) beginPair(i);
+  }
+}
+
+void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
+  const auto after = [&](std::size_t ahead) {
+    return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
+  };
+  if (const TreePair* pair = after(kStatesAhead)) pair->fetchState();
+  if (const TreePair* pair = after(kListsAhead)) pair->fetchLists();
+  if (const TreePair* pair = after(kLeafPairsAhead)) pair->fetchLeafPairs();
 }
 
 void NarrowPhase::Impl::beginPair(std::size_t index) {

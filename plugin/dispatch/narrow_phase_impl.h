@@ -81,6 +81,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);
+  void fetchPairsAfter(std::size_t index) const;
+  void fetchPairsAskedNext(TreePair& pair);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
   void bookTo(TreePair& pair, const Budget& budget);
@@ -133,8 +135,10 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr double kLearning = 1.0 / 16;
   static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
   // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles.
-  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 96, 32, 32};
+  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 128, 32, 32};
   static constexpr std::uint64_t kStepsOfThrift = 4;
+  // How many pairs ahead what one needs is fetched.
+  static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
   std::uint32_t updated_ = 0;  // pairs begun in this step
   bool isScarce_ = false;      // the last step left pairs unresolved
   std::uint64_t step_ = 0;     // that were collected
@@ -146,6 +150,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::atomic<std::uint32_t> apartPairs_{0};
   std::mutex mutex_;                  // guards what follows while algorithms run
   std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
+  // The order in which Bullet asks about pairs hardly changes: up to here as in this step, from here on as in the last.
+  std::vector<TreePair*> asked_;
+  std::atomic<std::size_t> askedUntil_{0};
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
 
@@ -154,6 +161,11 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
     TreePair* pair;
   };
   std::vector<NewPair> newPairs_;
+  struct Named {
+    std::uint64_t id;
+    TreePair* pair;
+  };
+  std::vector<Named> named_;              // working memory of `orderPairs`
   std::vector<ScheduledPair> scheduled_;  // one for each collected pair
   TreePairTraversal nothing_;             // stands for the traversals of pairs that are finished or gone
   std::uint64_t nextId_ = 0;

@@ -21,7 +21,10 @@ void NarrowPhase::Impl::planStep() {
   plan_.clear();
   if (!mayBeInterrupted() || policy_ != Unresolved::guard) return;
   const auto usual = static_cast<std::uint64_t>(usualOperations_);
-  for (TreePair* pair : collected_) plan_.add(pair->survey(usual));
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    if (i + kStatesAhead < collected_.size()) collected_[i + kStatesAhead]->fetchState();
+    plan_.add(collected_[i]->survey(usual));
+  }
   if (plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
       if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
@@ -60,6 +63,7 @@ void NarrowPhase::Impl::holdPairs() {
   const auto began = Budget::Clock::now();
   double expected = 0;
   for (std::size_t i = 0; i < collected_.size(); ++i) {
+    fetchPairsAfter(i);
     if (!collected_[i]) continue;
     TreePair& pair = *collected_[i];
     pair.withdrawPromise(left_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dispatch/written_room.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -31,9 +33,9 @@ bool StepPlan::isLessUrgent(std::size_t x, std::size_t y) const {
 }
 
 void StepPlan::reserve(std::size_t pairs) {
-  needs_.reserve(pairs);
-  heap_.reserve(pairs);
-  chosen_.reserve(pairs);
+  makeWrittenRoom(needs_, pairs);
+  makeWrittenRoom(heap_, pairs);
+  makeWrittenRoom(chosen_, pairs);
 }
 
 void StepPlan::clear() {

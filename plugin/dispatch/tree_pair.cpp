@@ -19,6 +19,8 @@ namespace {
 
 // How much farther than its speed explains a body may move in a step by itself, of the smaller one's size.
 constexpr float kOwnMotionFraction = 0.25F;
+// Of a counterpart, about as much as the largest of those a heap has.
+constexpr std::size_t kCounterpartBytes = 768;
 
 std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
   const btBroadphaseProxy* proxy = body.getCollisionObject()->getBroadphaseHandle();
@@ -76,7 +78,8 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
                                  otherBody.getCollisionObject()->getWorldTransform().getOrigin()));
   }
   clearManifolds();  // a guard may have been left
-  return isSettled_ = true;
+  isSettled_.store(true, std::memory_order_relaxed);
+  return true;
 }
 
 void TreePair::forgetWaiting() {
@@ -102,7 +105,8 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  isBegun_ = isSettled_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = false;
+  isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].take(body0) && bodies_[1].take(body1);
 }
 
@@ -123,26 +127,27 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   objects_[1] = body1.getCollisionObject();
   untold_ = isHeld_ ? 0 : moved_;
   if (isHeld_) tellOfWaiting(treeBody, otherBody);
-  place(treeBody, otherBody, threshold);
-  setMotion(treeBody, otherBody, timeStep);
-  noticeSetDown(motion_.placement, speedInOther(*placement_.treeShape, treeBody, otherBody) * float(timeStep));
+  PairPlacement placement = place(treeBody, otherBody, threshold);
+  setMotion(*placement.treeShape, treeBody, otherBody, timeStep);
+  placement.travel = closingSpeed_ * static_cast<float>(timeStep);
+  noticeSetDown(motion_.placement, speedInOther(*placement.treeShape, treeBody, otherBody) * float(timeStep));
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
-  counterpart_->place(placement_);
-  lookAhead(treeBody, otherBody, sweptTime, budget);
+  counterpart_->place(placement);
+  lookAhead(placement, treeBody, otherBody, sweptTime, budget);
   if (contacts_.begin(*counterpart_, motion_, isThrifty, budget)) spent_ = 0;
   return true;
 }
 
-void TreePair::lookAhead(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
-                         btScalar sweptTime, Budget& budget) {
+void TreePair::lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
+                         const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget) {
   ahead_ = {};
   isFast_ = fastTravel(treeBody, otherBody, sweptTime) > 0;
   const bool isAnchored = sweep_ && sweep_->isAnchored();
   if (!isFast_ && !isAnchored) return;
   if (!sweep_) sweep_ = std::make_unique<Sweep>(kind_);
-  ahead_ = sweep_->run({placement_.treeShape, placement_.otherShape, Course(treeBody, sweptTime),
-                        Course(otherBody, sweptTime), origin_, placement_.reach, isFast_},
+  ahead_ = sweep_->run({placement.treeShape, placement.otherShape, Course(treeBody, sweptTime),
+                        Course(otherBody, sweptTime), origin_, placement.reach, isFast_},
                        budget);
 }
 
@@ -163,7 +168,7 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
   }
   const SphereTreeShape* const otherTree = asSphereTree(&other);
   if (isSubject(*tree, otherTree, other)) return true;
-  forget();
+  if (subject_.tree) forget();  // else there is nothing to forget, and much to write
   if (*kind != kind_) {
     kind_ = *kind;
     sweep_.reset();
@@ -209,23 +214,28 @@ void TreePair::forget() {
 
 // They stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
 void TreePair::clearManifolds() {
+  if (!mayHavePoints_) return;
+  mayHavePoints_ = false;
   for (btPersistentManifold* m : manifolds_)
     if (m && m->getNumContacts() > 0) m->clearManifold();
 }
 
-void TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
-                     btScalar threshold) {
+PairPlacement TreePair::place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                              btScalar threshold) {
   const SphereTreeShape* const shape = asSphereTree(treeBody.getCollisionShape());
   origin_ = treeBody.getWorldTransform().getOrigin();
-  placement_.treeShape = shape;
-  placement_.treeBody = btTransform(treeBody.getWorldTransform().getBasis());
-  placement_.tree = PlacedTree(shape->tree(), treePose(*shape, placement_.treeBody));
-  placement_.treeMargin = static_cast<float>(shape->getMargin());
-  placement_.otherShape = otherBody.getCollisionShape();
-  placement_.other = otherBody.getWorldTransform();
-  placement_.other.getOrigin() -= origin_;
-  setSizes(*shape, *placement_.otherShape, threshold);
-  center_ = smallerCenter(treeIsSmaller_);
+  PairPlacement placement;
+  placement.treeShape = shape;
+  placement.treeBody = btTransform(treeBody.getWorldTransform().getBasis());
+  placement.tree = PlacedTree(shape->tree(), treePose(*shape, placement.treeBody));
+  placement.treeMargin = static_cast<float>(shape->getMargin());
+  placement.otherShape = otherBody.getCollisionShape();
+  placement.other = otherBody.getWorldTransform();
+  placement.other.getOrigin() -= origin_;
+  setSizes(*shape, *placement.otherShape, threshold);
+  placement.reach = reach_;
+  center_ = smallerCenter(placement);
+  return placement;
 }
 
 // A point has no size to speak of.
@@ -234,13 +244,13 @@ void TreePair::setSizes(const SphereTreeShape& tree, const btCollisionShape& oth
   const float otherSize = counterpart_->size(other);
   smallerSize_ = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;
   speculative_ = static_cast<float>(kSpeculativeFraction) * smallerSize_;
-  placement_.reach = speculative_ + static_cast<float>(threshold);
+  reach_ = speculative_ + static_cast<float>(threshold);
   treeIsSmaller_ = !(otherSize > 0 && otherSize < treeSize);
 }
 
-Vec3d TreePair::smallerCenter(bool treeIsSmaller) const {
-  const SphereTreeShape* const shape = treeIsSmaller ? placement_.treeShape : asSphereTree(placement_.otherShape);
-  const btTransform& body = treeIsSmaller ? placement_.treeBody : placement_.other;
+Vec3d TreePair::smallerCenter(const PairPlacement& placement) const {
+  const SphereTreeShape* const shape = treeIsSmaller_ ? placement.treeShape : asSphereTree(placement.otherShape);
+  const btTransform& body = treeIsSmaller_ ? placement.treeBody : placement.other;
   const Vec3d inPair =
       shape ? treePose(*shape, body) * Vec3d(shape->tree().sphere(kRootNode).center) : toVec3d(body.getOrigin());
   return toVec3d(origin_) + inPair;
@@ -271,8 +281,8 @@ void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
   seenAt_ = now;
 }
 
-void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
-                         btScalar timeStep) {
+void TreePair::setMotion(const SphereTreeShape& shape, const btCollisionObjectWrapper& treeBody,
+                         const btCollisionObjectWrapper& otherBody, btScalar timeStep) {
   const btCollisionObject& tree = *treeBody.getCollisionObject();
   const btCollisionObject& other = *otherBody.getCollisionObject();
   motion_.treeLinear = linearVelocity(tree);
@@ -281,15 +291,32 @@ void TreePair::setMotion(const btCollisionObjectWrapper& treeBody, const btColli
   motion_.otherLinear = linearVelocity(other);
   motion_.otherAngular = angularVelocity(other);
   motion_.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
-  const float disc = static_cast<float>(placement_.treeShape->getAngularMotionDisc());
+  const float disc = static_cast<float>(shape.getAngularMotionDisc());
   closingSpeed_ = closingSpeed(tree, other, disc);
   reducedMass_ = reducedMass(tree, other);
   motion_.timeStep = static_cast<float>(timeStep);
   motion_.smallerSize = smallerSize_;
-  motion_.reach = placement_.reach;
-  motion_.placement =
-      relativePlacement(*placement_.treeShape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  placement_.travel = closingSpeed_ * static_cast<float>(timeStep);
+  motion_.reach = reach_;
+  motion_.placement = relativePlacement(shape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+}
+
+void TreePair::fetchState() const {
+  fetchAhead(this, sizeof(TreePair) - sizeof(bodies_));
+  for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+}
+
+void TreePair::fetchLists() const {
+  fetchAhead(counterpart_.get(), kCounterpartBytes);
+  contacts_.fetchLists();
+  for (const btPersistentManifold* m : manifolds_)
+    if (m) fetchAhead(&m->m_companionIdA, sizeof(int));  // how many points it holds is told beside these
+}
+
+void TreePair::fetchLeafPairs() const {
+  const std::span<const NodePair> pairs = std::as_const(*counterpart_).traversal().leafPairs();
+  fetchAhead(pairs.data(), pairs.size_bytes());
+  for (const btPersistentManifold* m : manifolds_)
+    if (m) fetchAhead(m, static_cast<std::size_t>(m->getNumContacts()) * sizeof(btManifoldPoint));
 }
 
 void TreePair::appendManifolds(btManifoldArray& manifolds) const {

@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <array>
+#include <atomic>
 #include <compare>
 #include <memory>
 #include <optional>
@@ -54,7 +55,7 @@ struct PairKey {
 
 /// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: the
 /// traversal in progress, the contacts of the last step and up to four manifolds.
-class TreePair {
+class alignas(64) TreePair {
  public:
   explicit TreePair(CounterpartKind kind) : kind_(kind), counterpart_(makeCounterpart(kind)) {}
 
@@ -70,7 +71,7 @@ class TreePair {
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes,
                    btScalar sweptTime);
   /// Whether `settleApart` said so for the copies last taken.
-  bool isSettled() const { return isSettled_; }
+  bool isSettled() const { return isSettled_.load(std::memory_order_relaxed); }
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
   bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
@@ -125,6 +126,20 @@ class TreePair {
   /// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
   bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone() && !isFast_); }
 
+  // See `fetchAhead`; none of these changes anything.
+
+  /// What `settleApart` looks at.
+  void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
+  /// What `collect` writes, unless the pair was settled in the last step. Looks at the former.
+  void fetchCopies() const {
+    if (!isSettled())
+      for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+  }
+  /// What is looked at from `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
+  void fetchState() const;
+  void fetchLists() const;
+  void fetchLeafPairs() const;
+
   void appendManifolds(btManifoldArray& manifolds) const;
   void releaseManifolds(btDispatcher& dispatcher);
 
@@ -159,6 +174,8 @@ class TreePair {
     btScalar planeConstant = 0;
   };
 
+  static constexpr std::size_t kSubjectBytes = 320, kCopyBytes = 128;
+
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, float travel);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
@@ -185,39 +202,45 @@ class TreePair {
   bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
-  void place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody, btScalar threshold);
+  PairPlacement place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                      btScalar threshold);
   void setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold);
   // Where the smaller body is, in the world: the middle of its root sphere, or the origin of a shape that is no tree.
-  Vec3d smallerCenter(bool treeIsSmaller) const;
-  void setMotion(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
-                 btScalar timeStep);
+  Vec3d smallerCenter(const PairPlacement& placement) const;
+  void setMotion(const SphereTreeShape& shape, const btCollisionObjectWrapper& treeBody,
+                 const btCollisionObjectWrapper& otherBody, btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   btScalar breakingThreshold() const;
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
                                      ContactScratch& scratch) const;
   bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
-  void lookAhead(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
-                 btScalar sweptTime, Budget& budget);
+  void lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
+                 const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget);
   void forgetImpulsesAhead();
   void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
                     ContactScratch& scratch, PairReport& report);
 
+  // First what tells whether anything has to be done in a step. Of most pairs of a heap nothing else is looked at.
   CounterpartKind kind_;
-  std::unique_ptr<Counterpart> counterpart_;
-  PairContacts contacts_;
+  bool treeIsBody0_ = true;
+  std::atomic<bool> isSettled_{false};  // in this step; threads look at others' pairs to fetch them
+  bool mayHavePoints_ = false;
+  float speculative_ = 0;
+  std::uint64_t id_ = kUnnamed;
+  std::size_t collectedAt_ = kNotCollected;
   Subject subject_;
+  PairContacts contacts_;
+
+  std::unique_ptr<Counterpart> counterpart_;
   std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
-  std::array<BodySnapshot, 2> bodies_;
   const btCollisionObject* objects_[2] = {};  // in the manifolds' order
 
   btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
   btVector3 origin_{0, 0, 0};
-  bool treeIsBody0_ = true;
-  PairPlacement placement_;
   RelativeMotion motion_;
   float smallerSize_ = 0;
+  float reach_ = 0;  // contacts with a gap below this are wanted
   bool treeIsSmaller_ = true;
-  float speculative_ = 0;
   float closingSpeed_ = 0;
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame
@@ -234,7 +257,6 @@ class TreePair {
   // For steps in which the pair has to wait.
   std::optional<RootSpheres> roots_;  // of this step
   bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
-  bool isSettled_ = false;            // in this step
   bool isBegun_ = false;              // in this step
   bool isHeld_ = false;               // in the step before
   bool isHoldingStill_ = false;       // what was said last suffices
@@ -245,10 +267,9 @@ class TreePair {
   int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies
   std::uint64_t spent_ = 0;           // operations, on the traversal at hand
   std::uint64_t fullOperations_ = 0;  // that the last complete one took
-  std::uint64_t id_ = kUnnamed;
-  std::size_t collectedAt_ = kNotCollected;
   std::size_t knownAt_ = kUnknown;
-  std::uint64_t answeredIn_ = 0;  // open steps count from 1
+  std::uint64_t answeredIn_ = 0;        // open steps count from 1
+  std::array<BodySnapshot, 2> bodies_;  // last, because they hardly ever need all their room
 };
 
 }  // namespace cairn::bullet

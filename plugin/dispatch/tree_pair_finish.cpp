@@ -31,13 +31,17 @@ bool canBeSharpened(const Contact& contact) {
 // Null only when Bullet's pool is used up and the user forbade it to grow.
 btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) {
   btPersistentManifold*& m = manifolds_[static_cast<std::size_t>(cluster)];
-  if (!m) m = dispatcher.getNewManifold(objects_[0], objects_[1]);
+  if (!m) {
+    m = dispatcher.getNewManifold(objects_[0], objects_[1]);
+    if (m) fetchAhead(m + 1, sizeof(btPersistentManifold));  // the next, as long as Bullet's pool is in order
+  }
   if (m) m->setContactBreakingThreshold(breakingThreshold());
+  mayHavePoints_ = true;
   return m;
 }
 
 btScalar TreePair::breakingThreshold() const {
-  return btScalar(placement_.reach * kBreakingFactor);
+  return btScalar(reach_ * kBreakingFactor);
 }
 
 // The contacts that would be chosen are measured between source triangles, and what comes of it is chosen from again,
@@ -131,7 +135,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   PairReport report;
   report.isUnresolved = !counterpart_->traversal().done();
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy.unresolved, motion_, placement_.reach, ahead_, budget, scratch);
+  contacts_.finish(*counterpart_, policy.unresolved, motion_, reach_, ahead_, budget, scratch);
   forgetImpulsesAhead();
   for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);

@@ -43,7 +43,8 @@ void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btS
 }  // namespace
 
 bool TreePair::follow() {
-  isBegun_ = isSettled_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = false;
+  isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].follow() && bodies_[1].follow();
 }
 
@@ -53,7 +54,7 @@ PairNeed TreePair::survey(std::uint64_t usualOperations) {
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
   const btCollisionShape& other = *otherBody.getCollisionShape();
   const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
-  if (isSettled_) return {};
+  if (isSettled()) return {};
   const bool hasWhole = roots_ && roots_->areAlike();
   if (!isSame || !isPlaced_) {
     const bool isNew = isSame || !subject_.tree;

@@ -18,6 +18,7 @@ class PairMemory {
   void follow(std::span<const ScheduledPair> pairs) {
     lastStep_.swap(entries_);
     entries_.clear();
+    entries_.reserve(pairs.size());
     auto known = lastStep_.begin();
     for (const ScheduledPair& pair : pairs) {
       while (known != lastStep_.end() && known->id < pair.id) ++known;

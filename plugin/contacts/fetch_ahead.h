@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+
+namespace cairn::bullet {
+
+/// Has the machine bring so many bytes into its cache while it works on something else. Changes nothing but time; the
+/// address need not be valid.
+inline void fetchAhead([[maybe_unused]] const void* first, [[maybe_unused]] std::size_t bytes) {
+#if defined(__GNUC__) || defined(__clang__)
+  constexpr std::size_t kCacheLine = 64;
+  const char* const begin = static_cast<const char*>(first);
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) __builtin_prefetch(begin + at);
+#endif
+}
+
+}  // namespace cairn::bullet
