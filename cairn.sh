@@ -29,6 +29,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
                              thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
+  ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
+                             ThreadSanitizer
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting and include arrows
 
@@ -91,7 +93,7 @@ configure_and_build() {
 build() {
   local preset=${1:-release}
   case $preset in
-    plugin | double) need build core plugin tests ;;
+    plugin | double | threads) need build core plugin tests ;;
     fuzz) need build core tests fuzz ;;
     *) need "${everything[@]}" tests ;;
   esac
@@ -230,6 +232,14 @@ fuzz() {
   build/fuzz/bin/tree_file_fuzz -max_total_time="${1:-600}" -max_len=65536 -artifact_prefix=out/fuzz/ out/fuzz/tree_file
 }
 
+threads() {
+  need build core plugin tests
+  say "Building Bullet thread-safe and the plugin, under ThreadSanitizer"
+  configure_and_build threads
+  say "Testing threads"
+  TSAN_OPTIONS="suppressions=$PWD/tests/plugin/threads/bullet.supp" ctest --preset threads "$@"
+}
+
 sources() { git ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
 
 format() {
@@ -254,6 +264,7 @@ case $command in
   corpus) corpus "$@" ;;
   tables) tables "$@" ;;
   fuzz) fuzz "$@" ;;
+  threads) threads "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
   help | -h | --help) usage ;;

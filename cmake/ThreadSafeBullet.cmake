@@ -1,0 +1,28 @@
+# Bullet::Collision and Bullet::Dynamics from Debian's source package, built with BT_THREADSAFE as static libraries of
+# this project: the package itself is not thread-safe (its locks do nothing, and there is no task scheduler). For tests,
+# with the same sanitizers as everything else.
+include(FetchContent)
+
+FetchContent_Declare(bullet_source
+  URL https://deb.debian.org/debian/pool/main/b/bullet/bullet_3.24+dfsg.orig.tar.xz
+      http://deb.debian.org/debian/pool/main/b/bullet/bullet_3.24+dfsg.orig.tar.xz
+  URL_HASH SHA256=43c1edae2024ba18bb5d7bfd3bb2394b066a79151a29789504a2d8efcdc333d7
+  DOWNLOAD_EXTRACT_TIMESTAMP TRUE
+  SOURCE_SUBDIR does-not-exist)  # the sources alone: Bullet's own project brings demos and Python
+FetchContent_MakeAvailable(bullet_source)
+find_package(Threads REQUIRED)
+
+function(cairn_bullet_from_source target)
+  file(GLOB_RECURSE sources ${bullet_source_SOURCE_DIR}/src/${target}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "Bullet(Collision|Dynamics)/(Bullet|.*/Bullet)")
+  add_library(bullet_${target} STATIC ${sources})
+  target_include_directories(bullet_${target} SYSTEM PUBLIC ${bullet_source_SOURCE_DIR}/src)
+  target_compile_definitions(bullet_${target} PUBLIC BT_THREADSAFE=1)
+  target_compile_options(bullet_${target} PRIVATE -w)
+  target_link_libraries(bullet_${target} PUBLIC Threads::Threads ${ARGN})
+endfunction()
+cairn_bullet_from_source(LinearMath)
+cairn_bullet_from_source(BulletCollision bullet_LinearMath)
+cairn_bullet_from_source(BulletDynamics bullet_BulletCollision)
+add_library(Bullet::Collision ALIAS bullet_BulletCollision)
+add_library(Bullet::Dynamics ALIAS bullet_BulletDynamics)
