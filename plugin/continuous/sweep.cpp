@@ -24,6 +24,8 @@ constexpr float kPassingFraction = 1e-4F;
 
 // Of a node's radius: so deep it may be already and still be in front, as what slides is.
 constexpr float kSunkFraction = 0.1F;
+// By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
+constexpr int kMostSlowSteps = 30;
 constexpr float kNotMet = 2;  // beyond any part of the step
 
 Pose poseOf(const SphereTreeShape& shape, const btTransform& body) {
@@ -83,7 +85,8 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
     if (m.isContact) contacts_.push_back(m.contact);
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
-  if (isSunk) return;
+  slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
+  if (isSunk && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
   if (pair.isFast) anchor_ = placeAt(pair, 0);
 }
@@ -216,6 +219,9 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
     if (!(gap - closing * candidate.entry > -sunk)) continue;
     const float least = gap - node.slack;
     if (closing <= kPassingFraction * way || least + sunk >= closing) return std::nullopt;
+    // The slack is more than what turning brings nearer: at the segment's end it is known.
+    const float gapAtEnd = dot(normal, segment.treeAtEnd.support(a, -normal) - target_->support(b, normal)) - margins;
+    if (gapAtEnd > -sunk) return std::nullopt;
     const Hit hit{std::clamp(least / closing, candidate.entry, 1.0F), normal, closing};
     if (!latest || hit.at > latest->at) latest = hit;
   }

@@ -218,6 +218,48 @@ TEST(Continuous, WhatSlidesOverTrianglesIsNotCaughtByTheirEdges) {
       }
 }
 
+// What nothing bounces off is told of what is in it, not of what will be.
+TEST(Continuous, SensorsSeeWhatIsThere) {
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  btRigidBody& sensor = w.add(std::make_shared<btBoxShape>(btVector3(btScalar(0.5), 2, 2)), 0, btVector3(0, 0, 0));
+  sensor.setCollisionFlags(sensor.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+  btRigidBody& body = w.add(treeShape(bullet(2)), 1, btVector3(btScalar(-6.2), 0, 0));
+  body.setDamping(0, 0);
+  body.setLinearVelocity(btVector3(120, 0, 0));
+  body.setCcdMotionThreshold(btScalar(0.05));
+  for (int i = 0; i < 8; ++i) {
+    const bool isInside = std::abs(body.getWorldTransform().getOrigin().x()) < btScalar(0.9);
+    w.step();
+    EXPECT_EQ(w.dispatcher.getNumManifolds() > 0 && w.dispatcher.getManifoldByIndexInternal(0)->getNumContacts() > 0,
+              isInside)
+        << "step " << i;
+  }
+}
+
+// What is pressed together is not held where it came from long ago: a heap rests as it does without looking ahead.
+TEST(Continuous, AHeapOfWhatFellFastRests) {
+  BulletWorld<> w;
+  w.addGround().setRestitution(1);
+  std::vector<btRigidBody*> bodies;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> aside(-0.05, 0.05);
+  for (int i = 0; i < 24; ++i) {
+    const btVector3 at(btScalar(aside(random)), btScalar(aside(random)), btScalar(0.6 + 0.3 * i));
+    bodies.push_back(&w.add(treeShape(bullet(0)), 1, at));
+    bodies.back()->setRestitution(btScalar(0.5));
+    bodies.back()->setCcdMotionThreshold(btScalar(0.1));
+    bodies.back()->setActivationState(DISABLE_DEACTIVATION);
+  }
+  w.step(600);
+  btScalar sum = 0;
+  for (int i = 0; i < 60; ++i) {
+    w.step();
+    for (const btRigidBody* body : bodies) sum += body->getLinearVelocity().length();
+  }
+  EXPECT_LT(sum / btScalar(60 * bodies.size()), btScalar(0.05));
+}
+
 template <class FrontEndType>
 class ContinuousEverywhere : public testing::Test {};
 TYPED_TEST_SUITE(ContinuousEverywhere, EveryFrontEnd, FrontEndName);
