@@ -24,6 +24,8 @@ constexpr float kPassingFraction = 1e-4F;
 
 // Of a node's radius: so deep it may be already and still be in front, as what slides is.
 constexpr float kSunkFraction = 0.1F;
+// By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
+constexpr int kMostSlowSteps = 30;
 constexpr float kNotMet = 2;  // beyond any part of the step
 
 Pose poseOf(const SphereTreeShape& shape, const btTransform& body) {
@@ -83,7 +85,8 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
     if (m.isContact) contacts_.push_back(m.contact);
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
-  if (isSunk) return;
+  slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
+  if (isSunk && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
   if (pair.isFast) anchor_ = placeAt(pair, 0);
 }
@@ -194,28 +197,48 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
   const auto [a, b] = candidate.pair;
   const MovedNode node = moved(segment, a);
   const Vec3 center = node.ball.center + node.way * candidate.entry;
-  normals_.clear();
-  target_->appendNormals(b, center, normals_);
-  appendFaces(segment.tree, a, normals_);
   const float way = length(node.way);
   if (way == 0) return std::nullopt;
+  normals_.clear();
+  target_->appendNormals(b, center, normals_);
+  const std::size_t ofOther = normals_.all().size();
+  appendFaces(segment.tree, a, normals_);
   const Vec3 along = node.way / way;
   if (!normals_.all().empty()) {
     const Vec3 line = normals_.all().front(), beside = line - along * dot(along, line);
-    if (const float norm = length(beside); norm > 0.1F) normals_.add(beside / norm);
+    if (const float norm = length(beside); norm > 0.1F) normals_.add(beside / norm, false);
   }
   const float margins = target_->margin() + static_cast<float>(pair.tree->getMargin());
   const float sunk = std::max(pair.reach, kSunkFraction * node.ball.radius);
+  const auto gapAlong = [&](const Vec3& normal) {
+    return dot(normal, segment.tree.support(a, -normal) - target_->support(b, normal)) - margins;
+  };
   std::optional<Hit> latest;
   for (const Vec3& normal : normals_.all()) {
-    const Vec3 onTree = segment.tree.support(a, -normal), onOther = target_->support(b, normal);
-    const float gap = dot(normal, onTree - onOther) - margins;
-    const float closing = -dot(normal, node.way);
+    const float gap = gapAlong(normal), closing = -dot(normal, node.way);
     if (!(gap - closing * candidate.entry > -sunk)) continue;
     const float least = gap - node.slack;
-    if (closing <= kPassingFraction * way || least + pair.reach >= closing) return std::nullopt;
+    if (closing <= kPassingFraction * way || least + sunk >= closing) return std::nullopt;
+    // The slack is more than what turning brings nearer: at the segment's end it is known.
+    const float gapAtEnd = dot(normal, segment.treeAtEnd.support(a, -normal) - target_->support(b, normal)) - margins;
+    if (gapAtEnd > -sunk) return std::nullopt;
     const Hit hit{std::clamp(least / closing, candidate.entry, 1.0F), normal, closing};
     if (!latest || hit.at > latest->at) latest = hit;
+  }
+  if (!latest) return std::nullopt;
+  // Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the directions along
+  // which the regions are still as good as apart by then, the one along which they close least.
+  const float at = latest->at;
+  bool hasOtherFaces = false;
+  for (std::size_t i = 0; i < ofOther; ++i) hasOtherFaces = hasOtherFaces || normals_.isFace(i);
+  for (std::size_t i = 0; i < (hasOtherFaces ? ofOther : normals_.all().size()); ++i) {
+    if (!normals_.isFace(i)) continue;
+    const Vec3& normal = normals_.all()[i];
+    const float closing = -dot(normal, node.way);
+    if (closing <= kPassingFraction * way || closing >= latest->closing) continue;
+    const float gap = gapAlong(normal);
+    if (!(gap - closing * at > -sunk)) continue;
+    latest = Hit{std::clamp((gap - node.slack) / closing, candidate.entry, 1.0F), normal, closing};
   }
   return latest;
 }

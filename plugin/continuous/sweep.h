@@ -108,6 +108,7 @@ class Sweep {
   SeparatingNormals normals_;
   float margin_ = 0;  // of the moved tree
   std::uint32_t tests_ = 0;
+  int slowSteps_ = 0;  // since it was last fast
   std::optional<btTransform> anchor_;  // where the moved tree stood in the other's frame when nothing had sunk in
 };
 

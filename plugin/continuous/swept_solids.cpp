@@ -51,7 +51,7 @@ Vec3 SweptPlane::support(std::uint32_t /*element*/, const Vec3& direction) const
 }
 
 void SweptPlane::appendNormals(std::uint32_t /*element*/, const Vec3& /*center*/, SeparatingNormals& normals) {
-  normals.add(normal_);
+  normals.add(normal_, true);
 }
 
 void SweptConvex::take(const btCollisionShape& shape, const btVector3& /*lower*/, const btVector3& /*upper*/) {
@@ -72,7 +72,7 @@ std::optional<float> SweptConvex::entry(const Sphere& ball, std::uint32_t /*elem
 }
 
 void SweptConvex::appendNormals(std::uint32_t /*element*/, const Vec3& center, SeparatingNormals& normals) {
-  normals.add(surface_.nearest(center).normal);
+  normals.add(surface_.nearest(center).normal, false);
 }
 
 }  // namespace cairn::bullet

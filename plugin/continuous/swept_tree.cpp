@@ -10,8 +10,8 @@ namespace cairn::bullet {
 
 void appendFaces(const PlacedTree& tree, NodeId node, SeparatingNormals& normals) {
   const auto add = [&](const Vec3& normal) {
-    normals.add(normal);
-    normals.add(-normal);
+    normals.add(normal, true);
+    normals.add(-normal, true);
   };
   if (tree.isFaceted(node)) {
     const Mat3 fromTree = transpose(tree.axesFromPair());
@@ -50,7 +50,7 @@ std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element,
 
 void SweptTree::appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) {
   const Vec3 line = center - tree_.sphere(element).center;
-  if (lengthSq(line) > 0) normals.add(normalized(line));
+  if (lengthSq(line) > 0) normals.add(normalized(line), false);
   appendFaces(tree_, element, normals);
 }
 

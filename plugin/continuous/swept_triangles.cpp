@@ -53,9 +53,9 @@ Vec3 SweptTriangles::support(std::uint32_t element, const Vec3& direction) const
 void SweptTriangles::appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) {
   const Element& e = elements_[element];
   const Vec3 line = center - nearestOnTriangle(e.triangle, center).point;
-  if (lengthSq(line) > 0) normals.add(normalized(line));
-  normals.add(e.normal);
-  normals.add(-e.normal);
+  if (lengthSq(line) > 0) normals.add(normalized(line), false);
+  normals.add(e.normal, true);
+  normals.add(-e.normal, true);
 }
 
 void SweptTriangles::name(std::uint32_t element, ContactId& id) const {

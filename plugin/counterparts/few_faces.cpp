@@ -193,14 +193,22 @@ std::optional<float> FewFaces::appendConvex(Question& question, std::span<const 
     if (contacts.size() > before) return kUnknownGap;
   }
   const auto lasts = std::span(question.normal).first(lookedAt);
-  const Separation best = bestSeparation(question.treeA, question.treeB, question.a, question.b, lasts,
-                                         question.hysteresis(), question.reach + question.margins);
-  features_[0] = best.feature;
-  featureCount_ = 1;
-  if (best.gap - question.margins >= question.reach) return best.gap - question.margins;
-  if (!look(question)) return std::nullopt;
-  appendAlong(question, 0, leafPairs, contacts);
-  return contacts.size() > before ? std::optional(kUnknownGap) : std::nullopt;
+  // Along a direction that is preferred, but not the best, they may have nothing in common.
+  for (const bool hasPreferences : {true, false}) {
+    const Separation best =
+        bestSeparation(question.treeA, question.treeB, question.a, question.b, lasts, question.hysteresis(),
+                       question.reach + question.margins, hasPreferences);
+    features_[0] = best.feature;
+    featureCount_ = 1;
+    const float gap = best.gap - question.margins;
+    if (gap >= question.reach) return gap;
+    if (!look(question)) return std::nullopt;
+    appendAlong(question, 0, leafPairs, contacts);
+    if (contacts.size() > before) return kUnknownGap;
+    // Apart, but not face to face: what leaves say of that may be deep, and is wrong.
+    if (gap >= 0) return gap;
+  }
+  return std::nullopt;
 }
 
 // Of convex bodies all that lies low enough is shown: what it has in common tells by itself which triangles touch.

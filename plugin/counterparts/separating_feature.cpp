@@ -115,7 +115,7 @@ std::optional<SeparatingFeature> featureAlong(const PlacedTree& a, const PlacedT
 }
 
 Separation bestSeparation(const PlacedTree& a, const PlacedTree& b, const PlacedMesh& meshA, const PlacedMesh& meshB,
-                          std::span<const Vec3> lasts, float lastBonus, float enough) {
+                          std::span<const Vec3> lasts, float lastBonus, float enough, bool hasPreferences) {
   Separation best;
   float bestMerit = -std::numeric_limits<float>::max();
   const auto offer = [&](const SeparatingFeature& feature, float bonus) {
@@ -123,7 +123,7 @@ Separation bestSeparation(const PlacedTree& a, const PlacedTree& b, const Placed
     if (lengthSq(normal) == 0) return;
     const float gap = meshA.lowest(normal) + meshB.lowest(-normal);
     const bool isLast = std::ranges::any_of(lasts, [&](const Vec3& last) { return dot(last, normal) > kLastCosine; });
-    const float merit = gap + bonus + (isLast ? lastBonus : 0);
+    const float merit = hasPreferences ? gap + bonus + (isLast ? lastBonus : 0) : gap;
     if (merit <= bestMerit) return;
     bestMerit = merit;
     best = {feature, gap};

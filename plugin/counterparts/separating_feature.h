@@ -24,7 +24,7 @@ std::optional<SeparatingFeature> featureAlong(const PlacedTree& a, const PlacedT
 
 /// Of two convex bodies, the feature along which they are farthest apart, or overlap least: `gap`, world length, whole
 /// bodies. Faces are preferred to edges by a thousandth of the sizes, `lasts` (unit, pair frame) to others by
-/// `lastBonus`.
+/// `lastBonus`, unless it `hasPreferences` no more.
 struct Separation {
   SeparatingFeature feature;
   float gap = 0;
@@ -32,7 +32,7 @@ struct Separation {
 /// Cost: faces times vertices, and edges times edges times vertices unless a face separates by `enough` already, or
 /// these are more than `kMaxEdgePairs`.
 Separation bestSeparation(const PlacedTree& a, const PlacedTree& b, const PlacedMesh& meshA, const PlacedMesh& meshB,
-                          std::span<const Vec3> lasts, float lastBonus, float enough);
+                          std::span<const Vec3> lasts, float lastBonus, float enough, bool hasPreferences = true);
 inline constexpr std::size_t kMaxEdgePairs = 400;
 
 }  // namespace cairn::bullet

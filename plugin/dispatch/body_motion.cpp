@@ -38,7 +38,7 @@ float closingSpeed(const btCollisionObject& first, const btCollisionObject& seco
 float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time) {
   const btCollisionObject &first = *body0.getCollisionObject(), &second = *body1.getCollisionObject();
   const btScalar one = first.getCcdMotionThreshold(), two = second.getCcdMotionThreshold();
-  if (time <= 0 || (one <= 0 && two <= 0)) return 0;
+  if (time <= 0 || (one <= 0 && two <= 0) || !first.hasContactResponse() || !second.hasContactResponse()) return 0;
   const SphereTreeShape* const tree0 = asSphereTree(body0.getCollisionShape());
   const SphereTreeShape* const shape = tree0 ? tree0 : asSphereTree(body1.getCollisionShape());
   const float disc = shape ? static_cast<float>(shape->getAngularMotionDisc()) : 0;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "front_ends.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test {
 namespace {
@@ -172,6 +173,91 @@ TEST(Continuous, WhatFliesByIsNotTouched) {
       w.step(40);
       EXPECT_EQ(body.getLinearVelocity(), shot.velocity) << speed << " m/s, phase " << phase;
     }
+}
+
+// A floor of cells half a metre wide, whose corners rise by up to so much.
+std::shared_ptr<btCollisionShape> longFloor(btScalar bump) {
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> part(0, 1);
+  constexpr int kLong = 200, kWide = 16;
+  constexpr btScalar kCell = btScalar(0.5);
+  std::vector<btVector3> corners;
+  for (int i = 0; i <= kLong; ++i)
+    for (int j = 0; j <= kWide; ++j)
+      corners.emplace_back(btScalar(i - 4) * kCell, (btScalar(j) - btScalar(7.9)) * kCell,
+                           bump * btScalar(part(random)));
+  std::vector<btVector3> triangles;
+  for (int i = 0; i < kLong; ++i)
+    for (int j = 0; j < kWide; ++j) {
+      const auto at = [&](int di, int dj) { return corners[std::size_t((i + di) * (kWide + 1) + j + dj)]; };
+      for (const btVector3& corner : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)})
+        triangles.push_back(corner);
+    }
+  return meshOf(triangles);
+}
+
+// What lies on a floor of triangles and slides fast is not caught by edges inside it: as without looking ahead.
+TEST(Continuous, WhatSlidesOverTrianglesIsNotCaughtByTheirEdges) {
+  const std::shared_ptr<const SphereTree> trees[] = {plainTree(cuboid({1, 0.6, 0.3}, 4)),
+                                                     plainTree(torus(0.35, 0.15, 16))};
+  for (const btScalar bump : {btScalar(0), btScalar(0.002)})
+    for (const btScalar threshold : {btScalar(0.1), btScalar(1e-6)})
+      for (const auto& tree : trees) {
+        BulletWorld<> w;
+        w.add(longFloor(bump), 0, btVector3(0, 0, 0));
+        btRigidBody& body = w.add(treeShape(tree), 1, btVector3(0, 0, btScalar(0.153)));
+        body.setFriction(0);
+        body.setDamping(0, 0);
+        body.setCcdMotionThreshold(threshold);
+        body.setLinearVelocity(btVector3(30, 0, 0));
+        for (int i = 0; i < 180; ++i) {
+          w.step();
+          ASSERT_LT(body.getWorldTransform().getOrigin().z(), btScalar(0.17)) << "step " << i;
+        }
+        EXPECT_GT(body.getLinearVelocity().x(), btScalar(29.8)) << "bumps of " << bump << ", from " << threshold;
+      }
+}
+
+// What nothing bounces off is told of what is in it, not of what will be.
+TEST(Continuous, SensorsSeeWhatIsThere) {
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  btRigidBody& sensor = w.add(std::make_shared<btBoxShape>(btVector3(btScalar(0.5), 2, 2)), 0, btVector3(0, 0, 0));
+  sensor.setCollisionFlags(sensor.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+  btRigidBody& body = w.add(treeShape(bullet(2)), 1, btVector3(btScalar(-6.2), 0, 0));
+  body.setDamping(0, 0);
+  body.setLinearVelocity(btVector3(120, 0, 0));
+  body.setCcdMotionThreshold(btScalar(0.05));
+  for (int i = 0; i < 8; ++i) {
+    const bool isInside = std::abs(body.getWorldTransform().getOrigin().x()) < btScalar(0.9);
+    w.step();
+    EXPECT_EQ(w.dispatcher.getNumManifolds() > 0 && w.dispatcher.getManifoldByIndexInternal(0)->getNumContacts() > 0,
+              isInside)
+        << "step " << i;
+  }
+}
+
+// What is pressed together is not held where it came from long ago: a heap rests as it does without looking ahead.
+TEST(Continuous, AHeapOfWhatFellFastRests) {
+  BulletWorld<> w;
+  w.addGround().setRestitution(1);
+  std::vector<btRigidBody*> bodies;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> aside(-0.05, 0.05);
+  for (int i = 0; i < 24; ++i) {
+    const btVector3 at(btScalar(aside(random)), btScalar(aside(random)), btScalar(0.6 + 0.3 * i));
+    bodies.push_back(&w.add(treeShape(bullet(0)), 1, at));
+    bodies.back()->setRestitution(btScalar(0.5));
+    bodies.back()->setCcdMotionThreshold(btScalar(0.1));
+    bodies.back()->setActivationState(DISABLE_DEACTIVATION);
+  }
+  w.step(600);
+  btScalar sum = 0;
+  for (int i = 0; i < 60; ++i) {
+    w.step();
+    for (const btRigidBody* body : bodies) sum += body->getLinearVelocity().length();
+  }
+  EXPECT_LT(sum / btScalar(60 * bodies.size()), btScalar(0.05));
 }
 
 template <class FrontEndType>

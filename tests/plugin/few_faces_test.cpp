@@ -223,5 +223,20 @@ TEST(FewFaces, OnAPlaneAreTheLowestVertices) {
   }
 }
 
+// Less than a thousandth apart, a corner beside a corner: what leaves say of that had been 0.13 deep.
+TEST(FewFaces, WhatIsJustApartIsNotDeep) {
+  BulletWorld<> w;
+  w.add(treeShape(plainTree(cuboid({1, 1, 1}, 1))), 0, btVector3(0, 0, 0));
+  w.add(treeShape(plainTree(cuboid({0.1, 0.1, 2}, 1))), 1,
+        btVector3(btScalar(-0.153226241), btScalar(1.29538965), btScalar(0.473397017)),
+        btQuaternion(btScalar(-0.573605716), btScalar(0.43209523), btScalar(0.105297394), btScalar(0.687882781)));
+  w.world.performDiscreteCollisionDetection();
+  for (int m = 0; m < w.dispatcher.getNumManifolds(); ++m) {
+    const btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(m);
+    for (int i = 0; i < manifold.getNumContacts(); ++i)
+      EXPECT_GT(manifold.getContactPoint(i).getDistance(), btScalar(-0.001));
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test
