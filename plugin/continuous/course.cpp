@@ -5,6 +5,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransformUtil.h>
 
+#include <algorithm>
+
 namespace cairn::bullet {
 
 namespace {
@@ -29,6 +31,12 @@ Course::Course(const btCollisionObjectWrapper& body, btScalar timeStep)
     angular_ = rigid->getAngularVelocity();
   }
   angular_ = clampedTurn(angular_, timeStep);
+}
+
+Course Course::along(const btVector3& normal, const Course& other) const {
+  Course along = *this;
+  along.linear_ -= normal * std::min(normal.dot(linear_ - other.linear_), btScalar(0));
+  return along;
 }
 
 btTransform Course::at(btScalar fraction) const {

@@ -15,6 +15,8 @@ class Course {
 
   /// Where the shape stands after this part of the step, 0 to 1; world frame.
   btTransform at(btScalar fraction) const;
+  /// The same without what moves it against `normal` (unit, world frame) faster than `other`.
+  Course along(const btVector3& normal, const Course& other) const;
   /// Radians within the whole step.
   btScalar turn() const { return angular_.length() * timeStep_; }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "contacts/normal_clusters.h"
 #include "continuous/swept_tree.h"
 #include "shape/bullet_math.h"
 
@@ -26,6 +27,8 @@ constexpr float kPassingFraction = 1e-4F;
 constexpr float kSunkFraction = 0.1F;
 // By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
 constexpr int kMostSlowSteps = 30;
+// Two walls of a corner, after its floor.
+constexpr int kDeflections = 2;
 constexpr float kNotMet = 2;  // beyond any part of the step
 
 Pose poseOf(const SphereTreeShape& shape, const btTransform& body) {
@@ -66,29 +69,50 @@ void Sweep::swapSides(Contact& contact) {
 }
 
 void Sweep::sweep(const SweptPair& pair, Budget& budget) {
-  meetings_.clear();
   contacts_.clear();
   tests_ = 0;
-  cut(pair);
-  if (target_->rootCount() > 0) {
-    meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), -1);
-    for (const Segment& s : segments_) {
-      // What it came to on the way from the anchor and is in front of still, it may run into now.
-      if (s.from == 0)
-        for (Meeting& m : meetings_)
-          if (!m.isContact) m.at = kNotMet;
-      search(pair, s, budget);
-    }
-  }
+  follow(pair, true, budget);
   bool isSunk = false;
   for (const Meeting& m : meetings_) {
     if (m.isContact) contacts_.push_back(m.contact);
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
+  if (pair.isFast) deflect(pair, budget);
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
   if (isSunk && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
   if (pair.isFast) anchor_ = placeAt(pair, 0);
+}
+
+// What is stopped by a floor goes on along it, and may run into a wall of the same body within the step; then along
+// both into a third.
+void Sweep::deflect(SweptPair pair, Budget& budget) {
+  for (int turn = 0; turn < kDeflections; ++turn) {
+    const auto earlier = [](const Meeting& x, const Meeting& y) {
+      return (x.isContact ? x.at : kNotMet) < (y.isContact ? y.at : kNotMet);
+    };
+    const auto first = std::ranges::min_element(meetings_, earlier);
+    if (first == meetings_.end() || !first->isContact) return;
+    const Vec3 normal = first->contact.normal;
+    pair.treeCourse = pair.treeCourse.along(toBullet(normal), pair.otherCourse);
+    follow(pair, false, budget);
+    for (const Meeting& m : meetings_)
+      if (m.isContact && dot(m.contact.normal, normal) < kSameWayCosine) contacts_.push_back(m.contact);
+  }
+}
+
+void Sweep::follow(const SweptPair& pair, bool fromAnchor, Budget& budget) {
+  meetings_.clear();
+  cut(pair, fromAnchor);
+  if (target_->rootCount() == 0) return;
+  meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), -1);
+  for (const Segment& s : segments_) {
+    // What it came to on the way from the anchor and is in front of still, it may run into now.
+    if (s.from == 0)
+      for (Meeting& m : meetings_)
+        if (!m.isContact) m.at = kNotMet;
+    search(pair, s, budget);
+  }
 }
 
 // The tree in the other's frame.
@@ -102,9 +126,9 @@ btTransform Sweep::placeAt(const SweptPair& pair, float part) const {
 }
 
 // Also asks the target for all that is near the way.
-void Sweep::cut(const SweptPair& pair) {
+void Sweep::cut(const SweptPair& pair, bool fromAnchor) {
   segments_.clear();
-  if (anchor_) append(pair, -1, 0, turnBetween(*anchor_, placeAt(pair, 0)));
+  if (anchor_ && fromAnchor) append(pair, -1, 0, turnBetween(*anchor_, placeAt(pair, 0)));
   if (pair.isFast) append(pair, 0, 1, pair.treeCourse.turn() + pair.otherCourse.turn());
   btVector3 lower(SIMD_INFINITY, SIMD_INFINITY, SIMD_INFINITY), upper = -lower;
   for (const Segment& s : segments_) {

@@ -81,11 +81,13 @@ class Sweep {
     float closing = 0;  // along it, in the whole segment
   };
 
-  void cut(const SweptPair& pair);
+  void cut(const SweptPair& pair, bool fromAnchor);
   void append(const SweptPair& pair, float from, float to, btScalar turn);
   Segment segment(const SweptPair& pair, float from, float to) const;
   btTransform placeAt(const SweptPair& pair, float part) const;
   void sweep(const SweptPair& pair, Budget& budget);
+  void follow(const SweptPair& pair, bool fromAnchor, Budget& budget);
+  void deflect(SweptPair pair, Budget& budget);
   static void swapSides(Contact& contact);
   void search(const SweptPair& pair, const Segment& segment, Budget& budget);
   void enter(const Segment& segment, const NodePair& pair);
@@ -108,7 +110,7 @@ class Sweep {
   SeparatingNormals normals_;
   float margin_ = 0;  // of the moved tree
   std::uint32_t tests_ = 0;
-  int slowSteps_ = 0;  // since it was last fast
+  int slowSteps_ = 0;                  // since it was last fast
   std::optional<btTransform> anchor_;  // where the moved tree stood in the other's frame when nothing had sunk in
 };
 

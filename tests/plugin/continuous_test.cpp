@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <random>
 
 #include "front_ends.h"
@@ -102,7 +103,8 @@ bool passesThrough(World& w, const btRigidBody& body, bool isEndless, btScalar t
     const btVector3 now = body.getWorldTransform().getOrigin();
     if ((before.z() > 0) == (now.z() > 0)) continue;
     const btVector3 at = before.lerp(now, before.z() / (before.z() - now.z()));
-    if (isEndless || (std::abs(at.x()) < kHalfWidth && std::abs(at.y()) < kHalfWidth)) isThrough = now.z() < 0;
+    const bool isInside = std::abs(at.x()) < kHalfWidth && std::abs(at.y()) < kHalfWidth;
+    isThrough = now.z() < 0 && (isEndless || isInside);
   }
   return isThrough;
 }
@@ -119,6 +121,10 @@ class Shots : public testing::TestWithParam<Wall> {
       btRigidBody& body = shoot(w, randomShot(random), i, isContinuous);
       body.setRestitution(restitution);
       const bool passes = passesThrough(w, body, GetParam() == Wall::plane);
+      if (passes && isContinuous) {
+        const btVector3& p = body.getWorldTransform().getOrigin();
+        std::cout << "shot " << i << " ends at " << p.x() << " " << p.y() << " " << p.z() << "\n";
+      }
       passed += passes ? 1 : 0;
     }
     return passed;
@@ -258,6 +264,37 @@ TEST(Continuous, AHeapOfWhatFellFastRests) {
     for (const btRigidBody* body : bodies) sum += body->getLinearVelocity().length();
   }
   EXPECT_LT(sum / btScalar(60 * bodies.size()), btScalar(0.05));
+}
+
+// A floor and two walls of one mesh, all met within a step.
+TEST(Continuous, NothingLeavesACorner) {
+  btTriangleMesh mesh;
+  constexpr btScalar w = 10;
+  for (int axis = 0; axis < 3; ++axis) {
+    btVector3 one(0, 0, 0), two(0, 0, 0);
+    one[(axis + 1) % 3] = w;
+    two[(axis + 2) % 3] = w;
+    mesh.addTriangle(btVector3(0, 0, 0), one, one + two);
+    mesh.addTriangle(btVector3(0, 0, 0), one + two, two);
+  }
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> part(0, 1);
+  int outside = 0;
+  for (int i = 0; i < 300; ++i) {
+    BulletWorld<> w2;
+    w2.world.setGravity(btVector3(0, 0, 0));
+    w2.add(std::make_shared<btBvhTriangleMeshShape>(&mesh, true), 0, btVector3(0, 0, 0));
+    Shot shot = randomShot(random);
+    shot.from =
+        btVector3(btScalar(1.2 + 3 * part(random)), btScalar(1.2 + 3 * part(random)), btScalar(1.2 + 3 * part(random)));
+    const btVector3 aim(btScalar(part(random)), btScalar(part(random)), btScalar(part(random)));
+    shot.velocity = (aim - shot.from).normalized() * btScalar(50 + 200 * part(random));
+    const btRigidBody& body = shoot(w2, shot, i, true);
+    w2.step(10);
+    const btVector3& p = body.getWorldTransform().getOrigin();
+    outside += p[p.minAxis()] < 0 ? 1 : 0;
+  }
+  EXPECT_EQ(outside, 0) << "seed " << kSeed;
 }
 
 template <class FrontEndType>
