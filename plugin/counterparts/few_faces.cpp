@@ -195,9 +195,8 @@ std::optional<float> FewFaces::appendConvex(Question& question, std::span<const 
   const auto lasts = std::span(question.normal).first(lookedAt);
   // Along a direction that is preferred, but not the best, they may have nothing in common.
   for (const bool hasPreferences : {true, false}) {
-    const Separation best =
-        bestSeparation(question.treeA, question.treeB, question.a, question.b, lasts, question.hysteresis(),
-                       question.reach + question.margins, hasPreferences);
+    const Separation best = bestSeparation(question.treeA, question.treeB, question.a, question.b, lasts,
+                                           question.hysteresis(), question.reach + question.margins, hasPreferences);
     features_[0] = best.feature;
     featureCount_ = 1;
     const float gap = best.gap - question.margins;
