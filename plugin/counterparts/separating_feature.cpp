@@ -129,8 +129,9 @@ Separation bestSeparation(const PlacedTree& a, const PlacedTree& b, const Placed
     best = {feature, gap};
   };
   const float faceBonus = kFaceFraction * (meshA.radius() + meshB.radius());
-  for (const Vec3& face : facesOf(a.tree()).all()) offer({face, {}}, faceBonus);
-  for (const Vec3& face : facesOf(b.tree()).all()) offer({{}, face}, faceBonus);
+  const Directions facesA = facesOf(a.tree()), facesB = facesOf(b.tree());
+  for (const Vec3& face : facesA.all()) offer({face, {}}, faceBonus);
+  for (const Vec3& face : facesB.all()) offer({{}, face}, faceBonus);
   if (best.gap >= enough) return best;
   const Directions edgesA = edgesOf(a.tree()), edgesB = edgesOf(b.tree());
   if (edgesA.all().size() * edgesB.all().size() > kMaxEdgePairs) return best;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 
 #include "bullet_world.h"
@@ -46,9 +47,14 @@ std::size_t chunkAt(const Bytes& file, const char* letters) {
   return 0;
 }
 
-// The record of the first shape in a file of this machine's pointer size.
-bullet::TreeShapeRecord& firstRecord(Bytes& file) {
-  return *reinterpret_cast<bullet::TreeShapeRecord*>(&file[chunkAt(file, "CTSH") + 16 + sizeof(void*)]);
+// Changes the record of the first shape in a file of this machine's pointer size; it need not be aligned there.
+template <class Change>
+void changeFirstRecord(Bytes& file, const Change& change) {
+  std::byte* const at = &file[chunkAt(file, "CTSH") + 16 + sizeof(void*)];
+  bullet::TreeShapeRecord record;
+  std::memcpy(&record, at, sizeof record);
+  change(record);
+  std::memcpy(at, &record, sizeof record);
 }
 
 TEST(StoredShapes, AreTheShapesThatWereSaved) {
@@ -143,12 +149,13 @@ TEST(StoredShapes, ErrorsNameWhatIsWrong) {
   };
   refused([](Bytes& f) { f[0] = std::byte{'b'}; }, "no .bullet file");
   refused([](Bytes& f) { f[8] = std::byte{'V'}; }, "byte order");
-  refused([](Bytes& f) { firstRecord(f).version = 9; }, "version 9");
-  refused([](Bytes& f) { firstRecord(f).frame = 2; }, "frame");
-  refused([](Bytes& f) { firstRecord(f).margin = -1; }, "margin");
-  refused([](Bytes& f) { firstRecord(f).margin = std::numeric_limits<double>::quiet_NaN(); }, "margin");
-  refused([](Bytes& f) { firstRecord(f).shapeName = 12345; }, "no such shape");
-  refused([](Bytes& f) { firstRecord(f).treeName = 12345; }, "no such tree");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.version = 9; }); }, "version 9");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.frame = 2; }); }, "frame");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.margin = -1; }); }, "margin");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.margin = std::numeric_limits<double>::quiet_NaN(); }); },
+          "margin");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.shapeName = 12345; }); }, "no such shape");
+  refused([](Bytes& f) { changeFirstRecord(f, [](auto& r) { r.treeName = 12345; }); }, "no such tree");
   refused([](Bytes& f) { f.resize(f.size() / 2); }, "cut short");
 }
 
