@@ -31,7 +31,7 @@ struct Contact {
   NodePair pair;           ///< of the traversal that found it
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
-  bool ofSpheres = false;  ///< of bounding spheres, not of what they hold
+  bool ofSpheres = false;  ///< of bounding spheres, not of what they hold, or ahead: not measured again
   bool isExact = false;    ///< measured between source triangles
   bool isSettled = false;  ///< exact, or nothing finer can be told
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it

@@ -7,8 +7,9 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
+#include "contacts/relative_placement.h"
 #include "continuous/swept_tree.h"
-#include "shape/bullet_math.h"
+#include "shape/tree_pose.h"
 
 namespace cairn::bullet {
 
@@ -22,7 +23,8 @@ constexpr std::uint32_t kTestCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr std::uint32_t kLeafCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 // Of the way: what closes by less along a direction passes by.
 constexpr float kPassingFraction = 1e-4F;
-
+// What is left of a unit line beside the way, to make a direction of.
+constexpr float kLeastBeside = 0.1F;
 // Of a node's radius: so deep it may be already and still be in front, as what slides is.
 constexpr float kSunkFraction = 0.1F;
 // By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
@@ -30,18 +32,6 @@ constexpr int kMostSlowSteps = 30;
 // Two walls of a corner, after its floor.
 constexpr int kDeflections = 2;
 constexpr float kNotMet = 2;  // beyond any part of the step
-
-Pose poseOf(const SphereTreeShape& shape, const btTransform& body) {
-  const btTransform fromTree = body * shape.bodyFromTree();
-  return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
-}
-
-// 2 sin(t/2) for the angle t between two rotations.
-btScalar chordBetween(const btMatrix3x3& x, const btMatrix3x3& y) {
-  btScalar sum = 0;
-  for (int row = 0; row < 3; ++row) sum += (x[row] - y[row]).length2();
-  return std::sqrt(sum / 2);
-}
 
 btScalar turnBetween(const btTransform& x, const btTransform& y) {
   return x.getRotation().angleShortestPath(y.getRotation());
@@ -157,8 +147,8 @@ Sweep::Segment Sweep::segment(const SweptPair& pair, float from, float to) const
   return {from,
           to,
           begin,
-          PlacedTree(pair.tree->tree(), poseOf(*pair.tree, begin)),
-          PlacedTree(pair.tree->tree(), poseOf(*pair.tree, end)),
+          PlacedTree(pair.tree->tree(), treePose(*pair.tree, begin)),
+          PlacedTree(pair.tree->tree(), treePose(*pair.tree, end)),
           static_cast<float>(chordBetween(begin.getBasis(), end.getBasis())),
           static_cast<float>(2 * bow)};
 }
@@ -215,54 +205,82 @@ bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& bu
   return count > 0;
 }
 
+// Two regions that come together within a segment.
+struct Sweep::Approach {
+  const Segment& segment;
+  const SweptTarget& target;
+  NodePair nodes;
+  MovedNode node;
+  float entry;    // part of the segment at which they are near
+  float margins;  // of both
+  float sunk;     // so deep they still count as apart
+
+  float gap(const Vec3& normal) const { return gapOf(segment.tree, normal); }
+  float gapAtEnd(const Vec3& normal) const { return gapOf(segment.treeAtEnd, normal); }
+  float closing(const Vec3& normal) const { return -dot(normal, node.way); }
+  bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
+  bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
+  Hit hit(const Vec3& normal) const {
+    const float least = gap(normal) - node.slack;
+    return {std::clamp(least / closing(normal), entry, 1.0F), normal, closing(normal)};
+  }
+
+ private:
+  float gapOf(const PlacedTree& tree, const Vec3& normal) const {
+    return dot(normal, tree.support(nodes.a, -normal) - target.support(nodes.b, normal)) - margins;
+  }
+};
+
+// Returns how many of them are the other side's; those come first.
+std::size_t Sweep::collectNormals(const Approach& approach) {
+  normals_.clear();
+  const Vec3& way = approach.node.way;
+  target_->appendNormals(approach.nodes.b, approach.node.ball.center + way * approach.entry, normals_);
+  const std::size_t ofOther = normals_.all().size();
+  appendFaces(approach.segment.tree, approach.nodes.a, normals_);
+  if (normals_.all().empty()) return ofOther;
+  const Vec3 along = normalized(way), line = normals_.all().front(), beside = line - along * dot(along, line);
+  if (const float norm = length(beside); norm > kLeastBeside) normals_.add(beside / norm, false);
+  return ofOther;
+}
+
 // Along each direction the regions stay apart for a while; what counts is the one along which they do so for longest.
 // Nothing if that is to the end of the segment, or if they are in contact already.
 std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
-  const auto [a, b] = candidate.pair;
-  const MovedNode node = moved(segment, a);
-  const Vec3 center = node.ball.center + node.way * candidate.entry;
-  const float way = length(node.way);
-  if (way == 0) return std::nullopt;
-  normals_.clear();
-  target_->appendNormals(b, center, normals_);
-  const std::size_t ofOther = normals_.all().size();
-  appendFaces(segment.tree, a, normals_);
-  const Vec3 along = node.way / way;
-  if (!normals_.all().empty()) {
-    const Vec3 line = normals_.all().front(), beside = line - along * dot(along, line);
-    if (const float norm = length(beside); norm > 0.1F) normals_.add(beside / norm, false);
-  }
-  const float margins = target_->margin() + static_cast<float>(pair.tree->getMargin());
-  const float sunk = std::max(pair.reach, kSunkFraction * node.ball.radius);
-  const auto gapAlong = [&](const Vec3& normal) {
-    return dot(normal, segment.tree.support(a, -normal) - target_->support(b, normal)) - margins;
-  };
+  const MovedNode node = moved(segment, candidate.pair.a);
+  if (lengthSq(node.way) == 0) return std::nullopt;
+  const Approach approach{segment,
+                          *target_,
+                          candidate.pair,
+                          node,
+                          candidate.entry,
+                          target_->margin() + margin_,
+                          std::max(pair.reach, kSunkFraction * node.ball.radius)};
+  const std::size_t ofOther = collectNormals(approach);
   std::optional<Hit> latest;
   for (const Vec3& normal : normals_.all()) {
-    const float gap = gapAlong(normal), closing = -dot(normal, node.way);
-    if (!(gap - closing * candidate.entry > -sunk)) continue;
-    const float least = gap - node.slack;
-    if (closing <= kPassingFraction * way || least + sunk >= closing) return std::nullopt;
+    if (!approach.areApart(normal, candidate.entry)) continue;
+    if (approach.passes(normal) || approach.gap(normal) - node.slack + approach.sunk >= approach.closing(normal))
+      return std::nullopt;
     // The slack is more than what turning brings nearer: at the segment's end it is known.
-    const float gapAtEnd = dot(normal, segment.treeAtEnd.support(a, -normal) - target_->support(b, normal)) - margins;
-    if (gapAtEnd > -sunk) return std::nullopt;
-    const Hit hit{std::clamp(least / closing, candidate.entry, 1.0F), normal, closing};
+    if (approach.gapAtEnd(normal) > -approach.sunk) return std::nullopt;
+    const Hit hit = approach.hit(normal);
     if (!latest || hit.at > latest->at) latest = hit;
   }
-  if (!latest) return std::nullopt;
-  // Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the directions along
-  // which the regions are still as good as apart by then, the one along which they close least.
-  const float at = latest->at;
+  return latest ? std::optional(flattest(approach, *latest, ofOther)) : std::nullopt;
+}
+
+// Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the faces along whose
+// normals the regions are still as good as apart by then, the other side's if it has any, the one along which they
+// close least.
+Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofOther) const {
   bool hasOtherFaces = false;
   for (std::size_t i = 0; i < ofOther; ++i) hasOtherFaces = hasOtherFaces || normals_.isFace(i);
+  const float at = latest.at;
   for (std::size_t i = 0; i < (hasOtherFaces ? ofOther : normals_.all().size()); ++i) {
-    if (!normals_.isFace(i)) continue;
     const Vec3& normal = normals_.all()[i];
-    const float closing = -dot(normal, node.way);
-    if (closing <= kPassingFraction * way || closing >= latest->closing) continue;
-    const float gap = gapAlong(normal);
-    if (!(gap - closing * at > -sunk)) continue;
-    latest = Hit{std::clamp((gap - node.slack) / closing, candidate.entry, 1.0F), normal, closing};
+    if (!normals_.isFace(i) || approach.passes(normal) || approach.closing(normal) >= latest.closing) continue;
+    if (approach.areApart(normal, at)) latest = approach.hit(normal);
   }
   return latest;
 }
@@ -292,8 +310,7 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   const Points points = pointsOf(segment, nodes, hit);
   const Vec3 onTree = toVec3(tree * segment.treeInOther.invXform(toBullet(points.onTree)));
   const Vec3 onOther = toVec3(other * toBullet(points.onOther));
-  const float margins = target_->margin() + static_cast<float>(pair.tree->getMargin());
-  contact.apart = onTree - onOther - contact.normal * margins;
+  contact.apart = onTree - onOther - contact.normal * (target_->margin() + margin_);
   const float gap = dot(contact.normal, contact.apart);
   const bool isSunk = segment.from < 0;
   if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between

@@ -93,6 +93,9 @@ class Sweep {
   void enter(const Segment& segment, const NodePair& pair);
   bool isSettled(NodeId node, float at) const;
   bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
+  struct Approach;
+  std::size_t collectNormals(const Approach& approach);
+  Hit flattest(const Approach& approach, Hit latest, std::size_t ofOther) const;
   std::optional<Hit> hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate);
   // A point of each, where the tree is at the segment's beginning.
   struct Points {

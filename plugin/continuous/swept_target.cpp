@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "continuous/swept_target.h"
 
-#include "continuous/swept_solids.h"
+#include "continuous/swept_convex.h"
+#include "continuous/swept_plane.h"
 #include "continuous/swept_tree.h"
 #include "continuous/swept_triangles.h"
 

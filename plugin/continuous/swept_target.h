@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 
+#include "continuous/separating_normals.h"
 #include "counterparts/counterpart.h"
 
 namespace cairn::bullet {
 
-/// The directions along which two things may be apart. What finds no room is left out.
-class SeparatingNormals {
- public:
-  static constexpr std::size_t kMost = 16;
-
-  void clear() { count_ = 0; }
-  /// Unit; zero is ignored. `isFace`: of a face of either, not of a line between them.
-  void add(const Vec3& normal, bool isFace) {
-    if (count_ == kMost || lengthSq(normal) == 0) return;
-    normals_[count_] = normal;
-    isFace_[count_++] = isFace;
-  }
-  std::span<const Vec3> all() const { return std::span(normals_).first(count_); }
-  bool isFace(std::size_t i) const { return isFace_[i]; }
-
- private:
-  std::array<Vec3, kMost> normals_;
-  std::array<bool, kMost> isFace_;
-  std::size_t count_ = 0;
-};
-
-/// What a moving sphere-tree may run into, in its own frame: elements, of which those of a tree have children.
+/// What a moving sphere-tree may run into: elements, of which those of a tree have children. All lengths and points are
+/// in the frame of the target's body, world unit. Nothing here can fail; elements are those taken last.
 class SweptTarget {
  public:
   virtual ~SweptTarget() = default;
@@ -61,6 +40,7 @@ class SweptTarget {
   virtual void name(std::uint32_t element, ContactId& id) const = 0;
 };
 
+/// For shapes that are met as that kind of counterpart.
 std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind);
 
 }  // namespace cairn::bullet

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "shape/bullet_math.h"
+#include "shape/tree_pose.h"
 
 namespace cairn::bullet {
 
@@ -23,8 +23,7 @@ void appendFaces(const PlacedTree& tree, NodeId node, SeparatingNormals& normals
 
 void SweptTree::take(const btCollisionShape& shape, const btVector3& /*lower*/, const btVector3& /*upper*/) {
   const SphereTreeShape& tree = *asSphereTree(&shape);
-  const btTransform& fromTree = tree.bodyFromTree();
-  tree_ = PlacedTree(tree.tree(), {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(tree.scale())});
+  tree_ = PlacedTree(tree.tree(), treePose(tree, btTransform::getIdentity()));
   margin_ = static_cast<float>(tree.getMargin());
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "continuous/swept_solids.h"
+#include "continuous/entry_into_box.h"
 #include "shape/bullet_math.h"
 
 namespace cairn::bullet {

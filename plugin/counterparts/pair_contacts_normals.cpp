@@ -15,12 +15,13 @@ constexpr float kOpposedCosine = 0.5F;
 
 }  // namespace
 
-// What the meshes said has its directions already.
+// What the meshes said has its directions already; contacts ahead have directions of their own.
 void PairContacts::keepNormals(ClusteredContacts& contacts) {
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k);
-    commonNormals_[static_cast<std::size_t>(k)] = cluster.empty() ? Vec3() : cluster.front().normal;
+    const auto measured = std::ranges::find(cluster, false, &Contact::isAhead);
+    commonNormals_[static_cast<std::size_t>(k)] = measured == cluster.end() ? Vec3() : measured->normal;
   }
 }
 

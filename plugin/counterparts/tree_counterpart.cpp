@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "shape/bullet_math.h"
+#include "shape/tree_pose.h"
 
 namespace cairn::bullet {
 
@@ -24,9 +24,8 @@ void TreeCounterpart::reset() {
 
 void TreeCounterpart::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
-  const btTransform pairFromTree = placement.other * shape.bodyFromTree();
   a_ = placement.tree;
-  b_ = PlacedTree(shape.tree(), {toMat3d(pairFromTree.getBasis()), toVec3d(pairFromTree.getOrigin()), shape.scale()});
+  b_ = PlacedTree(shape.tree(), treePose(shape, placement.other));
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   reach_ = placement.reach;
 }

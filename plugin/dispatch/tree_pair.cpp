@@ -12,6 +12,7 @@
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "dispatch/body_motion.h"
 #include "shape/bullet_math.h"
+#include "shape/tree_pose.h"
 
 namespace cairn::bullet {
 
@@ -29,11 +30,6 @@ std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
 
 const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
   return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
-}
-
-Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
-  const btTransform fromTree = body * shape.bodyFromTree();
-  return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
 }
 
 }  // namespace

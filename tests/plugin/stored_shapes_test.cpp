@@ -95,11 +95,16 @@ TEST(StoredShapes, KeepTheFilesAlignment) {
   }
 }
 
-TEST(StoredShapes, ACutFileIsRefusedWhereverItIsCut) {
-  const auto tree = plainTree(cuboid({1, 2, 3}, 1));
+// One body of one tree.
+Bytes savedOne(const std::shared_ptr<const SphereTree>& tree) {
   BulletWorld<> w;
   w.add(treeShape(tree), 1, btVector3(0, 0, 0));
-  const Bytes file = saved(w.world);
+  return saved(w.world);
+}
+
+TEST(StoredShapes, ACutFileIsRefusedWhereverItIsCut) {
+  const auto tree = plainTree(cuboid({1, 2, 3}, 1));
+  const Bytes file = savedOne(tree);
   const std::size_t dictionary = chunkAt(file, "DNA1");
   for (std::size_t size = 0; size < file.size(); size += size < dictionary + 64 ? 1 : 997) {
     // Not a view of the file: reading past the end of the cut one has to be seen by the address sanitizer.
@@ -113,9 +118,7 @@ TEST(StoredShapes, ACutFileIsRefusedWhereverItIsCut) {
 
 TEST(StoredShapes, DamageToATreeIsFound) {
   const auto tree = plainTree(cuboid({1, 2, 3}, 1));
-  BulletWorld<> w;
-  w.add(treeShape(tree), 1, btVector3(0, 0, 0));
-  const Bytes file = saved(w.world);
+  const Bytes file = savedOne(tree);
   const std::size_t first = chunkAt(file, "CARN") + 16 + sizeof(void*), size = encodeTree(*tree).size();
   for (std::size_t at = first; at < first + size; ++at) {
     Bytes damaged = file;
@@ -126,9 +129,7 @@ TEST(StoredShapes, DamageToATreeIsFound) {
 
 TEST(StoredShapes, DamageAnywhereDoesNoHarm) {
   const auto tree = plainTree(cuboid({1, 2, 3}, 1));
-  BulletWorld<> w;
-  w.add(treeShape(tree), 1, btVector3(0, 0, 0));
-  const Bytes file = saved(w.world);
+  const Bytes file = savedOne(tree);
   const std::size_t dictionary = chunkAt(file, "DNA1");
   std::mt19937_64 engine(3);
   for (int trial = 0; trial < 20000; ++trial) {

@@ -15,6 +15,16 @@
 
 namespace cairn::test {
 
+/// Where a body stands and how it moves on.
+inline void addState(StateHash& hash, const btRigidBody& body) {
+  const btTransform& t = body.getWorldTransform();
+  for (int i = 0; i < 3; ++i) {
+    hash.add(t.getOrigin()[i]);
+    hash.add(body.getLinearVelocity()[i]);
+    for (int j = 0; j < 3; ++j) hash.add(t.getBasis()[i][j]);
+  }
+}
+
 /// A Bullet world with our dispatcher (or another), owning what is put into it. A dispatcher that can attach itself to
 /// the world does so.
 template <class DispatcherType = bullet::Dispatcher<>>
@@ -59,14 +69,7 @@ class BulletWorld {
 
   std::uint64_t stateHash() const {
     StateHash hash;
-    for (const auto& body : bodies_) {
-      const btTransform& t = body->getWorldTransform();
-      for (int i = 0; i < 3; ++i) {
-        hash.add(t.getOrigin()[i]);
-        hash.add(body->getLinearVelocity()[i]);
-        for (int j = 0; j < 3; ++j) hash.add(t.getBasis()[i][j]);
-      }
-    }
+    for (const auto& body : bodies_) addState(hash, *body);
     return hash.value();
   }
 

@@ -43,14 +43,7 @@ class MtWorld {
   std::uint64_t hashAfter(int steps) {
     StateHash hash;
     for (int i = 0; i < steps; ++i) world_->stepSimulation(btScalar(1.0 / 60), 0, btScalar(1.0 / 60));
-    for (const auto& body : bodies_) {
-      const btTransform& t = body->getWorldTransform();
-      for (int i = 0; i < 3; ++i) {
-        hash.add(t.getOrigin()[i]);
-        hash.add(body->getLinearVelocity()[i]);
-        for (int j = 0; j < 3; ++j) hash.add(t.getBasis()[i][j]);
-      }
-    }
+    for (const auto& body : bodies_) addState(hash, *body);
     return hash.value();
   }
   bool isSane() const {

@@ -6,21 +6,6 @@
 
 namespace cairn::bullet {
 
-/// Everything behind a plane.
-class SweptPlane final : public SweptTarget {
- public:
-  void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;
-  float radius(std::uint32_t element) const override;
-  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
-  Vec3 support(std::uint32_t element, const Vec3& direction) const override;
-  void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
-  void name(std::uint32_t /*element*/, ContactId& /*id*/) const override {}
-
- private:
-  Vec3 normal_;
-  float offset_ = 0;
-};
-
 /// Any convex shape: its box says when it is near.
 class SweptConvex final : public SweptTarget {
  public:
@@ -35,8 +20,5 @@ class SweptConvex final : public SweptTarget {
   ConvexSurface surface_;
   Vec3 lower_, upper_;
 };
-
-/// At which part of its way (0 to 1) a point enters the box [lower, upper]; nothing if it does not.
-std::optional<float> entryIntoBox(const Vec3& lower, const Vec3& upper, const Vec3& point, const Vec3& way);
 
 }  // namespace cairn::bullet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "cairn/core/vec3.h"
+
+namespace cairn::bullet {
+
+/// The directions along which two things may be apart. What finds no room is left out.
+class SeparatingNormals {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  void clear() { count_ = 0; }
+  /// Unit; zero is ignored. `isFace`: of a face of either, not of a line between them.
+  void add(const Vec3& normal, bool isFace) {
+    if (count_ == kMost || lengthSq(normal) == 0) return;
+    normals_[count_] = normal;
+    isFace_[count_++] = isFace;
+  }
+  std::span<const Vec3> all() const { return std::span(normals_).first(count_); }
+  bool isFace(std::size_t i) const { return isFace_[i]; }
+
+ private:
+  std::array<Vec3, kMost> normals_;
+  std::array<bool, kMost> isFace_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace cairn::bullet
