@@ -2,7 +2,7 @@
 #include "contacts/manifold_writer.h"
 
 #include "contacts/restitution.h"
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

@@ -9,7 +9,7 @@
 #include "contacts/normal_clusters.h"
 #include "contacts/relative_placement.h"
 #include "continuous/swept_tree.h"
-#include "shape/tree_pose.h"
+#include "placement/tree_pose.h"
 
 namespace cairn::bullet {
 

@@ -2,7 +2,7 @@
 #include "continuous/swept_convex.h"
 
 #include "continuous/entry_into_box.h"
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

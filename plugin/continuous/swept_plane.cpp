@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "shape/tree_pose.h"
+#include "placement/tree_pose.h"
 
 namespace cairn::bullet {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "continuous/swept_target.h"
-#include "counterparts/placed_tree.h"
+#include "placement/placed_tree.h"
 
 namespace cairn::bullet {
 

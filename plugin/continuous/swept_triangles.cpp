@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "continuous/entry_into_box.h"
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

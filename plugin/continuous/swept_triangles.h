@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "continuous/swept_target.h"
-#include "counterparts/triangle_soup.h"
+#include "triangles/triangle_soup.h"
 
 namespace cairn::bullet {
 

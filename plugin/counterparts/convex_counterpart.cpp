@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

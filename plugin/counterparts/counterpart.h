@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <LinearMath/btTransform.h>
-
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,25 +8,11 @@
 
 #include "cairn/core/traversal.h"
 #include "contacts/contact.h"
-#include "counterparts/placed_tree.h"
+#include "placement/pair_placement.h"
 
 class btCollisionShape;
 
 namespace cairn::bullet {
-
-class SphereTreeShape;
-
-/// Where the two bodies of a pair stand, in the pair frame.
-struct PairPlacement {
-  const SphereTreeShape* treeShape = nullptr;
-  btTransform treeBody;  ///< of the tree's body (or compound child): its rotation, no translation
-  PlacedTree tree;
-  float treeMargin = 0;                          ///< grows the tree's surface
-  const btCollisionShape* otherShape = nullptr;  ///< of the kind the counterpart was made for
-  btTransform other;                             ///< the other body, its origin relative to the pair frame's
-  float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
-  float travel = 0;                              ///< bound on how far the bodies move against each other in a step
-};
 
 /// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows
 /// how a leaf touches it. It is placed anew in every step, then either started or resumed.

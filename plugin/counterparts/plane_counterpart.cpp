@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

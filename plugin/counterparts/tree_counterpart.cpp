@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "shape/tree_pose.h"
+#include "placement/tree_pose.h"
 
 namespace cairn::bullet {
 

@@ -6,9 +6,9 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
-#include "counterparts/exact_contacts.h"
-#include "counterparts/few_faces.h"
-#include "counterparts/planar_normal.h"
+#include "faces/few_faces.h"
+#include "faces/planar_normal.h"
+#include "triangles/exact_contacts.h"
 
 namespace cairn::bullet {
 

@@ -5,7 +5,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

@@ -7,9 +7,9 @@
 
 #include "cairn/core/obstacle_traversal.h"
 #include "counterparts/counterpart.h"
-#include "counterparts/triangle_contacts.h"
-#include "counterparts/triangle_sides.h"
-#include "counterparts/triangle_soup.h"
+#include "triangles/triangle_contacts.h"
+#include "triangles/triangle_sides.h"
+#include "triangles/triangle_soup.h"
 
 namespace cairn::bullet {
 

@@ -12,12 +12,12 @@
 #include "cairn/bullet/narrow_phase.h"
 #include "cairn/core/tree_pair_traversal.h"
 #include "dispatch/create_functions.h"
-#include "dispatch/emission_pace.h"
 #include "dispatch/open_step.h"
 #include "dispatch/step_plan.h"
 #include "dispatch/thread_cpu_clock.h"
-#include "dispatch/tree_pair.h"
 #include "dispatch/world_hook.h"
+#include "pairs/emission_pace.h"
+#include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
 
@@ -59,16 +59,19 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
                const btDispatcherInfo& info, btManifoldResult& result, bool mayDefer);
 
  private:
+  // Collecting (narrow_phase_collect.cpp).
   void takeTime(const btDispatcherInfo& info);
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
+  bool isWorlds(btOverlappingPairCache& pairs);
+  void fetchPairsAskedNext(TreePair& pair);
+
   StepBudget stepLimit() const { return tighter(budget_, frame_.share()); }
   static Budget budgetOf(const StepBudget& limit);
   bool mayBeInterrupted() const;
   AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
   bool finishesResolvedAtOnce() const;
-  bool isWorlds(btOverlappingPairCache& pairs);
   void orderPairs();
   void nameNewPairs();
   StepMeans means() const;
@@ -82,7 +85,6 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginPairs();
   void beginPair(std::size_t index);
   void fetchPairsAfter(std::size_t index) const;
-  void fetchPairsAskedNext(TreePair& pair);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
   void bookTo(TreePair& pair, const Budget& budget);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "dispatch/tree_pair.h"
+#include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dispatch/written_room.h"
+#include "memory/written_room.h"
 
 namespace cairn::bullet {
 

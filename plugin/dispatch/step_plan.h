@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "cairn/core/budget.h"
-#include "dispatch/emission_pace.h"
+#include "pairs/emission_pace.h"
+#include "pairs/pair_need.h"
 
 namespace cairn::bullet {
-
-/// What is known of a pair before anything is done for it in a step.
-struct PairNeed {
-  double urgency = 0;            ///< the greater, the sooner it has to be brought up to date
-  std::uint64_t operations = 0;  ///< what that is expected to take, contacts included
-  bool canBeHeld = false;        ///< what it said last may stand for a step more
-  bool mayBeCut = false;         ///< it has no answer: nothing is lost if it gets none in this step either
-};
 
 /// What a step has left for its pairs.
 struct StepMeans {

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "placement/bullet_math.h"
 #include "queries/leaf_walk.h"
 #include "queries/query_frame.h"
-#include "shape/bullet_math.h"
 
 namespace cairn::bullet {
 

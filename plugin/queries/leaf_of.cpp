@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "placement/bullet_math.h"
 #include "queries/query_frame.h"
-#include "shape/bullet_math.h"
 
 namespace cairn::bullet {
 

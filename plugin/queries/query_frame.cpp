@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 

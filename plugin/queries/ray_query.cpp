@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #include "queries/ray_query.h"
 
+#include "placement/placed_triangle.h"
 #include "queries/leaf_walk.h"
 #include "queries/query_frame.h"
 #include "queries/seen_triangles.h"
-#include "shape/placed_triangle.h"
 
 namespace cairn::bullet {
 

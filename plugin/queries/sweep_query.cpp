@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "placement/placed_triangle.h"
 #include "queries/leaf_walk.h"
 #include "queries/query_frame.h"
 #include "queries/seen_triangles.h"
-#include "shape/placed_triangle.h"
 
 namespace cairn::bullet {
 

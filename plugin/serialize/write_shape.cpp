@@ -9,8 +9,8 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/core/tree_file.h"
+#include "placement/bullet_math.h"
 #include "serialize/tree_chunks.h"
-#include "shape/bullet_math.h"
 
 namespace cairn::bullet {
 

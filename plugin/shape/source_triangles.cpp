@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "placement/bullet_math.h"
+#include "placement/placed_triangle.h"
 #include "queries/cast.h"
-#include "shape/bullet_math.h"
-#include "shape/placed_triangle.h"
 
 namespace cairn::bullet {
 

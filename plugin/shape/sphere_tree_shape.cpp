@@ -9,9 +9,9 @@
 #include <typeinfo>
 #include <utility>
 
+#include "placement/bullet_math.h"
 #include "queries/leaf_balls.h"
 #include "queries/region_balls.h"
-#include "shape/bullet_math.h"
 #include "shape/extreme_points.h"
 
 namespace cairn::bullet {

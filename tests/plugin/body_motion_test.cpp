@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "dispatch/body_motion.h"
+#include "pairs/body_motion.h"
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransformUtil.h>

@@ -10,8 +10,8 @@
 #include "counterparts/convex_counterpart.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/plane_counterpart.h"
-#include "counterparts/triangle_soup.h"
 #include "random_tree.h"
+#include "triangles/triangle_soup.h"
 
 namespace cairn::test {
 namespace {

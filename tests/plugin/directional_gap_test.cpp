@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "counterparts/triangle.h"
 #include "random_tree.h"
+#include "triangles/triangle.h"
 
 namespace cairn::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "dispatch/emission_pace.h"
+#include "pairs/emission_pace.h"
 
 #include <gtest/gtest.h>
 

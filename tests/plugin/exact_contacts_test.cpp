@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bullet_world.h"
-#include "counterparts/triangle.h"
+#include "placement/bullet_math.h"
 #include "random_tree.h"
-#include "shape/bullet_math.h"
+#include "triangles/triangle.h"
 
 namespace cairn::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "counterparts/face_cone.h"
+#include "placement/face_cone.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 
 #include "bullet_world.h"
 #include "cairn/core/tree_pair_traversal.h"
-#include "counterparts/few_faces.h"
-#include "counterparts/triangle.h"
+#include "faces/few_faces.h"
 #include "random_tree.h"
 #include "test_solids.h"
 #include "test_trees.h"
+#include "triangles/triangle.h"
 
 namespace cairn::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <random>
 
 #include "bullet_world.h"
-#include "counterparts/touched_sides.h"
-#include "counterparts/triangle_sides.h"
-#include "shape/bullet_math.h"
+#include "placement/bullet_math.h"
 #include "triangle_grounds.h"
+#include "triangles/touched_sides.h"
+#include "triangles/triangle_sides.h"
 
 namespace cairn::test {
 namespace {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Zlib
+// How a step begins, and what is done with a pair when Bullet asks about it.
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+
+#include <typeinfo>
+
+#include "dispatch/narrow_phase_impl.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+bool isOwnedBy(const btCollisionObject& object, btOverlappingPairCache& pairs) {
+  auto* ghost = dynamic_cast<const btPairCachingGhostObject*>(&object);
+  return ghost && const_cast<btPairCachingGhostObject*>(ghost)->getOverlappingPairCache() == &pairs;
+}
+
+// A ghost object keeps its own pairs and has them dispatched whenever a character looks around; every one of them
+// contains the ghost, so the first tells.
+bool isGhostCache(btOverlappingPairCache& pairs) {
+  const btBroadphasePair& first = *pairs.getOverlappingPairArrayPtr();
+  return isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy0->m_clientObject), pairs) ||
+         isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy1->m_clientObject), pairs);
+}
+
+}  // namespace
+
+void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
+  isCollecting_ = isWorlds(pairs);
+  if (!isCollecting_) return;
+  stepBegan_ = ThreadCpuClock::now();
+  began_ = Budget::Clock::now();
+  left_ = budgetOf(stepLimit());
+  takeTime(info);
+  collected_.clear();
+  scheduled_.clear();
+  asked_.resize(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));
+  askedUntil_ = 0;
+}
+
+// Where Bullet is not to look ahead, its broad phase does not either.
+void NarrowPhase::Impl::takeTime(const btDispatcherInfo& info) {
+  timeStep_ = info.m_timeStep;
+  sweptTime_ = info.m_useContinuous ? info.m_timeStep : btScalar(0);
+}
+
+// A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
+bool NarrowPhase::Impl::isWorlds(btOverlappingPairCache& pairs) {
+  if (pairs.getNumOverlappingPairs() == 0) return !worldPairs_ || worldPairs_ == &pairs;
+  if (isGhostCache(pairs)) return false;
+  worldPairs_ = &pairs;
+  return true;
+}
+
+void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                btManifoldResult& result, bool mayDefer) {
+  // A result of another class belongs to a query, which wants its points before this returns.
+  const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
+  if (mayDefer && isPlain && !isRetired_) {
+    if (isCollecting_) fetchPairsAskedNext(pair);
+    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_)) {
+      ++apartPairs_;
+      return;
+    }
+    if (isCollecting_ && collect(pair, body0, body1)) return;
+    if (stepEnd_ == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
+  }
+  answerAtOnce(pair, body0, body1, info, result);
+}
+
+// In a large heap the states of all pairs are far more than any cache holds.
+void NarrowPhase::Impl::fetchPairsAskedNext(TreePair& pair) {
+  constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
+  const std::size_t at = askedUntil_++;
+  if (at + kSubjectsAhead >= asked_.size()) return;
+  // Several threads may ask: what one reads, another may have written.
+  const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
+  if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed)) next->fetchSubject();
+  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed)) next->fetchCopies();
+  asked(at).store(&pair, std::memory_order_relaxed);
+}
+
+bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                const btCollisionObjectWrapper& body1) {
+  if (!pair.collect(body0, body1)) return false;
+  const std::lock_guard lock(mutex_);
+  pair.setCollectedAt(collected_.size());
+  collected_.push_back(&pair);
+  return true;
+}
+
+void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                     const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                     btManifoldResult& result) {
+  Budget budget = Budget::unlimited();
+  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, false, budget)) return;
+  pair.refine(budget);
+  ContactScratch scratch;  // queries may come from any thread
+  pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
+}
+
+}  // namespace cairn::bullet

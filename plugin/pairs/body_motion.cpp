@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/body_motion.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cmath>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+float inverseMass(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return body ? static_cast<float>(body->getInvMass()) : 0;
+}
+
+}  // namespace
+
+Vec3 linearVelocity(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return toVec3(body ? body->getLinearVelocity() : object.getInterpolationLinearVelocity());
+}
+
+Vec3 angularVelocity(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
+}
+
+float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc) {
+  return length(linearVelocity(first) - linearVelocity(second)) +
+         length(angularVelocity(first) - angularVelocity(second)) * disc;
+}
+
+float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time) {
+  const btCollisionObject &first = *body0.getCollisionObject(), &second = *body1.getCollisionObject();
+  const btScalar one = first.getCcdMotionThreshold(), two = second.getCcdMotionThreshold();
+  if (time <= 0 || (one <= 0 && two <= 0) || !first.hasContactResponse() || !second.hasContactResponse()) return 0;
+  const SphereTreeShape* const tree0 = asSphereTree(body0.getCollisionShape());
+  const SphereTreeShape* const shape = tree0 ? tree0 : asSphereTree(body1.getCollisionShape());
+  const float disc = shape ? static_cast<float>(shape->getAngularMotionDisc()) : 0;
+  const float travel = closingSpeed(first, second, disc) * static_cast<float>(time);
+  const bool isFast = (one > 0 && travel > static_cast<float>(one)) || (two > 0 && travel > static_cast<float>(two));
+  return isFast && std::isfinite(travel) ? travel : 0;
+}
+
+float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {
+  const Vec3 apart = toVec3(first.getWorldTransform().getOrigin() - second.getWorldTransform().getOrigin());
+  const Vec3 carried = cross(angularVelocity(second), apart);
+  return length(linearVelocity(first) - linearVelocity(second) - carried) +
+         length(angularVelocity(first) - angularVelocity(second)) * disc;
+}
+
+float reducedMass(const btCollisionObject& first, const btCollisionObject& second) {
+  const float inverseMasses = inverseMass(first) + inverseMass(second);
+  return inverseMasses > 0 ? 1 / inverseMasses : 0;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "contacts/relative_motion.h"
+#include "counterparts/counterpart.h"
+#include "memory/fetch_ahead.h"
+
+namespace cairn::bullet {
+
+/// What a finished traversal found, for as long as it holds: a traversal of slow bodies looks a skin farther than it
+/// must, and until they have moved by as much, its leaf pairs are all that can touch. Of these, only those that were
+/// near are measured anew. See docs/algorithms/kept-answers.md.
+class KeptAnswer {
+ public:
+  /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size.
+  static constexpr float kSkinFraction = 0.006F;
+
+  void reset();
+  /// A traversal begins at these poses. Returns how much farther it is to look, world length; 0 for fast bodies, and
+  /// where the counterpart decides by more than poses.
+  float begin(const Counterpart& counterpart, const RelativeMotion& motion);
+
+  /// Whether the traversal at hand looks farther than needed, so that it pays to know how far apart its pairs are.
+  bool isWanted() const { return skin_ > 0; }
+
+  /// The traversal goes on at these poses: what it rules out from now on, it rules out here.
+  void resume(const RelativePlacement& now);
+  /// Whether the leaf pairs of the last traversal still are all that can come within `reach`. Precondition: it is done.
+  bool holdsAt(const RelativePlacement& now, float reach) const;
+  /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
+  bool isApartAt(const RelativePlacement& now, float reach) const;
+
+  /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
+  /// quarter of the reach, so that what was no contact then is no overlap now.
+  bool isStill(const RelativeMotion& motion) const;
+  /// Picks the leaf pairs that may be in contact at poses where the answer holds; see `near`. `known` are those that
+  /// were, and suffice where they are not empty and the step `isThrifty`.
+  void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
+            bool isThrifty);
+  /// What was picked. Valid until the next `pick` or traversal.
+  std::span<const NodePair> near() const { return areAllNear_ ? leafPairs_ : std::span<const NodePair>(near_); }
+
+  /// Measures all leaf pairs of a traversal that is done, and how far apart they are.
+  void measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
+  /// Measures what was picked.
+  void measureNear(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
+
+  /// How far apart the surfaces are now at least, told by something else than their leaf pairs; minus infinity where
+  /// they touch.
+  void setGap(float gap, const RelativeMotion& motion);
+
+  /// See `fetchAhead`: of the lists, what `pick` and `near` look at.
+  void fetchLists() const {
+    fetchAhead(gaps_.data(), gaps_.size() * sizeof(float));
+    fetchAhead(near_.data(), near_.size() * sizeof(NodePair));
+  }
+
+  /// Allocates what `count` leaf pairs may need, wanted now or not: a pair that slows down later allocates nothing.
+  void makeRoom(std::size_t count);
+
+ private:
+  static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
+
+  // First what tells whether nothing can touch: of most pairs nothing else is looked at in a step.
+  float reach_ = 0;
+  float skin_ = 0;
+  float wandered_ = 0;         // greatest displacement from where it began while the traversal was under way
+  float leastGap_ = kUnknown;  // of `gaps_`
+  RelativePlacement beganAt_, measuredAt_;
+  RelativePlacement pickedAt_;  // where all that may be in contact was picked last
+  std::vector<float> gaps_;     // one for each leaf pair, or none if they were not measured together
+  // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
+  // again costs no more than what it is likely to save.
+  std::size_t measuredInVain_ = 0;
+  std::vector<NodePair> near_;
+  std::span<const NodePair> leafPairs_;  // the traversal's, where all may be near
+  bool areAllNear_ = false;
+};
+
+}  // namespace cairn::bullet

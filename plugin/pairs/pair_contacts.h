@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cairn/bullet/step.h"
+#include "cairn/core/budget.h"
+#include "contacts/normal_clusters.h"
+#include "contacts/reduction.h"
+#include "contacts/relative_motion.h"
+#include "counterparts/counterpart.h"
+#include "pairs/kept_answer.h"
+
+namespace cairn::bullet {
+
+/// Working memory that all pairs of a narrow phase share, one after the other.
+struct ContactScratch {
+  ClusteredContacts contacts;    ///< of the pair at hand
+  std::vector<Contact> cluster;  ///< one of them, as it is measured anew
+  std::vector<Contact> guards, wholes;
+  std::vector<Contact> strays, moreStrays;
+};
+
+/// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
+/// pairs that were in contact last, and the directions of the clusters.
+class PairContacts {
+ public:
+  /// Resolved pairs that are re-tested while a traversal is unfinished. Bounds, with `kMaxFrontPairs`, the work of a
+  /// pair that gets no budget.
+  static constexpr std::size_t kMaxKnownPairs = 32;
+  /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
+  static constexpr std::size_t kMaxFrontPairs = 32;
+
+  PairContacts();
+
+  /// Forgets everything; for a pair that is new.
+  void reset();
+
+  /// Everything is too far apart for contacts: that is an answer, and nothing else need be remembered. `centers`: from
+  /// the other body's centre to the tree's.
+  void settleApart(const Vec3& centers);
+
+  /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
+  bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
+
+  /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
+  /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
+  /// was in contact is measured anew, not what may have come near since. True when it was started.
+  bool begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
+
+  /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
+  std::uint64_t measuringCost(const Counterpart& counterpart) const;
+  /// And what it would be charged beyond: for what a pair that stays unresolved knew before, and for its guards.
+  std::uint64_t standInCost(const Counterpart& counterpart) const;
+
+  /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
+  /// the budget whatever is left of it. `ahead`: contacts that are joined to them, see `Contact::isAhead`.
+  void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
+              std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch);
+
+  // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
+  // have moved against each other since the last `begin`, at most.
+
+  /// Whether what was last said still keeps them from each other: an answer, or guards.
+  bool holds(float moved, float smallerSize) const;
+  /// Whether it is an answer.
+  bool isAnsweredWithin(float moved, float smallerSize) const;
+  /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
+  Contact holdWhole(Contact whole);
+  /// The bodies stand elsewhere: guards begin anew.
+  void forgetGuards() { guards_.clear(); }
+  /// Before the `begin` that ends the waiting.
+  void waited(float moved);
+  /// After a `begin` without `finish`: the bodies had moved so far since what was said last.
+  void answerAged(float moved) { answer_.approach += moved; }
+  /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about.
+  bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
+  std::uint64_t keptCost(const Counterpart& counterpart) const;
+  bool isKept() const { return isKept_; }
+
+  /// See `fetchAhead`: what a step looks at besides the object itself.
+  void fetchLists() const {
+    fetchAhead(known_.data(), known_.size() * sizeof(NodePair));
+    kept_.fetchLists();
+  }
+
+  /// Whether the last answer still says anything about where the bodies are now.
+  bool hasAnswer(const RelativeMotion& motion) const;
+
+  /// Tells that this contact was handed to Bullet.
+  void remember(const Contact& chosen);
+  /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted.
+  void rememberDeepest(ContactScratch& scratch);
+
+ private:
+  // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
+  // it was first seen, and what it has sunk since.
+  struct Guard {
+    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
+    bool isWhole;
+    Vec3 normal;
+    float allowedGap;
+    float sunk;
+  };
+
+  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
+  void start(Counterpart& counterpart, const RelativeMotion& motion);
+  void retest(Counterpart& counterpart, Budget& budget);
+  std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
+  void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                        std::vector<Contact>& contacts);
+  static void dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
+  bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+                    std::vector<Contact>& contacts);
+  void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
+                    ContactScratch& scratch);
+  bool isKnown(const NodePair& pair) const;
+  void flatten(Counterpart& counterpart, float reach, ContactScratch& scratch);
+  void keepNormals(ClusteredContacts& contacts);
+  void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ContactScratch& scratch);
+  void joinSameNormals(ClusteredContacts& contacts);
+  // Whether the bodies have hardly approached since the traversal that gave the last answer began.
+  bool isRecent(const RelativeMotion& motion) const;
+  bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
+  static std::size_t putChosenFirst(std::vector<Contact>& guards);
+  const Guard* lastOf(const Contact& guard) const;
+  float allowedGap(const Contact& guard) const;
+
+  static constexpr std::size_t kMaxGuards = 4;
+
+  KeptAnswer kept_;  // first, see there
+  std::vector<NodePair> known_;
+  std::vector<Contact> retested_;
+  std::vector<Guard> guards_;
+  ClusterSeeds seeds_{};
+  std::array<Vec3, kMaxClusters> commonNormals_{};
+  std::size_t seenLeafPairs_ = 0;
+  // How the bodies stood when a traversal began, and how they have moved since.
+  struct Epoch {
+    float approach = 0;  // world length by which they may have closed, at most
+    Vec3 centers;        // from the other body's centre to the tree's, then
+  };
+  bool isAnswered_ = false;         // was the traversal ever done
+  bool answerHadContacts_ = false;  // and did it find any
+  Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
+  bool isKept_ = false;
+  bool isFlat_ = false;  // did every contact of the last step have a common normal
+  bool started_ = false;
+  bool isRetested_ = false;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Zlib
+// One direction for each cluster of contacts between flat faces.
+#include <algorithm>
+
+#include "pairs/pair_contacts.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Clusters whose common normals are closer than 10 degrees resist the same motion.
+constexpr float kSameNormalCosine = 0.984807753F;
+// Normals more than 120 degrees apart hold against opposite motions.
+constexpr float kOpposedCosine = 0.5F;
+
+}  // namespace
+
+// What the meshes said has its directions already; contacts ahead have directions of their own.
+void PairContacts::keepNormals(ClusteredContacts& contacts) {
+  isFlat_ = !contacts.list().empty();
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const std::span<Contact> cluster = contacts.cluster(k);
+    const auto measured = std::ranges::find(cluster, false, &Contact::isAhead);
+    commonNormals_[static_cast<std::size_t>(k)] = measured == cluster.end() ? Vec3() : measured->normal;
+  }
+}
+
+void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch& scratch) {
+  ClusteredContacts& contacts = scratch.contacts;
+  scratch.strays.clear();
+  const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const std::span<Contact> cluster = contacts.cluster(k);
+    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
+    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts, scratch.strays);
+    // Along the common normal some turn out to be farther apart than what is wanted.
+    if (lengthSq(common) > 0) contacts.resort(k, reach);
+  }
+  clusterStrays(counterpart, reach, lasts, scratch);
+  joinSameNormals(contacts);
+  counterpart.learnNormals(commonNormals_);
+  isFlat_ = !contacts.list().empty();
+  for (int k = 0; k < kMaxClusters; ++k)
+    if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
+}
+
+// Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
+// sides of a groove hold against different motions.
+void PairContacts::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
+                                 ContactScratch& scratch) {
+  ClusteredContacts& contacts = scratch.contacts;
+  std::sort(scratch.strays.begin(), scratch.strays.end(), deeper);  // they are of several clusters
+  for (int k = 0; k < kMaxClusters && !scratch.strays.empty(); ++k) {
+    if (!contacts.cluster(k).empty()) continue;
+    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
+    scratch.moreStrays.clear();
+    common = counterpart.flatten(scratch.strays, lasts, scratch.moreStrays);
+    if (lengthSq(common) == 0) return;
+    contacts.fill(k, scratch.strays);
+    contacts.resort(k, reach);
+    seeds_[static_cast<std::size_t>(k)] = {common, true};
+    scratch.strays.swap(scratch.moreStrays);
+  }
+}
+
+// Tilted centre lines can put one pair of faces into several clusters.
+void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
+  for (std::size_t k = 0; k < commonNormals_.size(); ++k)
+    for (std::size_t j = k + 1; j < commonNormals_.size(); ++j) {
+      if (dot(commonNormals_[k], commonNormals_[j]) < kSameNormalCosine) continue;
+      contacts.join(static_cast<int>(k), static_cast<int>(j));
+      commonNormals_[j] = {};
+      seeds_[j].active = false;
+    }
+}
+
+// What runs into something, or has passed it, is held on the side it came from: what touches on the other means
+// nothing.
+void PairContacts::dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
+  if (ahead.empty()) return;
+  for (int k = 0; k < kMaxClusters; ++k) {
+    for (Contact& c : scratch.contacts.cluster(k)) {
+      const auto opposes = [&](const Contact& one) { return dot(c.normal, one.normal) < -kOpposedCosine; };
+      if (!c.isAhead && std::ranges::any_of(ahead, opposes)) c.gap = reach;
+    }
+    scratch.contacts.resort(k, reach);
+  }
+}
+
+}  // namespace cairn::bullet

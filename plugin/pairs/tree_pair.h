@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <array>
+#include <atomic>
+#include <compare>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/bullet/step.h"
+#include "cairn/core/scheduler.h"
+#include "continuous/sweep.h"
+#include "pairs/body_snapshot.h"
+#include "pairs/emission_pace.h"
+#include "pairs/pair_contacts.h"
+#include "pairs/pair_need.h"
+#include "pairs/root_spheres.h"
+
+class btDispatcher;
+
+namespace cairn::bullet {
+
+/// What one pair contributes to the statistics of a step.
+struct PairReport {
+  std::uint32_t contacts = 0;
+  std::uint32_t exactContacts = 0;  ///< of these, measured between source triangles
+  std::uint32_t manifolds = 0;
+  bool isUnresolved = false;
+  double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
+  Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
+};
+
+/// How pairs answer in a step.
+struct AnswerPolicy {
+  Unresolved unresolved = Unresolved::guard;
+  Finest finest = Finest::leaves;
+  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
+};
+
+/// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
+/// paths collide.
+struct PairKey {
+  std::uint64_t bodies = 0;
+  std::uint64_t children = 0;
+  std::size_t arrival = 0;
+
+  friend auto operator<=>(const PairKey&, const PairKey&) = default;
+};
+
+/// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: the
+/// traversal in progress, the contacts of the last step and up to four manifolds.
+class alignas(64) TreePair {
+ public:
+  explicit TreePair(CounterpartKind kind) : kind_(kind), counterpart_(makeCounterpart(kind)) {}
+
+  CounterpartKind kind() const { return kind_; }
+  /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
+  void reset();
+
+  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
+  /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
+  /// `alsoFromPlanes`: whether the sphere of a body above a plane is looked at as well. Where nothing is interrupted a
+  /// traversal says it once for many steps, and pairs keep the order they always had.
+  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes,
+                   btScalar sweptTime);
+  /// Whether `settleApart` said so for the copies last taken.
+  bool isSettled() const { return isSettled_.load(std::memory_order_relaxed); }
+  /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
+  bool collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  /// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
+  /// their shapes have changed), tells whether they are elsewhere, and whether they are these. Precondition: `collect`
+  /// succeeded; for the first two, the bodies live.
+  bool follow();
+  bool hasMoved() const { return bodies_[0].hasMoved() || bodies_[1].hasMoved(); }
+  bool isOf(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+    return bodies_[0].isOf(body0) && bodies_[1].isOf(body1);
+  }
+  const btCollisionObject* object0() const { return body0().getCollisionObject(); }
+  const btCollisionObject* object1() const { return body1().getCollisionObject(); }
+  PairKey key(std::size_t arrival) const;
+  const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
+  const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
+
+  /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
+  /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
+  /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are
+  /// no longer a sphere-tree and something it can meet.
+  bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
+             btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget);
+  /// What a priority is told. Precondition: `begin` succeeded in this step.
+  ScheduledPair scheduled();
+  Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }
+
+  bool isDone() const { return std::as_const(*counterpart_).traversal().done(); }
+
+  /// Holds back what finishing the pair would take now, in place of what was held back for it before.
+  void promise(Budget& budget, const EmissionPace& pace);
+  void withdrawPromise(Budget& budget) { budget.redeem(std::exchange(promised_, {})); }
+  /// Brings the manifolds up to date through `result`, and redeems the promise.
+  PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy, Budget& budget,
+                    ContactScratch& scratch);
+
+  /// What the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
+  /// `usualOperations`: what pairs were resolved with lately.
+  PairNeed survey(std::uint64_t usualOperations);
+  /// What a priority is told before anything is done for the pair. Precondition: as for `survey`.
+  ScheduledPair described() const;
+  /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
+  /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
+  /// `isBetterHeld`.
+  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep);
+  /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
+  ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
+  /// So much was charged for the pair, in this step or one before.
+  std::uint64_t charged(std::uint64_t operations);
+  /// Whether `begin` was called since it was collected.
+  bool isBegun() const { return isBegun_; }
+  /// Whether what it said last serves better than what was resolved in this step: it is to be held, begun or not.
+  /// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
+  bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone() && !isFast_); }
+
+  // See `fetchAhead`; none of these changes anything.
+
+  /// What `settleApart` looks at.
+  void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
+  /// What `collect` writes, unless the pair was settled in the last step. Looks at the former.
+  void fetchCopies() const {
+    if (!isSettled())
+      for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+  }
+  /// What is looked at from `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
+  void fetchState() const;
+  void fetchLists() const;
+  void fetchLeafPairs() const;
+
+  void appendManifolds(btManifoldArray& manifolds) const;
+  void releaseManifolds(btDispatcher& dispatcher);
+
+  std::uint64_t id() const { return id_; }
+  void setId(std::uint64_t id) { id_ = id; }
+  bool isUnnamed() const { return id_ == kUnnamed; }
+  /// Position among the pairs collected in the current dispatch, or `kNotCollected`.
+  std::size_t collectedAt() const { return collectedAt_; }
+  void setCollectedAt(std::size_t index) { collectedAt_ = index; }
+
+  /// What is held back for finishing this pair.
+  const Promise& promised() const { return promised_; }
+  /// Position among the pairs an open step knows, or `kUnknown`, and the last such step that answered this one.
+  std::size_t knownAt() const { return knownAt_; }
+  void setKnownAt(std::size_t index) { knownAt_ = index; }
+  std::uint64_t answeredIn() const { return answeredIn_; }
+  void setAnsweredIn(std::uint64_t step) { answeredIn_ = step; }
+
+  static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
+  static constexpr std::size_t kNotCollected = ~std::size_t{0};
+  static constexpr std::size_t kUnknown = ~std::size_t{0};
+
+ private:
+  // What the state is about. A body's shape may be replaced between steps, and the old one destroyed; the traversal
+  // refers to its tree, and its answer may be kept.
+  struct Subject {
+    std::shared_ptr<const SphereTree> tree, otherTree;  // the second is null if the other shape is no tree
+    btScalar treeScale = 0, otherScale = 0, treeMargin = 0, otherMargin = 0;  // the other's if it is a tree
+    BodyFrame treeFrame{}, otherFrame{};
+    const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
+    btVector3 planeNormal{0, 0, 0};                // if it is a plane: another may stand at the same address
+    btScalar planeConstant = 0;
+  };
+
+  static constexpr std::size_t kSubjectBytes = 320, kCopyBytes = 128;
+
+  std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
+  void noticeSetDown(const RelativePlacement& now, float travel);
+  static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
+                            const btCollisionObjectWrapper& other);
+  void beginHeld();
+  void countStepAsWaited();
+  void lookForJump(btScalar timeStep);
+  void chooseForWhole();
+  void dropFollowed();
+  void carryPoints(bool dropsParted, bool writesWhole);
+  void surviveRefresh();
+  void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
+  PairReport reportHeld(bool isWhole) const;
+  double rootErrorFraction() const;
+  static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
+                                             const btTransform& other);
+  // How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
+  static constexpr float kInheritanceFraction = 0.02F;
+
+  void forgetWaiting();
+  void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);
+  void clearManifolds();
+  bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, float travel) const;
+  bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
+  void forget();
+  PairPlacement place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                      btScalar threshold);
+  void setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold);
+  // Where the smaller body is, in the world: the middle of its root sphere, or the origin of a shape that is no tree.
+  Vec3d smallerCenter(const PairPlacement& placement) const;
+  void setMotion(const SphereTreeShape& shape, const btCollisionObjectWrapper& treeBody,
+                 const btCollisionObjectWrapper& otherBody, btScalar timeStep);
+  btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
+  btScalar breakingThreshold() const;
+  std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
+                                     ContactScratch& scratch) const;
+  bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
+  void lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
+                 const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget);
+  void forgetImpulsesAhead();
+  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
+                    ContactScratch& scratch, PairReport& report);
+
+  // First what tells whether anything has to be done in a step. Of most pairs of a heap nothing else is looked at.
+  CounterpartKind kind_;
+  bool treeIsBody0_ = true;
+  std::atomic<bool> isSettled_{false};  // in this step; threads look at others' pairs to fetch them
+  bool mayHavePoints_ = false;
+  float speculative_ = 0;
+  std::uint64_t id_ = kUnnamed;
+  std::size_t collectedAt_ = kNotCollected;
+  Subject subject_;
+  PairContacts contacts_;
+
+  std::unique_ptr<Counterpart> counterpart_;
+  std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
+  const btCollisionObject* objects_[2] = {};  // in the manifolds' order
+
+  btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
+  btVector3 origin_{0, 0, 0};
+  RelativeMotion motion_;
+  float smallerSize_ = 0;
+  float reach_ = 0;  // contacts with a gap below this are wanted
+  bool treeIsSmaller_ = true;
+  float closingSpeed_ = 0;
+  float reducedMass_ = 0;
+  Vec3d center_;  // of the smaller body, world frame
+  Promise promised_;
+
+  RelativePlacement seenAt_;  // in the last step
+
+  // For bodies that move far in a step.
+  std::unique_ptr<Sweep> sweep_;    // made when it is first needed
+  std::span<const Contact> ahead_;  // of this step
+  bool isFast_ = false;             // in this step
+  bool wasAhead_ = false;           // contacts ahead were written in the last step
+
+  // For steps in which the pair has to wait.
+  std::optional<RootSpheres> roots_;  // of this step
+  bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
+  bool isBegun_ = false;              // in this step
+  bool isHeld_ = false;               // in the step before
+  bool isHoldingStill_ = false;       // what was said last suffices
+  float moved_ = 0;                   // world length, by which the bodies moved since it was begun
+  float untold_ = 0;                  // the same, when it was begun in this step: nobody has counted it yet
+  double waited_ = 0;                 // steps
+  double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
+  int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies
+  std::uint64_t spent_ = 0;           // operations, on the traversal at hand
+  std::uint64_t fullOperations_ = 0;  // that the last complete one took
+  std::size_t knownAt_ = kUnknown;
+  std::uint64_t answeredIn_ = 0;        // open steps count from 1
+  std::array<BodySnapshot, 2> bodies_;  // last, because they hardly ever need all their room
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Zlib
+// Pairs that have to wait for a later step: what they said last follows the bodies.
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "contacts/manifold_writer.h"
+#include "pairs/body_motion.h"
+#include "pairs/tree_pair.h"
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Expected of any that is not done, at least.
+constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
+// Certified error of what nothing is known about, of the smaller body's size.
+constexpr double kUnknownError = 1;
+// How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
+constexpr float kMostFollowed = 0.04F;
+
+// Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
+// point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
+// body 1 has turned since the last. Points farther apart than `farthest` are dropped.
+void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btScalar farthest) {
+  const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
+  const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
+  for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    const btVector3 normal = (turned * point.m_normalWorldOnB).normalized();
+    point.m_normalWorldOnB = normal;
+    point.m_positionWorldOnA = pose0 * point.m_localPointA;
+    point.m_distance1 = (point.m_positionWorldOnA - pose1 * point.m_localPointB).dot(normal);
+    point.m_positionWorldOnB = point.m_positionWorldOnA - normal * point.m_distance1;
+    point.m_localPointB = pose1.invXform(point.m_positionWorldOnB);
+    ++point.m_lifeTime;
+    if (point.m_distance1 > farthest) manifold.removeContactPoint(i);
+  }
+}
+
+}  // namespace
+
+bool TreePair::follow() {
+  isBegun_ = isHoldingStill_ = false;
+  isSettled_.store(false, std::memory_order_relaxed);
+  return bodies_[0].follow() && bodies_[1].follow();
+}
+
+PairNeed TreePair::survey(std::uint64_t usualOperations) {
+  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
+  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
+  const btCollisionShape& other = *otherBody.getCollisionShape();
+  const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
+  if (isSettled()) return {};
+  const bool hasWhole = roots_ && roots_->areAlike();
+  if (!isSame || !isPlaced_) {
+    const bool isNew = isSame || !subject_.tree;
+    return {kUnknownError * (1 + waited_), usualOperations, hasWhole && isNew && !isFast_, true};
+  }
+  const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+  moved_ = static_cast<float>(now.displacementSince(motion_.placement));
+  isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
+  const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
+  return {error * (1 + waited_), expectedOperations(now, usualOperations), !isFast_ && (isHoldingStill_ || hasWhole),
+          !isHoldingStill_ || !isDone()};
+}
+
+// Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
+ScheduledPair TreePair::described() const {
+  const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
+  const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
+  if (!tree) return {.id = id_};
+  const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
+  const SphereTreeShape* const otherTree = asSphereTree(otherBody.getCollisionShape());
+  const auto treeSize = static_cast<float>(tree->size());
+  const float knownSize = isPlaced_ ? smallerSize_ : treeSize;
+  const float size = otherTree ? std::min(treeSize, static_cast<float>(otherTree->size())) : knownSize;
+  const btCollisionObject &object = *treeBody.getCollisionObject(), &other = *otherBody.getCollisionObject();
+  return {.id = id_,
+          .center = toVec3d((size < treeSize ? otherBody : treeBody).getWorldTransform().getOrigin()),
+          .size = size,
+          .closingSpeed = closingSpeed(object, other, static_cast<float>(tree->getAngularMotionDisc())),
+          .mass = reducedMass(object, other)};
+}
+
+std::uint64_t TreePair::expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const {
+  const std::uint64_t whole = fullOperations_ > 0 ? fullOperations_ : usualOperations;
+  if (!isDone()) return std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
+  return contacts_.keepsAt(*counterpart_, now, motion_.reach) ? contacts_.keptCost(*counterpart_) : whole;
+}
+
+std::uint64_t TreePair::charged(std::uint64_t operations) {
+  spent_ += operations;
+  if (!isDone() || contacts_.isKept()) return 0;
+  return fullOperations_ = spent_;
+}
+
+PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep) {
+  const bool isNew = !isPlaced_;
+  if (isNew) beginHeld();
+  origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
+  center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
+  isHeld_ = true;
+  ++waited_;
+  if (isBegun_)
+    countStepAsWaited();
+  else
+    lookForJump(timeStep);
+  const bool needsWhole = isNew || !isHoldingStill_;
+  if (needsWhole) chooseForWhole();
+  if (needsWhole && moved_ > kMostFollowed * smallerSize_) dropFollowed();
+  carryPoints(needsWhole || contacts_.isAnsweredWithin(moved_, smallerSize_), needsWhole);
+  if (needsWhole) writeWhole(contacts_.holdWhole(roots_->contact()), dispatcher, result);
+  surviveRefresh();
+  return reportHeld(needsWhole);
+}
+
+void TreePair::lookForJump(btScalar timeStep) {
+  const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
+  noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
+                speedInOther(shape, tree, other) * static_cast<float>(timeStep));
+}
+
+// Its traversal began here, but what it says is as old as before.
+void TreePair::countStepAsWaited() {
+  contacts_.answerAged(untold_);
+  heldError_ += double(untold_ / smallerSize_);
+  untold_ = 0;
+}
+
+// Nothing is traversed yet.
+void TreePair::beginHeld() {
+  treeIsBody0_ = true;
+  const SphereTreeShape& tree = *asSphereTree(body0().getCollisionShape());
+  adopt(&tree, *body1().getCollisionShape());
+  objects_[0] = object0();
+  objects_[1] = object1();
+  setSizes(tree, *body1().getCollisionShape(), 0);
+  motion_.placement = relativePlacement(tree, body0().getWorldTransform(), body1().getWorldTransform());
+  seenAt_ = motion_.placement;
+  isPlaced_ = true;
+  moved_ = 0;
+}
+
+// A manifold of its own, if one is free.
+void TreePair::chooseForWhole() {
+  if (wholeAt_ >= 0) return;
+  const auto points = [](const btPersistentManifold* m) { return m ? m->getNumContacts() : 0; };
+  wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
+}
+
+// Not what the spheres' contact is about to continue: for the user the bodies stay in contact.
+void TreePair::dropFollowed() {
+  for (int k = 0; k < kMaxClusters; ++k)
+    if (btPersistentManifold* const m = manifolds_[static_cast<std::size_t>(k)]; m && k != wholeAt_)
+      if (m->getNumContacts() > 0) m->clearManifold();
+}
+
+void TreePair::carryPoints(bool dropsParted, bool writesWhole) {
+  const btMatrix3x3& axes = objects_[1]->getWorldTransform().getBasis();
+  const btMatrix3x3 turned = axes * axes_.transpose();
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const bool drops = dropsParted && !(writesWhole && k == wholeAt_);
+    const btScalar farthest = drops ? breakingThreshold() : std::numeric_limits<btScalar>::max();
+    if (btPersistentManifold* const m = manifolds_[static_cast<std::size_t>(k)]) followBodies(*m, turned, farthest);
+  }
+  axes_ = axes;
+}
+
+// Bullet refreshes the points of a compound's children before it asks for new ones, and drops what slid or parted by
+// more than the manifold's threshold: nothing would be left to hold.
+void TreePair::surviveRefresh() {
+  for (btPersistentManifold* m : manifolds_)
+    if (m) m->setContactBreakingThreshold(btScalar(kMostFollowed * smallerSize_));
+}
+
+void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
+  btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
+  if (!m) return;
+  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_, motion_);
+  const std::array<Contact, 1> contacts{whole};
+  writer.write(*m, contacts, {.index = {0}, .count = 1});
+}
+
+PairReport TreePair::reportHeld(bool isWhole) const {
+  PairReport report;
+  report.isUnresolved = true;
+  const bool isFollowed = moved_ <= kMostFollowed * smallerSize_;
+  if (isFollowed) report.errorFraction = heldError_ + double(moved_ / smallerSize_);
+  if (isWhole) report.errorFraction = std::max(report.errorFraction, rootErrorFraction());
+  for (const btPersistentManifold* m : manifolds_) {
+    if (!m || m->getNumContacts() == 0) continue;
+    report.contacts += static_cast<std::uint32_t>(m->getNumContacts());
+    ++report.manifolds;
+  }
+  return report;
+}
+
+double TreePair::rootErrorFraction() const {
+  const float errors = subject_.tree->error(kRootNode) * static_cast<float>(subject_.treeScale) +
+                       subject_.otherTree->error(kRootNode) * static_cast<float>(subject_.otherScale);
+  return double(errors / smallerSize_);
+}
+
+}  // namespace cairn::bullet

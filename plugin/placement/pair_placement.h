@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+#include "placement/placed_tree.h"
+
+class btCollisionShape;
+
+namespace cairn::bullet {
+
+class SphereTreeShape;
+
+/// Where the two bodies of a pair stand, in the pair frame.
+struct PairPlacement {
+  const SphereTreeShape* treeShape = nullptr;
+  btTransform treeBody;  ///< of the tree's body (or compound child): its rotation, no translation
+  PlacedTree tree;
+  float treeMargin = 0;                          ///< grows the tree's surface
+  const btCollisionShape* otherShape = nullptr;  ///< of the kind the counterpart was made for
+  btTransform other;                             ///< the other body, its origin relative to the pair frame's
+  float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
+  float travel = 0;                              ///< bound on how far the bodies move against each other in a step
+};
+
+}  // namespace cairn::bullet

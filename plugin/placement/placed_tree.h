@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <span>
+
+#include "cairn/core/pose.h"
+#include "cairn/core/sphere_tree.h"
+#include "placement/face_cone.h"
+
+namespace cairn::bullet {
+
+/// A sphere-tree at a pose: nodes and their regions seen from the pair frame.
+class PlacedTree {
+ public:
+  PlacedTree() = default;
+  /// The tree must outlive this.
+  PlacedTree(const SphereTree& tree, const Pose& pose);
+
+  const SphereTree& tree() const { return *tree_; }
+  const Pose& pose() const { return pose_; }
+  const Similarity& toPair() const { return toPair_; }
+  /// Rotation from the pair frame's axes to the tree's.
+  const Mat3& axesFromPair() const { return axesFromPair_; }
+  float scale() const { return toPair_.scale; }
+
+  Vec3 toTree(const Vec3& p) const { return axesFromPair_ * (p - toPair_.translation) * (1 / toPair_.scale); }
+
+  Sphere sphere(NodeId node) const {
+    const Sphere s = tree_->sphere(node);
+    return {toPair_ * s.center, s.radius * toPair_.scale};
+  }
+  /// Of the ball around the sphere's centre that lies inside the solid; 0 when the centre does not.
+  float innerRadius(NodeId node) const { return tree_->innerRadius(node) * toPair_.scale; }
+  /// Whether the node's region lies in one plane, up to what a mesh's rounding does to its normals (5 degrees).
+  bool isPlanar(NodeId node) const { return tree_->node(node).normalCone.cosine >= 0.996194698F; }
+  /// Whether the node's region consists of flat faces that the tree names, see `SphereTree::isFaceted`.
+  bool isFaceted(NodeId node) const { return tree_->isFaceted(node); }
+  /// The middle of the node's outward normals.
+  Vec3 facing(NodeId node) const {
+    const Vec3& axis = tree_->node(node).normalCone.axis;
+    return toPair_.linear * axis * (1 / toPair_.scale);
+  }
+  /// Whether the node's region certainly faces along `direction` rather than against it (by 18 degrees or more).
+  bool facesAlong(NodeId node, const Vec3& direction) const {
+    return tree_->node(node).normalCone.cosine > 0 && dot(facing(node), direction) > 0.3F;
+  }
+  /// Whether the region's extreme point along `direction` (unit) is one of the body's: whether the direction is one of
+  /// the region's normals, see `isAmongNormals`.
+  bool faces(NodeId node, const Vec3& direction) const {
+    return !isFaceted(node) || isAmongNormals(tree_->faceNormals(node), axesFromPair_ * direction);
+  }
+  /// The region's support points, tree frame; those of a planar leaf are the corners of its patch.
+  std::span<const Vec3> supportPoints(NodeId node) const { return tree_->supportPoints(node); }
+  /// The point of the node's region that lies farthest along `direction`.
+  Vec3 support(NodeId node, const Vec3& direction) const {
+    const SupportBlock& block = tree_->support(node);
+    return toPair_ * block.point(supportLane(block, axesFromPair_ * direction));
+  }
+  /// Up to which the body reaches along `direction` (unit) near the node: its region's farthest support point, or, if
+  /// that is farther, the farthest point of its ball less the certified error. The body has points as far out as that.
+  Vec3 extreme(NodeId node, const Vec3& direction) const {
+    const Vec3 point = support(node, direction);
+    const Sphere ball = sphere(node);
+    const float out = ball.radius - tree_->error(node) * scale();
+    return dot(direction, point - ball.center) < out ? ball.center + direction * out : point;
+  }
+
+ private:
+  const SphereTree* tree_ = nullptr;
+  Pose pose_;
+  Similarity toPair_;
+  Mat3 axesFromPair_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Zlib
+#include "triangles/triangle_touch.h"
+
+namespace cairn::bullet {
+
+namespace {
+// Cosine of the 18 degrees off a face's normal within which what is nearest to its border still lies over the face.
+constexpr float kOverCosine = 0.951056516F;
+}  // namespace
+
+bool TriangleTouch::isOver() const {
+  return dot(face, line) > kOverCosine;
+}
+
+TriangleTouch touchOf(const PlacedTree& tree, const Triangle& triangle, const NodePair& pair) {
+  const Vec3 center = tree.sphere(pair.a).center;
+  const TrianglePoint nearest = nearestOnTriangle(triangle, center);
+  const Vec3 out = center - nearest.point, winding = triangle.normal();
+  TriangleTouch touch{pair, nearest.point, {}, dot(winding, out) < 0 ? -winding : winding, length(out), nearest.onFace};
+  touch.line = touch.onFace || touch.distance == 0 ? touch.face : out / touch.distance;
+  return touch;
+}
+
+}  // namespace cairn::bullet
