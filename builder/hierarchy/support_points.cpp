@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <limits>
 
 #include "spheres/farthest_sample.h"
@@ -40,12 +41,15 @@ std::vector<Vec3d> facingDirections(std::span<const FacingArea> areas) {
   return farthestPointSample(normals, kMaxFacing, 0);
 }
 
+// Over the faces of a cube, 27 degrees apart or less: the corners of a flat patch may lie anywhere around its border.
 std::vector<Vec3d> evenDirections() {
+  constexpr int kHalf = 2;
   std::vector<Vec3d> directions;
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z)
-        if (x != 0 || y != 0 || z != 0) directions.push_back(normalized(Vec3d(x, y, z)));
+  for (int x = -kHalf; x <= kHalf; ++x)
+    for (int y = -kHalf; y <= kHalf; ++y)
+      for (int z = -kHalf; z <= kHalf; ++z)
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == kHalf)
+          directions.push_back(normalized(Vec3d(x, y, z)));
   return directions;
 }
 

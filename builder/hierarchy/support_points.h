@@ -13,8 +13,8 @@ namespace cairn::builder {
 /// close to that of all points in the directions that matter, which are those the region faces.
 ///
 /// Greedy: again and again the extreme point in the direction where the choice falls short most. First the directions
-/// the region faces, then 26 evenly spread ones for what is left of `most`; ends early when nothing falls short by more
-/// than `negligible`. Precondition: `points` not empty. O((|areas| capped at 64 + 26) * |points|).
+/// the region faces, then 98 evenly spread ones for what is left of `most`; ends early when nothing falls short by more
+/// than `negligible`. Precondition: `points` not empty. O((|areas| capped at 64 + 98) * |points|).
 std::vector<Vec3d> chooseSupportPoints(std::span<const Vec3d> points, std::span<const FacingArea> areas,
                                        std::size_t most, double negligible);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "placement/bullet_math.h"
+#include "triangles/triangle.h"
 
 namespace cairn::bullet {
 
@@ -16,6 +17,12 @@ namespace {
 constexpr float kPlaneGain = 0.1F;
 // Halvings of the way to where a leaf touches, for a point of it that hangs over the shape's edge.
 constexpr int kMaxPulls = 3;
+// Part of the shape's size from which on a leaf's radius is large against it: it may stand in the leaf's middle.
+constexpr float kLargeLeaf = 0.25F;
+// Cosine of the 10 degrees by which a triangle may lean against the plane between shape and leaf.
+constexpr float kSameFaceCosine = 0.984807753F;
+// Fraction of a leaf's radius by which a corner may miss a triangle it stands on: no more than rounding does.
+constexpr float kSeam = 1e-4F;
 
 struct Box {
   Vec3 center, halfExtents;
@@ -60,6 +67,7 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
   planes_.clear();
 
   const Box box = ownBox(shape);
+  size_ = 2 * length(box.halfExtents);
   const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
   shapeFromPair_ = relativePose(shapePose, Pose{});
   pairFromShapeAxes_ = toSimilarity(shapePose).linear;
@@ -110,8 +118,12 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
   Touch touch = touchAlong(leaf, {center.normal, dot(center.normal, center.point)});
   if (touch.height - margin_ < reach_) improve(leaf, touch);
   if (touch.height - margin_ >= reach_) return;
+  if (sphere.radius > kLargeLeaf * size_) {
+    if (!appendCorners(leaf, touch, contacts)) appendContact(leaf, touch, touch.point, -1, contacts);
+    return;
+  }
   if (!tree_.isPlanar(leaf)) {
-    appendContact(leaf, touch, tree_.support(leaf, -touch.plane.normal), -1, contacts);
+    appendContact(leaf, touch, tree_.extreme(leaf, -touch.plane.normal), -1, contacts);
     return;
   }
   // A planar leaf touches with its corners: which of them is extreme would change with every rounding.
@@ -121,7 +133,7 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
 }
 
 ConvexCounterpart::Touch ConvexCounterpart::touchAlong(NodeId leaf, const Plane& plane) const {
-  const Vec3 lowest = tree_.support(leaf, -plane.normal);
+  const Vec3 lowest = tree_.extreme(leaf, -plane.normal);
   return {plane, dot(plane.normal, lowest) - plane.offset, lowest};
 }
 
@@ -166,18 +178,73 @@ Vec3 ConvexCounterpart::pulledOntoShape(const Vec3& onTree, const Vec3& anchor, 
   return where;
 }
 
+bool ConvexCounterpart::isOnShape(const Vec3& onTree, float height) {
+  return nearest(onTree).distance <= std::max(height, 0.0F) + reach_;
+}
+
+std::optional<float> ConvexCounterpart::heightOver(NodeId leaf, const Vec3& normal, const Vec3& point,
+                                                   float tolerance) const {
+  const SphereTree& tree = tree_.tree();
+  std::optional<float> lowest;
+  for (const std::uint32_t index : tree.regionTriangles(leaf)) {
+    const auto& [i, j, k] = tree.triangles()[index];
+    const auto corner = [&](std::uint32_t v) { return tree_.toPair() * tree.vertices()[v]; };
+    const Triangle triangle{corner(i), corner(j), corner(k)};
+    const Vec3 outwards = triangle.normal();
+    const float facing = -dot(outwards, normal);
+    if (facing < kSameFaceCosine) continue;
+    const float height = dot(outwards, point - triangle.a) / facing;
+    const Vec3 foot = point + normal * height;
+    if (lengthSq(foot - nearestOnTriangle(triangle, foot).point) > tolerance * tolerance) continue;
+    lowest = lowest ? std::min(*lowest, height) : height;
+  }
+  return lowest;
+}
+
+bool ConvexCounterpart::appendCorners(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts) {
+  const std::size_t before = contacts.size();
+  const Vec3& normal = touch.plane.normal;
+  const Mat3 shapeFromPairAxes = transpose(pairFromShapeAxes_);
+  facing_.look(shapeFromPairAxes * normal, size_, [&](const Vec3& direction) { return surface_.support(direction); });
+  // Beside what there is of the leaf's own points, whose number is limited.
+  int index = kMaxSupportPoints;
+  for (const Vec3& corner : facing_.corners()) {
+    const Vec3 onShape = pairFromShapeAxes_ * corner + shapeOrigin_;
+    const std::optional<float> height = heightOver(leaf, normal, onShape, kSeam * tree_.sphere(leaf).radius);
+    if (height)
+      append(leaf, normal, onShape + normal * (0.5F * (*height - margin_)), *height - margin_, index, contacts);
+    ++index;
+  }
+  index = 0;
+  for (const Vec3& point : tree_.supportPoints(leaf)) {
+    const Vec3 onTree = tree_.toPair() * point;
+    const float height = dot(normal, onTree) - touch.plane.offset;
+    if (height - margin_ < reach_ && isOnShape(onTree, height)) appendContact(leaf, touch, onTree, index, contacts);
+    ++index;
+  }
+  return contacts.size() > before;
+}
+
 void ConvexCounterpart::appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,
                                       std::vector<Contact>& contacts) {
   const Plane& plane = touch.plane;
   const float height = dot(plane.normal, onTree) - plane.offset;
-  Contact contact;
-  contact.gap = height - margin_;
-  if (contact.gap >= reach_) return;
-  contact.pair = {leaf, 0};
-  contact.normal = plane.normal;
-  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
+  const float gap = height - margin_;
+  if (gap >= reach_) return;
   const Vec3 where = pulledOntoShape(onTree, touch.point, height);
-  contact.position = where + contact.normal * (plane.offset - dot(contact.normal, where) + 0.5F * contact.gap);
+  const Vec3 position = where + plane.normal * (plane.offset - dot(plane.normal, where) + 0.5F * gap);
+  append(leaf, plane.normal, position, gap, pointIndex, contacts);
+}
+
+void ConvexCounterpart::append(NodeId leaf, const Vec3& normal, const Vec3& position, float gap, int pointIndex,
+                               std::vector<Contact>& contacts) const {
+  if (gap >= reach_) return;
+  Contact contact;
+  contact.pair = {leaf, 0};
+  contact.normal = normal;
+  contact.gap = gap;
+  contact.position = position;
+  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
   contacts.push_back(contact);
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cairn/core/obstacle_traversal.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/counterpart.h"
+#include "counterparts/facing_corners.h"
 
 namespace cairn::bullet {
 
@@ -58,14 +60,24 @@ class ConvexCounterpart final : public Counterpart {
   void improve(NodeId leaf, Touch& touch);
   void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
   void offerFaces(NodeId leaf, Touch& touch) const;
+  // For a leaf that is large against the shape: where the shape's corners stand on the leaf's triangles, and the
+  // leaf's own points that lie on the shape. False when there are none of either.
+  bool appendCorners(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts);
+  // By how far the leaf's triangles lie above the point along the normal, at least; nothing when none does.
+  std::optional<float> heightOver(NodeId leaf, const Vec3& normal, const Vec3& point, float tolerance) const;
+  bool isOnShape(const Vec3& onTree, float height);
   void appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,
                      std::vector<Contact>& contacts);
+  void append(NodeId leaf, const Vec3& normal, const Vec3& position, float gap, int pointIndex,
+              std::vector<Contact>& contacts) const;
   Vec3 pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height);
   NearestPoint inPair(const NearestPoint& inShape) const;
 
   PlacedTree tree_;
   float margin_ = 0;
   float reach_ = 0;
+  float size_ = 0;  // of the shape
+  FacingCorners facing_;
   Similarity shapeFromPair_;
   Mat3 pairFromShapeAxes_;
   Vec3 shapeOrigin_;

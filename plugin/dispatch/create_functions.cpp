@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 
 #include <array>
 #include <cassert>
@@ -61,6 +62,19 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
     });
   }
 
+  // GImpact's registration means its own shapes against all others and knows nothing of trees, whose triangles it would
+  // take. It stays what is asked for what is not ours.
+  void takeBackFromGImpact() {
+    const auto takeBack = [&](int type0, int type1) {
+      btCollisionAlgorithmCreateFunc*& cell = table_[type0][type1];
+      if (cell == this || !dynamic_cast<btGImpactCollisionAlgorithm::CreateFunc*>(cell)) return;
+      original(type0, type1) = cell;
+      cell = this;
+    };
+    takeBack(kOwnType, GIMPACT_SHAPE_PROXYTYPE);
+    takeBack(GIMPACT_SHAPE_PROXYTYPE, kOwnType);
+  }
+
   btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                  const btCollisionObjectWrapper* body0,
                                                  const btCollisionObjectWrapper* body1) override {
@@ -102,5 +116,10 @@ Registration::Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl&
 }
 
 Registration::~Registration() = default;
+
+void Registration::renew() {
+  contacts_->takeBackFromGImpact();
+  closestPoints_->takeBackFromGImpact();
+}
 
 }  // namespace cairn::bullet

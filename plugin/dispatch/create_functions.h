@@ -22,6 +22,8 @@ class Registration {
   Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);
   ~Registration();
   static bool isOn(btCollisionDispatcher& dispatcher);
+  /// Enters the tree algorithms again where GImpact has registered itself since, for pairs that are made from now on.
+  void renew();
   Registration(const Registration&) = delete;
   Registration& operator=(const Registration&) = delete;
 

@@ -31,6 +31,7 @@ bool isGhostCache(btOverlappingPairCache& pairs) {
 void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
+  if (registration_) registration_->renew();
   stepBegan_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
   left_ = budgetOf(stepLimit());

@@ -56,7 +56,7 @@ void TriangleContacts::append(const PairPlacement& placement, std::span<const Tr
 
 void TriangleContacts::offer(const PlacedTree& tree, Group& group, const Vec3& normal) {
   if (lengthSq(normal) == 0) return;  // a degenerate triangle has no face
-  const Vec3 onTree = tree.support(group.first->pair.a, -normal);
+  const Vec3 onTree = tree.extreme(group.first->pair.a, -normal);
   const float height = dot(normal, onTree - group.first->nearest);
   if (height <= group.height) return;
   group.normal = normal;

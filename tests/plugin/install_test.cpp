@@ -13,6 +13,7 @@
 
 #include "counting_create.h"
 #include "front_ends.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test {
 namespace {
@@ -250,6 +251,22 @@ TEST_P(Installed, LeavesToGImpactWhatItCannotAnswer) {
   const btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2))), 1, btVector3(0, 0, btScalar(0.3)));
   w.step(60);
   EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0) << "GImpact takes the tree's triangles";
+}
+
+// Its registration may come after ours, and is not about trees: a block slides down a mesh of GImpact's as down any
+// other. Only who knows where a step begins can see to that.
+CAIRN_FRONT_END_SUITE(RegisteredFirst, StepFrontEnds);
+
+TYPED_TEST(RegisteredFirst, ATreeIsNotLeftToGImpact) {
+  BulletWorld<TypeParam> w;
+  btGImpactCollisionAlgorithm::registerAlgorithm(&w.dispatcher);
+  w.add(flatGround(TriangleGround::gimpact), 0, btVector3(0, 0, 0));
+  w.add(treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2))), 1, btVector3(0, 0, btScalar(0.25)));
+  w.step(2);
+  EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
+  w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 1, btVector3(5, 5, btScalar(0.99)));
+  w.step(2);
+  EXPECT_GT(w.dispatcher.getNumManifolds(), 1) << "its own pairs stay GImpact's";
 }
 
 int gNear = 0, gPreTicks = 0, gTicks = 0;

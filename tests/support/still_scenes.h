@@ -77,42 +77,125 @@ inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
   return run;
 }
 
+/// What the manifolds between all bodies hold.
+struct Touching {
+  int contacts = 0;
+  double penetration = 0;  ///< metres, the deepest contact's; 0 where all gap
+};
+
+inline Touching touching(btDispatcher& dispatcher) {
+  Touching found;
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+    for (int j = 0; j < manifold.getNumContacts(); ++j) {
+      ++found.contacts;
+      found.penetration = std::max(found.penetration, -double(manifold.getContactPoint(j).getDistance()));
+    }
+  }
+  return found;
+}
+
 /// How a body went down a slope.
 struct SlopeRun {
   double acceleration = 0;  ///< m/s^2 downhill, between the two times
   double slip = 0;          ///< for what rolls: speed less spin times radius over speed, at the end
   double aside = 0;         ///< metres off the line of steepest descent at the end
+  Touching touching;        ///< at the end
 };
 
 struct Slope {
   double degrees = 10;
-  btScalar friction = 1;                              ///< of the ground; bodies have 1
-  std::shared_ptr<btCollisionShape> ground;           ///< downhill is along its x
-  btScalar top = 0;                                   ///< of the ground over its own origin
-  btScalar height = 0;                                ///< of the body's centre over the ground's top
-  btScalar uphill = 0;                                ///< metres by which it starts uphill of the ground's middle
-  btQuaternion turned = btQuaternion::getIdentity();  ///< of the body against the ground
-  double radius = 0;                                  ///< of what rolls
-  int fromStep = 15, toStep = 75;                     ///< speeds are compared between these
+  btScalar friction = 1;                                    ///< of the ground; bodies have 1
+  std::shared_ptr<btCollisionShape> ground;                 ///< downhill is along its x
+  btScalar top = 0;                                         ///< of the ground over its own origin
+  btScalar height = 0;                                      ///< of the body's centre over the ground's top
+  btScalar uphill = 0;                                      ///< metres by which it starts uphill of the ground's middle
+  btQuaternion turned = btQuaternion::getIdentity();        ///< of the body against the ground
+  double radius = 0;                                        ///< of what rolls
+  int fromStep = 15, toStep = 75;                           ///< speeds are compared between these
+  btQuaternion groundTurned = btQuaternion::getIdentity();  ///< of the ground's shape, so that its top is on top
+  bool bodyFirst = false;                                   ///< whether the world meets the body before the ground
 };
 
-/// One body, set down at rest on a slope that really is turned: nothing but gravity is along an axis.
+/// A slope, tilted about y, and a body set down on it at rest: nothing but gravity is along an axis of the world.
+class SlopeScene {
+ public:
+  SlopeScene(const TriedBody& tried, const Slope& slope)
+      : tilt_(btVector3(0, 1, 0), btScalar(slope.degrees * M_PI / 180)),
+        start_(quatRotate(tilt_, btVector3(-slope.uphill, 0, slope.height + tried.margin))) {
+    if (!slope.bodyFirst) addGround(slope);
+    body_ = &world_.addTried(tried, btTransform(tilt_ * slope.turned, start_), 1);
+    if (slope.bodyFirst) addGround(slope);
+  }
+
+  void step(int count) { world_.step(count); }
+  const btRigidBody& body() const { return *body_; }
+  /// Along an axis of the slope: 0 downhill, 1 aside, 2 off the ground.
+  double along(const btVector3& v, int axis) const {
+    btVector3 direction(0, 0, 0);
+    direction[axis] = 1;
+    return double(v.dot(quatRotate(tilt_, direction)));
+  }
+  /// Metres from where it was set down.
+  btVector3 way() const { return body_->getWorldTransform().getOrigin() - start_; }
+  /// Cosine of the angle by which it has tilted off the slope's normal.
+  double upright(const Slope& slope) const {
+    const btVector3 own = quatRotate((tilt_ * slope.turned).inverse(), quatRotate(tilt_, btVector3(0, 0, 1)));
+    return along(body_->getWorldTransform().getBasis() * own, 2);
+  }
+  Touching touchingNow() { return touching(world_.dispatcher); }
+
+ private:
+  void addGround(const Slope& slope) {
+    btRigidBody& ground =
+        world_.add(slope.ground, 0, quatRotate(tilt_, btVector3(0, 0, -slope.top)), tilt_ * slope.groundTurned);
+    ground.setFriction(slope.friction);
+  }
+
+  StillWorld world_;
+  btQuaternion tilt_;
+  btVector3 start_;
+  btRigidBody* body_ = nullptr;
+};
+
 inline SlopeRun runSlope(const TriedBody& tried, const Slope& slope) {
-  StillWorld w;
-  const btQuaternion tilt(btVector3(0, 1, 0), btScalar(slope.degrees * M_PI / 180));
-  btRigidBody& ground = w.add(slope.ground, 0, quatRotate(tilt, btVector3(0, 0, -slope.top)), tilt);
-  ground.setFriction(slope.friction);
-  const btVector3 place = quatRotate(tilt, btVector3(-slope.uphill, 0, slope.height + tried.margin));
-  const btVector3 downhill = quatRotate(tilt, btVector3(1, 0, 0)), aside = quatRotate(tilt, btVector3(0, 1, 0));
-  btRigidBody& body = w.addTried(tried, btTransform(tilt * slope.turned, place), 1);
-  w.step(slope.fromStep);
-  const double before = double(body.getLinearVelocity().dot(downhill));
-  w.step(slope.toStep - slope.fromStep);
-  const double after = double(body.getLinearVelocity().dot(downhill));
+  SlopeScene scene(tried, slope);
+  scene.step(slope.fromStep);
+  const double before = scene.along(scene.body().getLinearVelocity(), 0);
+  scene.step(slope.toStep - slope.fromStep);
+  const double after = scene.along(scene.body().getLinearVelocity(), 0);
   SlopeRun run;
   run.acceleration = (after - before) * kStepsPerSecond / (slope.toStep - slope.fromStep);
-  run.slip = after == 0 ? 0 : 1 - double(body.getAngularVelocity().dot(aside)) * slope.radius / after;
-  run.aside = double((body.getWorldTransform().getOrigin() - place).dot(aside));
+  run.slip = after == 0 ? 0 : 1 - scene.along(scene.body().getAngularVelocity(), 1) * slope.radius / after;
+  run.aside = scene.along(scene.way(), 1);
+  run.touching = scene.touchingNow();
+  return run;
+}
+
+/// How a body lay on level ground.
+struct RestRun {
+  double height = 0;   ///< metres by which it lies higher than where surfaces (margins included) touch
+  double speed = 0;    ///< m/s, the greatest of the last second
+  double aside = 0;    ///< metres from where it was set down
+  double upright = 0;  ///< cosine of its tilt
+  Touching touching;
+};
+
+/// `slope.degrees` is taken for 0.
+inline RestRun runRest(const TriedBody& tried, Slope slope, int seconds) {
+  slope.degrees = 0;
+  SlopeScene scene(tried, slope);
+  scene.step((seconds - 1) * kStepsPerSecond);
+  RestRun run;
+  for (int i = 0; i < kStepsPerSecond; ++i) {
+    scene.step(1);
+    run.speed = std::max(run.speed, double(scene.body().getLinearVelocity().length()));
+  }
+  const btVector3 way = scene.way();
+  run.height = double(way.z());
+  run.aside = std::hypot(double(way.x()), double(way.y()));
+  run.upright = scene.upright(slope);
+  run.touching = scene.touchingNow();
   return run;
 }
 

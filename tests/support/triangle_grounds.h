@@ -2,9 +2,13 @@
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <BulletCollision/CollisionShapes/btMaterial.h>
+#include <BulletCollision/CollisionShapes/btMultimaterialTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleIndexVertexMaterialArray.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -48,6 +52,39 @@ inline std::shared_ptr<btCollisionShape> flatGround(TriangleGround kind) {
   if (kind == TriangleGround::mesh) return {owned->bvh.get(), [owned](btCollisionShape*) {}};
   return sharing(
       std::make_unique<btScaledBvhTriangleMeshShape>(owned->bvh.get(), btVector3(btScalar(0.7), btScalar(0.8), 1)));
+}
+
+/// The same square, its two triangles a cell of different materials: friction 0.2 and 0.9, which Bullet leaves to
+/// whoever asks the shape.
+inline std::shared_ptr<btCollisionShape> flatGroundOfMaterials() {
+  constexpr int kCells = 30;
+  struct Owned {
+    std::vector<btVector3> vertices;
+    std::vector<int> indices;
+    std::array<btMaterial, 2> materials{btMaterial(btScalar(0.2), 0), btMaterial(btScalar(0.9), 0)};
+    std::vector<int> materialOf;
+    std::unique_ptr<btTriangleIndexVertexMaterialArray> mesh;
+    std::unique_ptr<btMultimaterialTriangleMeshShape> shape;
+  };
+  auto owned = std::make_shared<Owned>();
+  for (int i = 0; i <= kCells; ++i)
+    for (int j = 0; j <= kCells; ++j)
+      owned->vertices.emplace_back(btScalar(i - kCells / 2) + btScalar(0.3), btScalar(j - kCells / 2) + btScalar(0.2),
+                                   btScalar(0));
+  const auto vertex = [](int i, int j) { return i * (kCells + 1) + j; };
+  for (int i = 0; i < kCells; ++i)
+    for (int j = 0; j < kCells; ++j) {
+      const int a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+      owned->indices.insert(owned->indices.end(), {a, b, c, a, c, d});
+      owned->materialOf.insert(owned->materialOf.end(), {0, 1});
+    }
+  const int triangles = static_cast<int>(owned->materialOf.size());
+  owned->mesh = std::make_unique<btTriangleIndexVertexMaterialArray>(
+      triangles, owned->indices.data(), int(3 * sizeof(int)), static_cast<int>(owned->vertices.size()),
+      &owned->vertices[0][0], int(sizeof(btVector3)), 2, reinterpret_cast<unsigned char*>(owned->materials.data()),
+      int(sizeof(btMaterial)), owned->materialOf.data(), int(sizeof(int)));
+  owned->shape = std::make_unique<btMultimaterialTriangleMeshShape>(owned->mesh.get(), true);
+  return {owned->shape.get(), [owned](btCollisionShape*) {}};
 }
 
 /// A shape of these triangles, each of three consecutive corners.
