@@ -61,8 +61,9 @@ std::optional<DistanceField::Sample> DistanceField::query(const Vec3& p) const {
   btScalar value = 0;
   btVector3 gradient(0, 0, 0);
   if (!shape_->queryPoint(toBullet(p), value, gradient)) return std::nullopt;
-  const Sample sample{static_cast<float>(value), toVec3(gradient)};
+  Sample sample{static_cast<float>(value), toVec3(gradient)};
   if (!std::isfinite(sample.value) || !isFinite(sample.gradient)) return std::nullopt;
+  sample.least = std::max(sample.value, 0.0F) / kSteepest;
   return sample;
 }
 
@@ -82,6 +83,7 @@ std::optional<DistanceField::Sample> DistanceField::at(const Vec3& p) const {
   std::optional<Sample> sample = query(nearest->point);
   if (!sample || nearest->distance == 0) return sample;
   sample->isInDomain = false;
+  sample->least = std::hypot(sample->least, nearest->distance);
   for (int axis = 0; axis < 3; ++axis)
     if (nearest->beyond[axis] != 0) sample->gradient[axis] = 0;
   const float inside = std::max(sample->value, 0.0F), apart = std::hypot(inside, nearest->distance);
@@ -92,10 +94,17 @@ std::optional<DistanceField::Sample> DistanceField::at(const Vec3& p) const {
 
 float DistanceField::leastDistance(const Vec3& p) const {
   const std::optional<Nearest> nearest = nearestInDomain(p);
-  if (!nearest) return std::numeric_limits<float>::infinity();
-  const std::optional<Sample> sample = query(nearest->point);
-  const float inside = sample ? std::max(sample->value, 0.0F) / kSteepest : 0.0F;
-  return nearest->distance == 0 ? inside : std::hypot(inside, nearest->distance);
+  return nearest ? leastDistance(*nearest) : std::numeric_limits<float>::infinity();
+}
+
+float DistanceField::leastDistance(const Nearest& nearest) const {
+  const std::optional<Sample> sample = query(nearest.point);
+  return sample ? std::hypot(sample->least, nearest.distance) : nearest.distance;
+}
+
+bool DistanceField::isFarther(const Vec3& p, float reach) const {
+  const std::optional<Nearest> nearest = nearestInDomain(p);
+  return !nearest || nearest->distance > reach || leastDistance(*nearest) > reach;
 }
 
 }  // namespace cairn::bullet

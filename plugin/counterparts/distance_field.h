@@ -32,6 +32,7 @@ class DistanceField {
   struct Sample {
     float value = 0;  ///< negative inside
     Vec3 gradient;
+    float least = 0;  ///< any surface is so far away at least, see `leastDistance`
     bool isInDomain = true;
 
     /// False in the middle between two surfaces, and where it is no field of distances.
@@ -55,6 +56,8 @@ class DistanceField {
   std::optional<Sample> at(const Vec3& p) const;
   /// By how much any surface is away from `p` at least; 0 where it may be anywhere, infinite where there is none.
   float leastDistance(const Vec3& p) const;
+  /// Whether that is more than `reach`; asks the field only where its box does not say so.
+  bool isFarther(const Vec3& p, float reach) const;
 
  private:
   struct Nearest {
@@ -63,6 +66,7 @@ class DistanceField {
     float distance;  // of the two
   };
   std::optional<Nearest> nearestInDomain(const Vec3& p) const;
+  float leastDistance(const Nearest& nearest) const;
   std::optional<Sample> query(const Vec3& p) const;
 
   // Asking it changes nothing, but Bullet's query is not const.

@@ -30,7 +30,7 @@ std::uint32_t FieldObstacle::touches(const Family& family, std::uint32_t familyS
   for (std::uint32_t i = 0; i < std::min(familySize, kFamilyWidth); ++i) {
     const Vec3 center = toShape_ * Vec3(family.x[i], family.y[i], family.z[i]);
     const float reach = family.radius[i] * toShape_.scale + margin_;
-    hits |= static_cast<std::uint32_t>(field_->leastDistance(center) <= reach) << i;
+    hits |= static_cast<std::uint32_t>(!field_->isFarther(center, reach)) << i;
   }
   return hits;
 }
@@ -86,9 +86,10 @@ void FieldCounterpart::appendContacts(std::span<const NodePair> pairs, std::span
 
 float FieldCounterpart::appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const {
   const Sphere ball = tree_.sphere(leaf);
-  const float apart = field_.leastDistance(shapeFromPair_ * ball.center) - ball.radius - margin_;
+  const std::optional<Place> middle = placeAt(ball.center);
+  const float apart = (middle ? middle->field.least : 0) - ball.radius - margin_;
   if (apart >= reach_) return apart;
-  const std::optional<Place> place = lowest(leaf, ball.center);
+  const std::optional<Place> place = lowest(leaf, middle);
   if (!place) return apart;
   if (tree_.isPlanar(leaf)) appendCorners(leaf, *place, contacts);
   if (tree_.isPlanar(leaf) && place->isSupport) return apart;
@@ -110,8 +111,8 @@ void FieldCounterpart::appendCorners(NodeId leaf, const Place& lowest, std::vect
   }
 }
 
-std::optional<FieldCounterpart::Place> FieldCounterpart::lowest(NodeId leaf, const Vec3& center) const {
-  std::optional<Place> place = lowestSupport(leaf, center);
+std::optional<FieldCounterpart::Place> FieldCounterpart::lowest(NodeId leaf, const std::optional<Place>& middle) const {
+  std::optional<Place> place = lowestSupport(leaf, middle);
   for (int i = 0; place && i < kMaxDescents; ++i) {
     const std::optional<Place> lower = descend(leaf, *place);
     if (!lower) break;
@@ -121,8 +122,8 @@ std::optional<FieldCounterpart::Place> FieldCounterpart::lowest(NodeId leaf, con
 }
 
 // Where the field has no direction, all points are asked.
-std::optional<FieldCounterpart::Place> FieldCounterpart::lowestSupport(NodeId leaf, const Vec3& center) const {
-  const std::optional<Place> middle = placeAt(center);
+std::optional<FieldCounterpart::Place> FieldCounterpart::lowestSupport(NodeId leaf,
+                                                                       const std::optional<Place>& middle) const {
   if (middle && middle->field.hasDirection())
     if (const std::optional<Place> place = placeAt(tree_.support(leaf, -middle->field.gradient))) return place;
   std::optional<Place> lowest;

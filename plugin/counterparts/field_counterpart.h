@@ -55,8 +55,9 @@ class FieldCounterpart final : public Counterpart {
   std::optional<Place> placeAt(const Vec3& point) const;
   // Returns how far apart the leaf and the surface are at least.
   float appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const;
-  std::optional<Place> lowest(NodeId leaf, const Vec3& center) const;
-  std::optional<Place> lowestSupport(NodeId leaf, const Vec3& center) const;
+  // `middle`: of the leaf's ball.
+  std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;
+  std::optional<Place> lowestSupport(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> descend(NodeId leaf, const Place& from) const;
   void appendCorners(NodeId leaf, const Place& lowest, std::vector<Contact>& contacts) const;
   void appendContact(NodeId leaf, const Vec3& onTree, const Place& measured, int pointIndex,
