@@ -146,8 +146,8 @@ TEST(Field_Slope, CuboidSlidesAsTheTextbookSays) {
   }
 }
 
-// What rolls loses to its facets, as it does on planes and boxes (docs/algorithms/contacts.md: up to a quarter).
-TEST(Field_Slope, BallRolls) {
+// What rolls loses to its facets (docs/algorithms/contacts.md: up to a quarter), and no more than on a plane.
+TEST(Field_Slope, BallRollsAsOnAPlane) {
   constexpr double kRadius = 0.2, kLoss = 0.25;
   const TriedBody tried = triedBody(ball(kRadius, 16));
   Slope slope = fieldSlope(10);
@@ -157,6 +157,10 @@ TEST(Field_Slope, BallRolls) {
       kGravity * std::sin(slope.degrees * M_PI / 180) / (1 + double(tried.inertia.x()) / (kRadius * kRadius));
   const SlopeRun run = runSlope(tried, slope);
   EXPECT_NEAR(run.acceleration, expected, kLoss * expected);
+  Slope plane = slope;
+  plane.ground = std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0));
+  plane.top = 0;
+  EXPECT_NEAR(run.acceleration, runSlope(tried, plane).acceleration, 0.01 * expected);
   EXPECT_NEAR(run.slip, 0, 0.05);
   EXPECT_NEAR(run.aside, 0, 0.05);
 }
