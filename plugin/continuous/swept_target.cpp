@@ -2,6 +2,7 @@
 #include "continuous/swept_target.h"
 
 #include "continuous/swept_convex.h"
+#include "continuous/swept_field.h"
 #include "continuous/swept_plane.h"
 #include "continuous/swept_tree.h"
 #include "continuous/swept_triangles.h"
@@ -16,6 +17,8 @@ std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind) {
       return std::make_unique<SweptPlane>();
     case CounterpartKind::convex:
       return std::make_unique<SweptConvex>();
+    case CounterpartKind::field:
+      return std::make_unique<SweptField>();
     case CounterpartKind::triangles:
       break;
   }

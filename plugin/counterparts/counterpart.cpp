@@ -2,7 +2,6 @@
 #include "counterparts/counterpart.h"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
-#include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "counterparts/convex_counterpart.h"
+#include "counterparts/distance_field.h"
+#include "counterparts/field_counterpart.h"
 #include "counterparts/plane_counterpart.h"
 #include "counterparts/tree_counterpart.h"
 #include "counterparts/triangle_counterpart.h"
@@ -33,11 +34,10 @@ bool Counterpart::sharpen(const Contact& /*rough*/, Budget& /*budget*/, std::vec
 
 namespace {
 
-// These are concave by name, but their `processAllTriangles` is empty. Others may share their type numbers.
+// Concave by name, but its `processAllTriangles` is empty. Others may share its type number.
 bool hidesTriangles(const btCollisionShape& shape) {
-  if (shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE)
-    return dynamic_cast<const btGImpactCompoundShape*>(&shape) != nullptr;
-  return shape.getShapeType() == SDF_SHAPE_PROXYTYPE && dynamic_cast<const btSdfCollisionShape*>(&shape) != nullptr;
+  return shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE &&
+         dynamic_cast<const btGImpactCompoundShape*>(&shape) != nullptr;
 }
 
 }  // namespace
@@ -46,6 +46,7 @@ std::optional<CounterpartKind> kindOf(const btCollisionShape& shape) {
   if (asSphereTree(&shape)) return CounterpartKind::tree;
   if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return CounterpartKind::plane;
   if (shape.isConvex()) return CounterpartKind::convex;
+  if (asField(shape)) return CounterpartKind::field;
   if (!shape.isConcave() || hidesTriangles(shape)) return std::nullopt;
   return CounterpartKind::triangles;
 }
@@ -64,6 +65,8 @@ std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind) {
       return std::make_unique<PlaneCounterpart>();
     case CounterpartKind::convex:
       return std::make_unique<ConvexCounterpart>();
+    case CounterpartKind::field:
+      return std::make_unique<FieldCounterpart>();
     case CounterpartKind::triangles:
       break;
   }

@@ -85,11 +85,11 @@ class Counterpart {
   virtual float size(const btCollisionShape& shape) const = 0;
 };
 
-enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles };
-inline constexpr int kCounterpartKinds = 4;
+enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles, field };
+inline constexpr int kCounterpartKinds = 5;
 
-/// What a shape is treated as; nothing for what is neither convex nor can show its triangles: compounds, soft bodies,
-/// GImpact compounds and signed distance fields.
+/// What a shape is treated as; nothing for what is neither convex nor a distance field nor can show its triangles:
+/// compounds, soft bodies and GImpact compounds.
 std::optional<CounterpartKind> kindOf(const btCollisionShape& shape);
 
 std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind);

@@ -14,7 +14,7 @@ class CreateTreeAlgorithm;
 /// Enters the tree algorithms into a dispatcher's two tables (contacts and closest points), for sphere-trees against
 /// every shape that is neither a compound nor soft; compounds reach them child by child through Bullet's own algorithm.
 /// A shape of the same type number that is not ours gets what the tables had for it before, and so does a sphere-tree
-/// against a concave shape that cannot show its triangles. On destruction the tables get back what they had, where
+/// against a GImpact compound, which cannot show its triangles. On destruction the tables get back what they had, where
 /// nobody has entered anything since.
 class Registration {
  public:

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "counterparts/distance_field.h"
 #include "pairs/body_motion.h"
 #include "placement/bullet_math.h"
 #include "placement/tree_pose.h"
@@ -30,6 +31,15 @@ std::uint64_t broadphaseId(const btCollisionObjectWrapper& body) {
 
 const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
   return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
+}
+
+// 0 for what is no field.
+std::uint64_t fieldMark(const btCollisionShape& shape) {
+  const btSdfCollisionShape* const sdf = asField(shape);
+  if (!sdf) return 0;
+  DistanceField field;
+  field.take(*sdf);
+  return field.mark();
 }
 
 }  // namespace
@@ -183,6 +193,7 @@ bool TreePair::adopt(const SphereTreeShape* tree, const btCollisionShape& other)
     subject_.planeNormal = plane->getPlaneNormal();
     subject_.planeConstant = plane->getPlaneConstant();
   }
+  subject_.fieldMark = fieldMark(other);
   return true;
 }
 
@@ -195,7 +206,7 @@ bool TreePair::isSubject(const SphereTreeShape& tree, const SphereTreeShape* oth
   if (const btStaticPlaneShape* const plane = asPlane(other))
     return !subject_.otherTree && subject_.planeNormal == plane->getPlaneNormal() &&
            subject_.planeConstant == plane->getPlaneConstant();
-  if (!otherTree) return !subject_.otherTree;
+  if (!otherTree) return !subject_.otherTree && subject_.fieldMark == fieldMark(other);
   return subject_.otherTree.get() == &otherTree->tree() && subject_.otherScale == otherTree->scale() &&
          subject_.otherMargin == otherTree->getMargin() && subject_.otherFrame == otherTree->bodyFrame();
 }

@@ -172,6 +172,7 @@ class alignas(64) TreePair {
     const btCollisionShape* otherShape = nullptr;  // never followed: it may be gone
     btVector3 planeNormal{0, 0, 0};                // if it is a plane: another may stand at the same address
     btScalar planeConstant = 0;
+    std::uint64_t fieldMark = 0;  // if it is a field, which may be given other data: see `DistanceField::mark`
   };
 
   static constexpr std::size_t kSubjectBytes = 320, kCopyBytes = 128;

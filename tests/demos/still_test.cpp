@@ -4,6 +4,7 @@
 
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
+#include "distance_fields.h"
 #include "still_scenes.h"
 
 namespace cairn::test {
@@ -32,7 +33,8 @@ TEST(Sliding, FollowsTheTextbookOnEveryGround) {
   const TriedBody block = bodyOf(cuboid({1, 0.3, 0.3}, 1)), slab = bodyOf(cuboid({12, 2, 0.4}, 1));
   const std::shared_ptr<btCollisionShape> grounds[] = {
       std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)),
-      std::make_shared<btBoxShape>(btVector3(6, 1, btScalar(0.2))), slab.shape};
+      std::make_shared<btBoxShape>(btVector3(6, 1, btScalar(0.2))), slab.shape,
+      fieldShape({{-6.5, -1.5, -0.6}, {6.5, 1.5, 0.6}, {27, 7, 5}}, boxDistance({6, 1, 0.2}))};
   for (const auto& ground : grounds)
     for (const double turned : {0.0, 0.7, M_PI / 2}) {
       Slope slope;

@@ -7,13 +7,14 @@
 #include <iostream>
 #include <random>
 
+#include "distance_fields.h"
 #include "front_ends.h"
 #include "triangle_grounds.h"
 
 namespace cairn::test {
 namespace {
 
-enum class Wall { box, hull, mesh, tree, plane };
+enum class Wall { box, hull, mesh, tree, field, plane };
 constexpr btScalar kHalfWidth = 4;          // of the wall, metres
 constexpr btScalar kHalfThickness = 0.01F;  // of what has any
 constexpr std::uint32_t kSeed = 20021;
@@ -43,6 +44,12 @@ std::shared_ptr<btCollisionShape> wallShape(Wall wall) {
       const double w = 2 * double(kHalfWidth);
       static const std::shared_ptr<const SphereTree> slab = plainTree(cuboid({w, w, 2 * double(kHalfThickness)}, 8));
       return treeShape(slab);
+    }
+    case Wall::field: {
+      const double w = double(kHalfWidth);
+      static const auto field = fieldShape({{-w - 0.5, -w - 0.5, -0.5}, {w + 0.5, w + 0.5, 0.5}, {18, 18, 10}},
+                                           boxDistance({w, w, double(kHalfThickness)}));
+      return field;
     }
     case Wall::plane:
       break;
@@ -350,11 +357,12 @@ TYPED_TEST(ContinuousEverywhere, AShotIsStoppedOnAnyBudget) {
 }
 
 std::string nameOf(const testing::TestParamInfo<Wall>& info) {
-  constexpr const char* kNames[] = {"Box", "Hull", "Mesh", "Tree", "Plane"};
+  constexpr const char* kNames[] = {"Box", "Hull", "Mesh", "Tree", "Field", "Plane"};
   return kNames[static_cast<int>(info.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(At, Shots, testing::Values(Wall::box, Wall::hull, Wall::mesh, Wall::tree, Wall::plane),
+INSTANTIATE_TEST_SUITE_P(At, Shots,
+                         testing::Values(Wall::box, Wall::hull, Wall::mesh, Wall::tree, Wall::field, Wall::plane),
                          nameOf);
 
 }  // namespace

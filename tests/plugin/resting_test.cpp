@@ -5,6 +5,7 @@
 
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 
+#include "distance_fields.h"
 #include "front_ends.h"
 
 namespace cairn::test {
@@ -14,7 +15,7 @@ namespace {
 // leaves a steady few tenths of a millimetre; linear slop 0).
 constexpr btScalar kRestTolerance = bullet::kSpeculativeFraction;
 
-enum class Ground { plane, box, sphereCap, capsule, cylinder, hull, mesh, scaledMesh, terrain, tree };
+enum class Ground { plane, box, sphereCap, capsule, cylinder, hull, mesh, scaledMesh, terrain, tree, field };
 
 std::shared_ptr<btCollisionShape> meshShape(btScalar stretch) {
   // Ten by ten metres in a hundred cells, so that the body rests across many edges.
@@ -46,6 +47,12 @@ std::shared_ptr<btCollisionShape> hullShape() {
     hull->addPoint(btVector3(corner & 1 ? 3 : -3, corner & 2 ? 3 : -3, corner & 4 ? 1 : -1));
   hull->setMargin(btScalar(0.01));
   return hull;
+}
+
+// Half a metre of a slab below height 0, whose faces run between those of the grid's cells.
+std::shared_ptr<btCollisionShape> fieldSlab() {
+  static const auto shape = fieldShape({{-2.5, -2.5, -1}, {2.5, 2.5, 1}, {11, 11, 9}}, boxDistance({2, 2, 0.5}));
+  return shape;
 }
 
 // Adds the ground with its top at height 0.
@@ -81,6 +88,9 @@ void addGround(World& w, Ground ground) {
       return;
     case Ground::tree:
       w.add(treeShape(plainTree(cuboid({4, 4, 1}, 8))), 0, btVector3(0, 0, btScalar(-0.5)));
+      return;
+    case Ground::field:
+      w.add(fieldSlab(), 0, btVector3(0, 0, btScalar(-0.5)));
       return;
   }
 }
@@ -129,7 +139,8 @@ TEST_P(Resting, BallLiesWhereItsMeshTouches) {
 INSTANTIATE_TEST_SUITE_P(AllGrounds, Resting,
                          testing::Combine(testing::Values(Ground::plane, Ground::box, Ground::sphereCap,
                                                           Ground::capsule, Ground::cylinder, Ground::hull, Ground::mesh,
-                                                          Ground::scaledMesh, Ground::terrain, Ground::tree),
+                                                          Ground::scaledMesh, Ground::terrain, Ground::tree,
+                                                          Ground::field),
                                           testing::Bool(), testing::ValuesIn(kEveryFrontEnd)));
 
 // A round ground under flat leaves far larger than the speculative distance: the plane that touches it below a leaf's

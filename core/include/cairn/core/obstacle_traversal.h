@@ -5,8 +5,8 @@
 
 namespace cairn {
 
-/// Something that is not a sphere-tree, seen from one: a plane, a convex shape, a soup of triangles. It consists of
-/// elements (one for a plane) and answers which spheres of a family an element touches.
+/// Something that is not a sphere-tree, seen from one: a plane, a convex shape, a distance field, a soup of triangles.
+/// It consists of elements (one for a plane or a field) and answers which spheres of a family an element touches.
 class Obstacle {
  public:
   virtual ~Obstacle() = default;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Zlib
+#include "continuous/swept_field.h"
+
+#include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
+
+#include <limits>
+
+namespace cairn::bullet {
+
+namespace {
+// Each leaves a third of the way to a surface straight ahead.
+constexpr int kMaxSteps = 16;
+// So near, as a fraction of the ball's radius, is near enough.
+constexpr float kNearFraction = 0.01F;
+// Farther than anything is.
+constexpr float kFar = 1e18F;
+}  // namespace
+
+void SweptField::take(const btCollisionShape& shape, const btVector3& /*lower*/, const btVector3& /*upper*/) {
+  field_.take(static_cast<const btSdfCollisionShape&>(shape));
+  normal_ = onPlane_ = {};
+}
+
+float SweptField::radius(std::uint32_t /*element*/) const {
+  return std::numeric_limits<float>::infinity();
+}
+
+std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& way) const {
+  const float norm = length(way);
+  float gone = 0;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Vec3 center = gone > 0 ? ball.center + way * (gone / norm) : ball.center;
+    const float apart = field_.leastDistance(center) - ball.radius;
+    if (apart <= kNearFraction * ball.radius) break;
+    gone += apart;
+    if (gone > norm) return std::nullopt;
+  }
+  return gone > 0 ? gone / norm : 0.0F;
+}
+
+// Nothing is told of any other direction.
+Vec3 SweptField::support(std::uint32_t /*element*/, const Vec3& direction) const {
+  return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kFar;
+}
+
+void SweptField::appendNormals(std::uint32_t /*element*/, const Vec3& center, SeparatingNormals& normals) {
+  normal_ = {};
+  const std::optional<DistanceField::Sample> sample = field_.at(center);
+  if (!sample || !sample->hasDirection()) return;
+  normal_ = normalized(sample->gradient);
+  onPlane_ = center - normal_ * sample->height();
+  normals.add(normal_, true);
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Zlib
+#include "counterparts/field_counterpart.h"
+
+#include <BulletCollision/CollisionShapes/btSdfCollisionShape.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Steps from a leaf's support points to where it is lowest between them; each asks the field twice.
+constexpr int kMaxDescents = 6;
+// What a step must promise to gain, as a fraction of the reach: on flat ground the corners stay what is lowest.
+constexpr float kDescentGain = 0.1F;
+
+}  // namespace
+
+void FieldObstacle::place(const Similarity& toShape, const DistanceField& field, float margin) {
+  toShape_ = toShape;
+  field_ = &field;
+  margin_ = margin;
+}
+
+std::uint32_t FieldObstacle::touches(const Family& family, std::uint32_t familySize, std::uint32_t /*element*/) const {
+  std::uint32_t hits = 0;
+  for (std::uint32_t i = 0; i < std::min(familySize, kFamilyWidth); ++i) {
+    const Vec3 center = toShape_ * Vec3(family.x[i], family.y[i], family.z[i]);
+    const float reach = family.radius[i] * toShape_.scale + margin_;
+    hits |= static_cast<std::uint32_t>(!field_->isFarther(center, reach)) << i;
+  }
+  return hits;
+}
+
+void FieldCounterpart::place(const PairPlacement& placement) {
+  field_.take(static_cast<const btSdfCollisionShape&>(*placement.otherShape));
+  tree_ = placement.tree;
+  margin_ = placement.treeMargin;
+  reach_ = placement.reach;
+  const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
+  shapeFromPair_ = relativePose(shapePose, Pose{});
+  shapeFromTree_ = relativePose(shapePose, tree_.pose());
+  pairFromShapeAxes_ = toSimilarity(shapePose).linear;
+}
+
+void FieldCounterpart::placeObstacle() {
+  const float lengths = length(shapeFromTree_.translation) + tree_.tree().reach() * tree_.scale() + 2 * field_.reach();
+  obstacle_.place(shapeFromTree_, field_, reach_ + skin_ + margin_ + kOverlapSlack * lengths);
+}
+
+void FieldCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
+  skin_ = skin;
+  placeObstacle();
+  traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
+}
+
+bool FieldCounterpart::resume() {
+  placeObstacle();
+  return true;
+}
+
+float FieldCounterpart::size(const btCollisionShape& shape) const {
+  DistanceField field;
+  field.take(static_cast<const btSdfCollisionShape&>(shape));
+  return field.size();
+}
+
+std::optional<FieldCounterpart::Place> FieldCounterpart::placeAt(const Vec3& point) const {
+  std::optional<DistanceField::Sample> sample = field_.at(shapeFromPair_ * point);
+  if (!sample) return std::nullopt;
+  sample->gradient = pairFromShapeAxes_ * sample->gradient;
+  return Place{point, *sample};
+}
+
+void FieldCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  for (const NodePair& pair : pairs) appendLeaf(pair.a, contacts);
+}
+
+void FieldCounterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
+                                      std::vector<Contact>& contacts) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) gaps[i] = appendLeaf(pairs[i].a, contacts);
+}
+
+float FieldCounterpart::appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const {
+  const Sphere ball = tree_.sphere(leaf);
+  const std::optional<Place> middle = placeAt(ball.center);
+  const float apart = (middle ? middle->field.least : 0) - ball.radius - margin_;
+  if (apart >= reach_) return apart;
+  const std::optional<Place> place = lowest(leaf, middle);
+  if (!place) return apart;
+  if (tree_.isPlanar(leaf)) appendCorners(leaf, *place, contacts);
+  if (tree_.isPlanar(leaf) && place->isSupport) return apart;
+  // Where the ground is flat, the body has a point as low as its ball less the certified error.
+  const bool isFlat = place->isSupport && place->field.hasDirection();
+  const Vec3 onTree = isFlat ? tree_.extreme(leaf, -normalized(place->field.gradient)) : place->point;
+  appendContact(leaf, onTree, *place, -1, contacts);
+  return apart;
+}
+
+// A planar leaf touches with its corners: which of them is lowest would change with every rounding.
+void FieldCounterpart::appendCorners(NodeId leaf, const Place& lowest, std::vector<Contact>& contacts) const {
+  int index = 0;
+  for (const Vec3& inTree : tree_.supportPoints(leaf)) {
+    const Vec3 corner = tree_.toPair() * inTree;
+    const std::optional<Place> place = corner == lowest.point ? lowest : placeAt(corner);
+    if (place) appendContact(leaf, corner, *place, index, contacts);
+    ++index;
+  }
+}
+
+std::optional<FieldCounterpart::Place> FieldCounterpart::lowest(NodeId leaf, const std::optional<Place>& middle) const {
+  std::optional<Place> place = lowestSupport(leaf, middle);
+  for (int i = 0; place && i < kMaxDescents; ++i) {
+    const std::optional<Place> lower = descend(leaf, *place);
+    if (!lower) break;
+    place = lower;
+  }
+  return place;
+}
+
+// Where the field has no direction, all points are asked.
+std::optional<FieldCounterpart::Place> FieldCounterpart::lowestSupport(NodeId leaf,
+                                                                       const std::optional<Place>& middle) const {
+  if (middle && middle->field.hasDirection())
+    if (const std::optional<Place> place = placeAt(tree_.support(leaf, -middle->field.gradient))) return place;
+  std::optional<Place> lowest;
+  for (const Vec3& inTree : tree_.supportPoints(leaf)) {
+    const std::optional<Place> place = placeAt(tree_.toPair() * inTree);
+    if (place && (!lowest || place->field.value < lowest->field.value)) lowest = place;
+  }
+  return lowest;
+}
+
+// Towards the support point that lies deepest along the gradient, as far as the field falls (Frank and Wolfe): between
+// the two slopes it is taken for a parabola.
+std::optional<FieldCounterpart::Place> FieldCounterpart::descend(NodeId leaf, const Place& from) const {
+  if (!from.field.hasDirection()) return std::nullopt;
+  const Vec3 way = tree_.support(leaf, -from.field.gradient) - from.point;
+  const float fall = -dot(from.field.gradient, way);
+  if (fall <= kDescentGain * reach_) return std::nullopt;
+  std::optional<Place> to = placeAt(from.point + way);
+  if (!to) return std::nullopt;
+  const float rise = dot(to->field.gradient, way);
+  if (rise > 0) {
+    to = placeAt(from.point + way * (fall / (fall + rise)));
+    if (to) to->isSupport = false;
+  }
+  if (!to || to->field.value >= from.field.value) return std::nullopt;
+  return to;
+}
+
+// `measured` is the same point, or one of the leaf beside it: the surface is taken to be flat in between. What lies
+// outside the field's domain touches nothing.
+void FieldCounterpart::appendContact(NodeId leaf, const Vec3& onTree, const Place& measured, int pointIndex,
+                                     std::vector<Contact>& contacts) const {
+  if (!measured.field.isInDomain || !measured.field.hasDirection()) return;
+  Contact contact;
+  contact.normal = normalized(measured.field.gradient);
+  contact.gap = measured.field.height() + dot(contact.normal, onTree - measured.point) - margin_;
+  if (contact.gap >= reach_) return;
+  contact.pair = {leaf, 0};
+  contact.position = onTree - contact.normal * (margin_ + 0.5F * contact.gap);
+  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
+  contacts.push_back(contact);
+}
+
+// Where the field says nothing there is nothing to be held against.
+Contact FieldCounterpart::boundingContact(const NodePair& pair) {
+  const Sphere ball = tree_.sphere(pair.a);
+  Contact contact;
+  contact.ofSpheres = true;
+  contact.pair = pair;
+  contact.normal = Vec3(0, 0, 1);
+  contact.position = ball.center;
+  contact.gap = reach_ + ball.radius;
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  const std::optional<Place> place = placeAt(ball.center);
+  if (!place || !place->field.hasDirection()) return contact;
+  contact.normal = normalized(place->field.gradient);
+  contact.gap = place->field.value - ball.radius - margin_;
+  if (place->field.value <= 0) contact.certainDepth = tree_.innerRadius(pair.a);
+  contact.position = ball.center - contact.normal * (ball.radius + margin_ + 0.5F * contact.gap);
+  return contact;
+}
+
+std::uint32_t FieldCounterpart::appendWhole(std::vector<Contact>& contacts) {
+  if (placeAt(tree_.sphere(kRootNode).center)) return Counterpart::appendWhole(contacts);
+  return 1;
+}
+
+}  // namespace cairn::bullet
