@@ -19,7 +19,7 @@ constexpr std::array kMethods{
                  GrownIn::body},
     MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
     MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
-    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::body},
+    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::mesh},
     MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
     MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh},
     MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
