@@ -79,6 +79,10 @@ Vec3d BodyFrame::outOf(const Vec3d& point) const {
   return origin_ + (axes_[0] * point.x + axes_[1] * point.y + axes_[2] * point.z) * unit_;
 }
 
+Ball BodyFrame::outOf(const Ball& ball) const {
+  return {outOf(ball.center), ball.radius * unit_, ball.depth * unit_};
+}
+
 TriangleMesh bodyMesh(const TriangleMesh& mesh, const BodyFrame& frame) {
   TriangleMesh body = mesh;
   std::transform(body.vertices.begin(), body.vertices.end(), body.vertices.begin(),

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cairn/builder/triangle_mesh.h"
+#include "spheres/ball.h"
 
 namespace cairn::builder {
 
@@ -19,6 +20,7 @@ class BodyFrame {
   /// Of a point in the mesh frame, and back.
   Vec3d into(const Vec3d& point) const;
   Vec3d outOf(const Vec3d& point) const;
+  Ball outOf(const Ball& ball) const;
   /// The frame's unit of length in the mesh's.
   double unit() const { return unit_; }
 

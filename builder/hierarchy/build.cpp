@@ -11,6 +11,7 @@
 
 #include "cairn/builder/import.h"
 #include "hierarchy/build_options.h"
+#include "hierarchy/grow_in_body.h"
 #include "hierarchy/grow_levels.h"
 #include "hierarchy/method_traits.h"
 #include "hierarchy/region_tree.h"
@@ -67,11 +68,8 @@ class Reporter {
   bool stopped_ = false;
 };
 
-/// Nothing when cancelled.
-std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOptions& options,
-                                        const ProgressCallback& report) {
-  const SignedDistance solid(mesh);
-  Reporter reporter(report);
+/// Empty when cancelled.
+RegionTree growRegions(const SignedDistance& solid, const BuildOptions& options, Reporter& reporter) {
   const KeepGoing keepGoing = [&] { return reporter.keepGoing(); };
   HubbardMedial medial;
   Region root = rootRegion(solid, options.samples);
@@ -79,7 +77,7 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
     medial = hubbardMedialOf(solid, kHubbardSamples, options.seed, keepGoing);
     for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) root.medial.push_back(i);
   }
-  const double diagonal = boundsOf(mesh).diagonal();
+  const double diagonal = boundsOf(solid.mesh()).diagonal();
   const SplitSettings settings{options.method,
                                options.branching,
                                options.seed,
@@ -88,13 +86,24 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
                                options.optimiser.value_or(traitsOf(options.method).optimiser),
                                options.balance,
                                keepGoing,
-                               isConvex(mesh, kNegligibleConcavity * diagonal)};
+                               isConvex(solid.mesh(), kNegligibleConcavity * diagonal)};
   const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
-  const RegionTree regions = grow(std::move(root), options.depth, solid, settings,
-                                  [&](std::uint32_t level, std::size_t done, std::size_t count) {
-                                    return reporter.report(fractionDone(options.depth, level, done, count));
-                                  });
-  if (regions.empty() || !keepGoing() || !report("certifying errors", 0.9)) return std::nullopt;
+  return grow(std::move(root), options.depth, solid, settings,
+              [&](std::uint32_t level, std::size_t done, std::size_t count) {
+                return reporter.report(fractionDone(options.depth, level, done, count));
+              });
+}
+
+/// Nothing when cancelled.
+std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOptions& options,
+                                        const ProgressCallback& report) {
+  Reporter reporter(report);
+  const Grow grow = [&](const SignedDistance& solid) { return growRegions(solid, options, reporter); };
+  const bool inBody = traitsOf(options.method).frame == GrownIn::body;
+  RegionTree regions = inBody ? growInBody(mesh, grow) : RegionTree();
+  const SignedDistance solid(mesh);
+  if (!inBody) regions = grow(solid);
+  if (regions.empty() || !reporter.keepGoing() || !report("certifying errors", 0.9)) return std::nullopt;
   SphereTreeData data = makeTreeData(regions, solid);
   data.info = infoOf(mesh, options);
   return data;

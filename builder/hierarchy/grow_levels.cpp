@@ -74,8 +74,7 @@ std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& sol
 void moveOut(std::vector<CoverLevel>& levels, const BodyFrame& frame) {
   for (CoverLevel& level : levels) {
     level.limit = (level.limit + 2 * kBodyRounding) * frame.unit();
-    for (ChildBall& child : level.balls)
-      child.ball = {frame.outOf(child.ball.center), child.ball.radius * frame.unit(), child.ball.depth * frame.unit()};
+    for (ChildBall& child : level.balls) child.ball = frame.outOf(child.ball);
   }
 }
 

@@ -11,18 +11,19 @@ namespace cairn::builder {
 namespace {
 
 constexpr std::array kMethods{
-    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres},
-    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres},
-    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres},
-    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels},
-    MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres},
-    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres},
-    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres},
-    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups},
-    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres},
-    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres},
-    MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes},
-    MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes},
+    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels, GrownIn::mesh},
+    MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres,
+                 GrownIn::body},
+    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::mesh},
+    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
+    MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
 };
 
 /// In the order of the enumeration.

@@ -24,6 +24,12 @@ enum class Division : std::uint8_t {
   levels,   ///< spheres of a whole level at once
 };
 
+/// The frame a tree is grown in.
+enum class GrownIn : std::uint8_t {
+  mesh,  ///< the mesh's: divided along the axes the user gave it. Levels see to the body's frame themselves.
+  body,  ///< the body's own (hierarchy/body_frame.h): place, turn and scale of the mesh change nothing
+};
+
 /// What is done to the sphere sets of a method beside making them. The one place that says so: a construction that is
 /// here to be compared with gets what the thesis gives it and no more, unless the user asks for it.
 struct MethodTraits {
@@ -34,6 +40,7 @@ struct MethodTraits {
   Optimiser optimiser;
   Refit refit;
   Division division;
+  GrownIn frame;
 };
 
 /// All methods, in the order they are listed to users.

@@ -11,18 +11,8 @@ namespace cairn::builder {
 
 namespace {
 
-/// The first corner of the longest edge; the edge runs to the next corner.
-int longestEdge(const Piece& piece, double& lengthSqOut) {
-  int longest = 0;
-  lengthSqOut = -1;
-  for (int i = 0; i < 3; ++i) {
-    const double edgeSq = lengthSq(piece.corners[(i + 1) % 3] - piece.corners[i]);
-    if (edgeSq > lengthSqOut) {
-      lengthSqOut = edgeSq;
-      longest = i;
-    }
-  }
-  return longest;
+double edgeLengthSq(const Piece& piece, std::size_t first) {
+  return lengthSq(piece.corners[(first + 1) % 3] - piece.corners[first]);
 }
 
 struct QueuedPiece {
@@ -37,9 +27,7 @@ struct QueuedPiece {
 }  // namespace
 
 double longestEdgeSq(const Piece& piece) {
-  double edgeSq = 0;
-  longestEdge(piece, edgeSq);
-  return edgeSq;
+  return edgeLengthSq(piece, longestEdge(piece));
 }
 
 double areaOf(const Piece& piece) {
@@ -50,15 +38,30 @@ Vec3d centroidOf(const Piece& piece) {
   return (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
 }
 
-std::array<Piece, 2> bisect(const Piece& piece) {
-  double edgeSq = 0;
-  const int first = longestEdge(piece, edgeSq);
-  const int second = (first + 1) % 3;
+std::size_t longestEdge(const Piece& piece) {
+  std::size_t longest = 0;
+  double mostSq = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double edgeSq = edgeLengthSq(piece, i);
+    if (edgeSq > mostSq) {
+      mostSq = edgeSq;
+      longest = i;
+    }
+  }
+  return longest;
+}
+
+std::array<Piece, 2> cutAt(const Piece& piece, std::size_t first) {
+  const std::size_t second = (first + 1) % 3;
   const Vec3d middle = (piece.corners[first] + piece.corners[second]) * 0.5;
   std::array<Piece, 2> halves{piece, piece};
   halves[0].corners[second] = middle;
   halves[1].corners[first] = middle;
   return halves;
+}
+
+std::array<Piece, 2> bisect(const Piece& piece) {
+  return cutAt(piece, longestEdge(piece));
 }
 
 Pieces piecesOf(const TriangleMesh& mesh) {

@@ -26,8 +26,12 @@ double longestEdgeSq(const Piece& piece);
 double areaOf(const Piece& piece);
 Vec3d centroidOf(const Piece& piece);
 
-/// The two halves of a piece cut at the middle of its longest edge, the first such edge on a tie. Both neighbours of an
-/// edge compute the same midpoint, bit for bit.
+/// The first corner of the longest edge, the first such edge on a tie; the edge runs to the next corner.
+std::size_t longestEdge(const Piece& piece);
+/// The two halves of a piece cut at the middle of the edge that begins at corner `first`: without the edge's end, and
+/// without its beginning. Both neighbours of an edge compute the same midpoint, bit for bit.
+std::array<Piece, 2> cutAt(const Piece& piece, std::size_t first);
+/// The two halves of a piece cut at its longest edge.
 std::array<Piece, 2> bisect(const Piece& piece);
 
 /// One piece for each triangle of the mesh.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
@@ -18,6 +19,14 @@ inline Vec3d placed(Vec3d p, double scale) {
   p = {p.x, p.y * c - p.z * s, p.y * s + p.z * c};
   p = {p.x * c - p.z * s, p.y, p.x * s + p.z * c};
   return (p + Vec3d(1, -2, 3)) * scale;
+}
+
+/// Any turn and shift of the seed's choice, then the scale.
+inline builder::TriangleMesh randomlyPlacedMesh(const builder::TriangleMesh& mesh, std::uint64_t seed, double scale) {
+  std::mt19937_64 engine(seed);
+  const Mat3d turn = randomRotation(engine);
+  const Vec3d shift(uniform(engine, -3, 3), uniform(engine, -3, 3), uniform(engine, -3, 3));
+  return moved(mesh, [&](const Vec3d& p) { return (turn * p + shift) * scale; });
 }
 
 inline builder::TriangleMesh placedMesh(const builder::TriangleMesh& mesh, double scale) {
