@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "distance_fields.h"
 #include "still_scenes.h"
 #include "test_solids.h"
 #include "triangle_grounds.h"
@@ -79,6 +80,11 @@ inline std::shared_ptr<btCollisionShape> gimpactOf(const Solid& solid, btScalar 
 
 inline const btQuaternion kYUp{btVector3(1, 0, 0), btScalar(std::numbers::pi / 2)};  // takes y to z, and z to -y
 
+// A slab of a metre, in a domain that reaches as far above and below it, in cells of about half a metre.
+inline std::shared_ptr<btCollisionShape> fieldSlab() {
+  return fieldShape({{-9, -9, -1.5}, {9, 9, 1.5}, {36, 36, 6}}, boxDistance({8, 8, 0.5}));
+}
+
 }  // namespace detail
 
 /// A box, and what is level like one: the ground beside which others are judged.
@@ -124,6 +130,7 @@ inline std::vector<TriedGround> everyGround(const TreeOf& treeOf) {
                            {btVector3(4, 4, 0), tile}}),
        btScalar(0.5)},
       {"GImpact", mesh(TriangleGround::gimpact), kMargin, kMargin},
+      {"field", detail::fieldSlab(), btScalar(0.5)},
       {"tree", treeShape(slab), btScalar(0.5)},
       {"scaled tree", treeShape(treeOf(cuboid({8, 8, 0.5}, 8)), 2), btScalar(0.5)},
       {"tree in compound", detail::compoundOf({{btVector3(0, 0, 0), treeShape(slab)}}), btScalar(0.5)},
