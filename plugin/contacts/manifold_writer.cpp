@@ -2,6 +2,7 @@
 #include "contacts/manifold_writer.h"
 
 #include "contacts/restitution.h"
+#include "contacts/solving_order.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -61,20 +62,25 @@ void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold&
   if (nearest >= 0) matching.join(choice, nearest);
 }
 
+// By place before name: a face's corners have the names of whichever leaves reported them, several the same one, and
+// the next step others. Inheriting by these, points that lie still would take each other's impulses.
 ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                                                const ContactChoice& choice) const {
   Matching matching;
   const HeldContacts old = held(manifold);
-  for (int k = 0; k < choice.count; ++k) {
-    const Contact& contact = chosen(cluster, choice, k);
-    matching.local[static_cast<std::size_t>(k)] = localOnBody0(manifold, contact);
-    const auto isSame = [&](int i) { return old.id[static_cast<std::size_t>(i)] == contact.id; };
-    joinNearest(matching, manifold, k, SIMD_INFINITY, isSame);
-  }
-  for (int k = 0; k < choice.count; ++k) {
-    if (!matching.isNew(k)) continue;
-    joinNearest(matching, manifold, k, btScalar(inheritance_) * btScalar(inheritance_), [](int) { return true; });
-  }
+  const btScalar near = btScalar(inheritance_) * btScalar(inheritance_);
+  const auto join = [&](btScalar nearestSq, bool byId) {
+    for (int k = 0; k < choice.count; ++k) {
+      const ContactId& id = chosen(cluster, choice, k).id;
+      const auto mayJoin = [&](int i) { return !byId || old.id[static_cast<std::size_t>(i)] == id; };
+      if (matching.isNew(k)) joinNearest(matching, manifold, k, nearestSq, mayJoin);
+    }
+  };
+  for (int k = 0; k < choice.count; ++k)
+    matching.local[static_cast<std::size_t>(k)] = localOnBody0(manifold, chosen(cluster, choice, k));
+  join(near, true);
+  join(near, false);
+  join(SIMD_INFINITY, true);
   return matching;
 }
 
@@ -106,6 +112,7 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     for (int i = 0; i < continued; ++i)
       gContactProcessedCallback(manifold.getContactPoint(i), const_cast<btCollisionObject*>(manifold.getBody0()),
                                 const_cast<btCollisionObject*>(manifold.getBody1()));
+  putDeepestLast(manifold);
 }
 
 void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact) {

@@ -23,10 +23,11 @@ struct HeldContacts {
 /// Brings Bullet's manifolds of one pair to the contacts chosen in this step.
 ///
 /// Bullet recognises an old point by its position alone. So each new contact is first given the old point it continues
-/// (same id, else the nearest within `inheritance`), that point is moved onto it, and `addContactPoint` then replaces
-/// exactly that one: it keeps its impulses, its age and its user's data, and friction and callbacks are Bullet's own
-/// business. Points that are continued by no contact are removed; a manifold that stays in contact is never empty in
-/// between.
+/// (the nearest within `inheritance`, of the same id before others, else one of the same id that is farther away), that
+/// point is moved onto it, and `addContactPoint` then replaces exactly that one: it keeps its impulses, its age and its
+/// user's data, and friction and callbacks are Bullet's own business. Points that are continued by no contact are
+/// removed; a manifold that stays in contact is never empty in between. What comes of it is in the order of
+/// `putDeepestLast`.
 class ManifoldWriter {
  public:
   /// `origin`: the pair frame's, in the world. `treeIsBody0`: in the order of the manifolds' bodies. `inheritance`: how

@@ -48,8 +48,9 @@ struct StackStart {
   int seconds = 20;
   int iterations = 30;
   btScalar edge = 1;
-  /// Every cube begins aside of the axis by this, metres, turned about it cube by cube.
+  /// Every cube begins aside of the axis by this, metres, turned about it cube by cube, and all of them by `turned`.
   btScalar aside = 0;
+  btScalar turned = 0;  ///< radians
 };
 
 /// Cubes one on another on a plane, friction 0.5 everywhere.
@@ -60,7 +61,7 @@ inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
   std::vector<btRigidBody*> bodies;
   std::vector<btVector3> places;
   for (int i = 0; i < start.cubes; ++i) {
-    const btScalar angle = btScalar(2.4) * btScalar(i);
+    const btScalar angle = btScalar(2.4) * btScalar(i) + start.turned;
     const btScalar height = start.edge * (btScalar(i) + btScalar(0.5)) + cube.margin * (2 * btScalar(i) + 1);
     places.push_back({start.aside * std::cos(angle), start.aside * std::sin(angle), height});
     bodies.push_back(&w.addTried(cube, btTransform(btQuaternion::getIdentity(), places.back()), btScalar(0.5)));
@@ -75,6 +76,28 @@ inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
     run.energy += 0.5 * double(bodies[i]->getLinearVelocity().length2() + (spin * spin).dot(cube.inertia));
   }
   return run;
+}
+
+/// Several stacks that differ in what should not matter: drifts are chaotic, and one says little.
+inline std::vector<StackRun> runStacks(const TriedBody& cube, const StackStart& start, int count) {
+  constexpr btScalar kTurn = btScalar(0.1);         // no two of a hundred put a cube in the same place
+  constexpr btScalar kLeastAside = btScalar(1e-6);  // to turn something where the cubes stand exactly on each other
+  std::vector<StackRun> runs;
+  for (int i = 0; i < count; ++i) {
+    StackStart other = start;
+    other.turned = start.turned + kTurn * btScalar(i);
+    if (i > 0) other.aside = std::max(start.aside, kLeastAside);
+    runs.push_back(runStack(cube, other));
+  }
+  return runs;
+}
+
+/// Of one figure of several runs, the one that `fraction` of them do not exceed: 0.5 for the median.
+inline double quantile(const std::vector<StackRun>& runs, double StackRun::*figure, double fraction) {
+  std::vector<double> sorted;
+  for (const StackRun& run : runs) sorted.push_back(run.*figure);
+  std::ranges::sort(sorted);
+  return sorted[static_cast<std::size_t>(std::lround(fraction * double(sorted.size() - 1)))];
 }
 
 /// What the manifolds between all bodies hold.

@@ -26,7 +26,7 @@ constexpr double kGravity = 9.81;
 struct Options {
   std::string json;
   std::string only;
-  int stackSeconds = 20;
+  int stackSeconds = 20, stacks = 9;
   std::vector<int> iterations{30};
 };
 
@@ -75,20 +75,34 @@ Solid cylinder(double radius, double length, int sides, int bands) {
   return test::revolved(profile, sides);
 }
 
+// Least, quartiles and most of every figure.
+nlohmann::ordered_json detailsOf(const std::vector<test::StackRun>& stacks) {
+  const auto spread = [&](double test::StackRun::*figure) {
+    nlohmann::ordered_json values;
+    for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0})
+      values.push_back(test::quantile(stacks, figure, fraction));
+    return values;
+  };
+  return {{"drift_m", spread(&test::StackRun::drift)},
+          {"settling_m", spread(&test::StackRun::settling)},
+          {"kinetic_energy_j", spread(&test::StackRun::energy)}};
+}
+
 Status measureStacks(const Options& options, Table& table) {
   constexpr double kEdge = 1;
   const auto cube =
       tryShapes(test::cuboid({kEdge, kEdge, kEdge}, 1), "cube", std::make_shared<btBoxShape>(btVector3(0.5, 0.5, 0.5)));
   if (!cube) return cube.error();
-  Table::title("ten cubes of 1 m: drift, mm");
+  Table::title(fmt::format("ten cubes of 1 m: drift, mm, median of {}", options.stacks));
   for (const int iterations : options.iterations)
     for (const double aside : {0.0, 0.001, 0.005, 0.02}) {
       Row row{fmt::format("stack, {} iterations, placed {} mm aside", iterations, 1000 * aside), {}, {}, {}};
+      const test::StackStart start{
+          .seconds = options.stackSeconds, .iterations = iterations, .edge = kEdge, .aside = btScalar(aside)};
       for (const auto& [name, body] : cube.value().shapes) {
-        const test::StackRun run = test::runStack(
-            body, {.seconds = options.stackSeconds, .iterations = iterations, .edge = kEdge, .aside = btScalar(aside)});
-        row.measured.emplace_back(name, 1000 * run.drift);
-        row.details[name] = {{"drift_m", run.drift}, {"settling_m", run.settling}, {"kinetic_energy_j", run.energy}};
+        const std::vector<test::StackRun> runs = test::runStacks(body, start, options.stacks);
+        row.measured.emplace_back(name, 1000 * test::quantile(runs, &test::StackRun::drift, 0.5));
+        row.details[name] = detailsOf(runs);
       }
       table.add(std::move(row));
     }
@@ -220,6 +234,9 @@ int main(int argc, char** argv) {
                "still_bench");
   app.add_option("--only", options.only, "stack, slide or roll")->check(CLI::IsMember({"stack", "slide", "roll"}));
   app.add_option("--stack-seconds", options.stackSeconds, "how long the stacks are to stand")->capture_default_str();
+  app.add_option("--stacks", options.stacks, "how many are to stand, their cubes placed a little differently")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--iterations", options.iterations, "of the solver under stacks; several with commas")
       ->delimiter(',')
       ->capture_default_str();
