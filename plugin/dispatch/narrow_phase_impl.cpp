@@ -95,6 +95,7 @@ void NarrowPhase::Impl::reserve(const std::array<std::size_t, kCounterpartKinds>
     idle_[kind].reserve(pairs[kind]);
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
+    for (TreePair* const pair : idle_[kind]) pair->expectInterruptions();
   }
   makeWrittenRoom(collected_, all);
   makeWrittenRoom(asked_, all);

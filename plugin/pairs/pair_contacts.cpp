@@ -22,8 +22,11 @@ constexpr float kHeldFraction = 0.03F;
 // Bodies may roll for minutes before as much is known of a pair as can be.
 PairContacts::PairContacts() {
   guards_.reserve(kMaxGuards);
-  known_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
-  retested_.reserve(kMaxKnownPairs + kMaxClusters * kMaxPoints);
+  known_.reserve(kMaxKnown);
+}
+
+void PairContacts::makeRoomForRetests() {
+  retested_.reserve(kMaxKnown);
 }
 
 void PairContacts::reset() {
@@ -347,6 +350,7 @@ bool PairContacts::isKnown(const NodePair& pair) const {
 }
 
 void PairContacts::rememberDeepest(ContactScratch& scratch) {
+  makeRoomForRetests();
   std::vector<Contact>& contacts = scratch.contacts.list();
   const std::size_t count = std::min(contacts.size(), kMaxKnownPairs);
   std::partial_sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count), contacts.end(), deeper);

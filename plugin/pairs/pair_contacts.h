@@ -90,7 +90,10 @@ class PairContacts {
 
   /// Tells that this contact was handed to Bullet.
   void remember(const Contact& chosen);
-  /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted.
+  /// Allocates, once, what only steps that may be interrupted need: more than all the rest of a pair.
+  void makeRoomForRetests();
+  /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted,
+  /// and makes room for these.
   void rememberDeepest(ContactScratch& scratch);
 
  private:
@@ -128,6 +131,7 @@ class PairContacts {
   float allowedGap(const Contact& guard) const;
 
   static constexpr std::size_t kMaxGuards = 4;
+  static constexpr std::size_t kMaxKnown = kMaxKnownPairs + kMaxClusters * kMaxPoints;
 
   KeptAnswer kept_;  // first, see there
   std::vector<NodePair> known_;

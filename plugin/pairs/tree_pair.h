@@ -140,6 +140,9 @@ class alignas(64) TreePair {
   void fetchLists() const;
   void fetchLeafPairs() const;
 
+  /// Allocates now what else a first step on a budget would.
+  void expectInterruptions() { contacts_.makeRoomForRetests(); }
+
   void appendManifolds(btManifoldArray& manifolds) const;
   void releaseManifolds(btDispatcher& dispatcher);
 

