@@ -20,6 +20,8 @@ Cairn: collision detection that keeps its deadline.
                              generated tree)
   ./cairn.sh bench still [OPTIONS] how flat and smooth bodies stand, slide and roll as sphere-trees, beside Bullet's own
                              shapes and the textbook
+  ./cairn.sh bench matrix [OPTIONS] how sphere-trees rest, slide and roll with everything Bullet has, beside Bullet's own
+                             shapes and the textbook
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -186,6 +188,12 @@ bench_still() {
   build/release/bin/still_bench "$@"
 }
 
+bench_matrix() {
+  need "${everything[@]}" tests
+  configure_and_build release --target matrix_bench
+  build/release/bin/matrix_bench "$@"
+}
+
 bench_memory() {
   need "${everything[@]}" tests
   configure_and_build release --target memory_bench
@@ -195,6 +203,7 @@ bench_memory() {
 bench() {
   case ${1:-} in
     memory) bench_memory "${@:2}"; return ;;
+    matrix) bench_matrix "${@:2}"; return ;;
     still) bench_still "${@:2}"; return ;;
     queries) bench_queries "${@:2}"; return ;;
     builder) bench_builder "${@:2}"; return ;;

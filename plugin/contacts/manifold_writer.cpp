@@ -112,7 +112,7 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     for (int i = 0; i < continued; ++i)
       gContactProcessedCallback(manifold.getContactPoint(i), const_cast<btCollisionObject*>(manifold.getBody0()),
                                 const_cast<btCollisionObject*>(manifold.getBody1()));
-  putDeepestLast(manifold);
+  if (motion_.isSlow()) putDeepestLast(manifold);
 }
 
 void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact) {

@@ -26,8 +26,8 @@ struct HeldContacts {
 /// (the nearest within `inheritance`, of the same id before others, else one of the same id that is farther away), that
 /// point is moved onto it, and `addContactPoint` then replaces exactly that one: it keeps its impulses, its age and its
 /// user's data, and friction and callbacks are Bullet's own business. Points that are continued by no contact are
-/// removed; a manifold that stays in contact is never empty in between. What comes of it is in the order of
-/// `putDeepestLast`.
+/// removed; a manifold that stays in contact is never empty in between. Where the bodies are slow, what comes of it
+/// is in the order of `putDeepestLast`.
 class ManifoldWriter {
  public:
   /// `origin`: the pair frame's, in the world. `treeIsBody0`: in the order of the manifolds' bodies. `inheritance`: how

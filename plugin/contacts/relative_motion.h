@@ -22,6 +22,9 @@ struct RelativeMotion {
     return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
   }
 
+  /// Whether within a step nothing moves farther than a tenth of what contacts reach: bodies that rest, or creep.
+  bool isSlow() const { return greatestSpeed() * timeStep < 0.1F * reach; }
+
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
   float closingSpeed(const Contact& c) const {
     const Vec3 tree = treeLinear + cross(treeAngular, (c.isAhead ? c.onTree() : c.position) - treeCenter);

@@ -14,36 +14,38 @@ namespace cairn::bullet {
 /// some tilted a little from it.
 class FacingCorners {
  public:
-  static constexpr std::size_t kMaxCorners = 9;
+  static constexpr std::size_t kMaxCorners = 8;
 
   /// `support(direction)`: the shape's farthest point. `direction`: unit. `size`: of the shape; corners nearer to each
-  /// other than a twentieth of that are one. Nine questions.
+  /// other than a twentieth of that are one. Nine questions at most.
   void look(const Vec3& direction, float size, const auto& support) {
-    count_ = 0;
-    add(support(direction), size);
     const Vec3 u = normalized(perpendicularTo(direction)), v = cross(direction, u);
-    for (const auto& [alongU, alongV] : kTilts)
-      add(support(normalized(direction + (u * alongU + v * alongV) * kTilt)), size);
+    std::array<Vec3, kMaxCorners> tilted;
+    for (std::size_t i = 0; i < kMaxCorners; ++i)
+      tilted[i] = support(normalized(direction + (u * kTilts[i][0] + v * kTilts[i][1]) * kTilt));
+    count_ = 0;
+    for (const Vec3& corner : tilted) add(corner, size);
+    if (count_ == 1) corners_[0] = support(direction);
+    if (count_ == 2) takeFarthestPair(tilted);
   }
 
-  /// The first is the farthest along the direction.
   std::span<const Vec3> corners() const { return std::span(corners_).first(count_); }
 
  private:
-  // What leans by more touches with fewer corners: over a quarter of its size, two of them are then five thousandths of
-  // it apart in height, farther than contacts reach.
-  static constexpr float kTilt = 0.02F;
+  // What leans by more touches with fewer corners: over a quarter of its size, two of them are then more than two
+  // thousandths of it apart in height, farther than contacts reach. Less would find less of round edges' ends.
+  static constexpr float kTilt = 0.01F;
   static constexpr float kSameFraction = 0.05F;
   static constexpr float kDiagonal = 0.70710678F;
-  // The corners of a square first, as its edges' middles are no corners.
-  static constexpr std::array<std::array<float, 2>, kMaxCorners - 1> kTilts{{{kDiagonal, kDiagonal},
-                                                                             {-kDiagonal, kDiagonal},
-                                                                             {-kDiagonal, -kDiagonal},
-                                                                             {kDiagonal, -kDiagonal},
-                                                                             {1, 0},
-                                                                             {0, 1},
-                                                                             {-1, 0},
-                                                                             {0, -1}}};
+  // Opposite ones are half the list apart. The corners of a square first, as its edges' middles are no corners.
+  static constexpr std::array<std::array<float, 2>, kMaxCorners> kTilts{{{kDiagonal, kDiagonal},
+                                                                         {-kDiagonal, kDiagonal},
+                                                                         {1, 0},
+                                                                         {0, 1},
+                                                                         {-kDiagonal, -kDiagonal},
+                                                                         {kDiagonal, -kDiagonal},
+                                                                         {-1, 0},
+                                                                         {0, -1}}};
 
   static Vec3 perpendicularTo(const Vec3& d) {
     const Vec3 axis = d.x * d.x < 0.5F ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
@@ -53,6 +55,19 @@ class FacingCorners {
     for (const Vec3& known : corners())
       if (lengthSq(corner - known) < kSameFraction * kSameFraction * size * size) return;
     corners_[count_++] = corner;
+  }
+  // Tilted across a round edge, its ends lie beside where it is lowest: one end alone would set a lying cylinder
+  // rolling, ends of opposite tilts hold each other.
+  void takeFarthestPair(const std::array<Vec3, kMaxCorners>& tilted) {
+    constexpr std::size_t kHalf = kMaxCorners / 2;
+    float farthestSq = -1;
+    for (std::size_t i = 0; i < kHalf; ++i) {
+      const float apartSq = lengthSq(tilted[i] - tilted[i + kHalf]);
+      if (apartSq <= farthestSq) continue;
+      farthestSq = apartSq;
+      corners_[0] = tilted[i];
+      corners_[1] = tilted[i + kHalf];
+    }
   }
 
   std::array<Vec3, kMaxCorners> corners_;

@@ -76,7 +76,7 @@ void TreeCounterpart::expect(std::span<const Vec3> normals) {
 }
 
 float TreeCounterpart::separation(const NodePair& pair, const Vec3& along) const {
-  return dot(along, a_.extreme(pair.a, -along) - b_.extreme(pair.b, along)) - margins_;
+  return dot(along, a_.support(pair.a, -along) - b_.support(pair.b, along)) - margins_;
 }
 
 // Whatever separates the two regions by the reach proves that they do not touch. Where they are about as near as they
@@ -99,15 +99,18 @@ TreeCounterpart::Expected TreeCounterpart::touchAsExpected(Contact& contact, con
 }
 
 bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const {
-  const Vec3 onA = a_.extreme(contact.pair.a, -contact.normal);
+  const Vec3 onA = a_.support(contact.pair.a, -contact.normal);
   // No point of B's region lies higher than the top of its ball: often that says enough.
   contact.gap = dot(contact.normal, onA - b.center) - b.radius - margins_;
   if (contact.gap >= atMost) return false;
-  const Vec3 onB = b_.extreme(contact.pair.b, contact.normal);
+  const Vec3 onB = b_.support(contact.pair.b, contact.normal);
   contact.gap = dot(contact.normal, onA - onB) - margins_;
   if (contact.gap >= reach_) return false;
-  // The smaller region knows better where the contact is: on a flat one, any point may be extreme.
-  const float weightA = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
+  // What is round knows better where the contact is, as any point of a flat face may be extreme; else what is smaller.
+  const bool isFlatA = a_.isFlatAlong(contact.pair.a, -contact.normal);
+  const bool isFlatB = b_.isFlatAlong(contact.pair.b, contact.normal);
+  const float ofSizes = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
+  const float weightA = isFlatA == isFlatB ? ofSizes : static_cast<float>(isFlatB);
   const Vec3 where = onB + (onA - onB) * weightA;
   const float middle = 0.5F * dot(contact.normal, onA + onB);
   contact.position = where + contact.normal * (middle - dot(contact.normal, where));

@@ -129,16 +129,20 @@ btRigidBody& shootSphere(BulletWorld<>& w, const Shot& shot, bool isContinuous) 
   return body;
 }
 
+bool isOursAlone(Wall wall) {
+  return wall == Wall::tree || wall == Wall::field;
+}
+
 class Shots : public testing::TestWithParam<Wall> {
  protected:
-  // Against the wall as Bullet has it: a tree's is a box.
+  // Against the wall as Bullet has it: a tree's is a box, and so is a field's, which Bullet does not look ahead for.
   static int spheresThrough(int count, bool isContinuous) {
     std::mt19937 random(kSeed);
     int passed = 0;
     for (int i = 0; i < count; ++i) {
       BulletWorld<> w;
       w.world.setGravity(btVector3(0, 0, 0));
-      w.add(wallShape(GetParam() == Wall::tree ? Wall::box : GetParam()), 0, btVector3(0, 0, 0));
+      w.add(wallShape(isOursAlone(GetParam()) ? Wall::box : GetParam()), 0, btVector3(0, 0, 0));
       passed += passesThrough(w, shootSphere(w, randomShot(random), isContinuous), GetParam() == Wall::plane) ? 1 : 0;
     }
     return passed;
@@ -165,7 +169,9 @@ class Shots : public testing::TestWithParam<Wall> {
 
 // A slab of a tree whose leaves are fifty times as wide as it is thick lets some through (2 of 1000 in single, 5 in
 // double precision, where all go through without): their centre lines say little of where its surface is.
+// What has come to a stop with its middle in a field's plate is pushed out on the side that is nearer.
 int mostThrough(Wall wall) {
+  if (wall == Wall::field) return 2;
   return wall == Wall::tree ? 10 : 0;
 }
 
@@ -174,7 +180,7 @@ TEST_P(Shots, NoneOfAThousandGoesThrough) {
   std::cout << "of 1000 shots " << ours << " through; of Bullet's spheres " << spheres
             << ", without continuous collision " << spheresThrough(1000, false) << "\n";
   EXPECT_LE(ours, mostThrough(GetParam())) << "seed " << kSeed;
-  if (GetParam() != Wall::tree) EXPECT_LE(ours, spheres);
+  if (!isOursAlone(GetParam())) EXPECT_LE(ours, spheres);
 }
 
 TEST_P(Shots, NoneOfThoseThatBounceGoesThrough) {

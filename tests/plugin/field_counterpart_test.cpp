@@ -149,6 +149,8 @@ TEST(Field_Slope, CuboidSlidesAsTheTextbookSays) {
 // What rolls loses to its facets (docs/algorithms/contacts.md: up to a quarter), and no more than on a plane.
 TEST(Field_Slope, BallRollsAsOnAPlane) {
   constexpr double kRadius = 0.2, kLoss = 0.25;
+  // Which facets strike differs with the last bits: 0.3 % of the speed each (`Trials::facetLoss`), of sixteen.
+  constexpr double kAlike = 0.05;
   const TriedBody tried = triedBody(ball(kRadius, 16));
   Slope slope = fieldSlope(10);
   slope.height = btScalar(kRadius);
@@ -160,7 +162,7 @@ TEST(Field_Slope, BallRollsAsOnAPlane) {
   Slope plane = slope;
   plane.ground = std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0));
   plane.top = 0;
-  EXPECT_NEAR(run.acceleration, runSlope(tried, plane).acceleration, 0.01 * expected);
+  EXPECT_NEAR(run.acceleration, runSlope(tried, plane).acceleration, kAlike * expected);
   EXPECT_NEAR(run.slip, 0, 0.05);
   EXPECT_NEAR(run.aside, 0, 0.05);
 }

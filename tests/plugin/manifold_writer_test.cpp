@@ -15,6 +15,13 @@ using namespace cairn::bullet;
 constexpr float kInheritance = 0.02F;
 constexpr std::array<Vec3, kMaxPoints> kCorners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
 
+RelativeMotion resting() {
+  RelativeMotion motion;
+  motion.timeStep = 1.0F / 60;
+  motion.reach = 0.002F;
+  return motion;
+}
+
 // Two bodies, one manifold between them, and what is written into it.
 class Written {
  public:
@@ -39,7 +46,7 @@ class Written {
     const btCollisionObjectWrapper of0(nullptr, &shape_, &objects_[0], objects_[0].getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper of1(nullptr, &shape_, &objects_[1], objects_[1].getWorldTransform(), -1, -1);
     btManifoldResult result(&of0, &of1);
-    ManifoldWriter(result, btVector3(0, 0, 0), true, kInheritance, motion_).write(manifold, cluster, choice);
+    ManifoldWriter(result, btVector3(0, 0, 0), true, kInheritance, motion).write(manifold, cluster, choice);
   }
 
   btManifoldPoint& at(std::size_t corner) {
@@ -58,9 +65,9 @@ class Written {
  private:
   btSphereShape shape_{1};
   std::array<btCollisionObject, 2> objects_;
-  RelativeMotion motion_{};
 
  public:
+  RelativeMotion motion = resting();
   btPersistentManifold manifold;
 };
 
@@ -93,6 +100,15 @@ TEST(ManifoldWriter, TheSolverIsAskedTheDeepestLast) {
   Written w;
   w.write({2, 0, 3, 1}, {1, 2, 3, 4});
   for (int i = 0; i < kMaxPoints; ++i) EXPECT_EQ(w.distance(i, static_cast<std::size_t>(i)), 0);
+}
+
+// The deepest of what rolls is another one in every step.
+TEST(ManifoldWriter, WhatMovesKeepsItsOrder) {
+  Written w;
+  w.motion.treeLinear = {1, 0, 0};
+  w.write({2, 0, 3, 1}, {1, 2, 3, 4});
+  EXPECT_EQ(w.distance(0, 2), 0);
+  EXPECT_EQ(w.distance(1, 0), 0);
 }
 
 }  // namespace
