@@ -27,7 +27,6 @@ class Written {
  public:
   Written() : manifold(&objects_[0], &objects_[1], 0, btScalar(0.05), btScalar(0.05)) {
     for (btCollisionObject& object : objects_) object.setCollisionShape(&shape_);
-    motion_.timeStep = 1.0F / 60;
   }
 
   /// At these corners, in this order, with these ids, each as deep as its corner's number says.
