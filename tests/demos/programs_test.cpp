@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"rockfall", "--seed -1", "'-1' is not a whole number"},
         WrongUsage{"frame_budget", "--margin-fraction nan", "'nan' is not a fraction from 0 to 1"},
         WrongUsage{"make_rock", "--seed -1 -o rock.obj", "'-1' is not a whole number"},
-        WrongUsage{"tree_picture", "", "TREE"}));
+        WrongUsage{"tree_picture", "", "TREE"}, WrongUsage{"debug_drawing", "", "TREE"}));
 
 TEST(Programs_UnwritableOutput, IsNoticedBeforeTheWork) {
   const TemporaryFolder folder;
@@ -103,9 +103,11 @@ TEST(Programs_UnreadableInput, IsOneSentenceThatNamesTheFileAndExitCodeOne) {
   EXPECT_EQ(tree.exitCode, 1);
   expectOneSentence(tree, "frame_budget", "no_such_tree.cairn");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-  const ProgramResult picture = runProgram("tree_picture", "no_such_tree.cairn -o '" + json + "'");
-  EXPECT_EQ(picture.exitCode, 1);
-  expectOneSentence(picture, "tree_picture", "no_such_tree.cairn");
+  for (const char* program : {"tree_picture", "debug_drawing"}) {
+    const ProgramResult picture = runProgram(program, "no_such_tree.cairn -o '" + json + "'");
+    EXPECT_EQ(picture.exitCode, 1);
+    expectOneSentence(picture, program, "no_such_tree.cairn");
+  }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -117,7 +119,7 @@ TEST(Programs_Help, OfFrameBudgetShowsEverySceneByExample) {
 }
 
 TEST(Programs_Help, ListsTheOptionsAndSucceeds) {
-  for (const char* program : {"frame_budget", "rockfall", "tree_picture"}) {
+  for (const char* program : {"frame_budget", "rockfall", "tree_picture", "debug_drawing"}) {
     const ProgramResult result = runProgram(program, "--help");
     EXPECT_EQ(result.exitCode, 0) << program;
     EXPECT_NE(result.output.find("--"), std::string::npos) << program;
@@ -242,13 +244,15 @@ TEST_F(ProgramsWithATree, FrameBudgetLeavesNothingWhereItCannotWrite) {
 }
 
 TEST_F(ProgramsWithATree, PictureIsAPngOrOneSentenceWithoutPovray) {
-  const ProgramResult drawn = runProgram("tree_picture", path("rock.cairn") + " -o " + path("tree.png"));
-  if (drawn.exitCode == 0) {
-    EXPECT_EQ(contentOf(folder_.path() / "tree.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
-  } else {
-    expectOneSentence(drawn, "tree_picture", "install the package povray");
+  for (const char* program : {"tree_picture", "debug_drawing"}) {
+    const ProgramResult drawn = runProgram(program, path("rock.cairn") + " -o " + path("tree.png"));
+    if (drawn.exitCode == 0) {
+      EXPECT_EQ(contentOf(folder_.path() / "tree.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+    } else {
+      expectOneSentence(drawn, program, "install the package povray");
+    }
+    std::filesystem::remove(folder_.path() / "tree.png");
   }
-  std::filesystem::remove(folder_.path() / "tree.png");
   ASSERT_EQ(setenv("PATH", folder_.path().c_str(), 1), 0);
   const ProgramResult missing = runProgram("tree_picture", path("rock.cairn") + " -o " + path("tree.png"));
   EXPECT_EQ(missing.exitCode, 1);

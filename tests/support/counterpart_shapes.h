@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "distance_fields.h"
+#include "gimpact_mesh.h"
 #include "still_scenes.h"
-#include "test_solids.h"
 #include "triangle_grounds.h"
 
 namespace cairn::test {
@@ -63,19 +63,6 @@ inline std::shared_ptr<btCollisionShape> scaledConvex(std::shared_ptr<btConvexSh
   btCollisionShape* const shape = scaled.get();
   return {shape, [child = std::move(child),
                   owner = std::shared_ptr<btCollisionShape>(std::move(scaled))](btCollisionShape*) {}};
-}
-
-inline std::shared_ptr<btCollisionShape> gimpactOf(const Solid& solid, btScalar margin) {
-  auto mesh = std::make_shared<btTriangleMesh>();
-  const auto corner = [&](std::uint32_t i) {
-    const Vec3d& v = solid.vertices[i];
-    return btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z));
-  };
-  for (const auto& t : solid.triangles) mesh->addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
-  auto shape = std::make_shared<btGImpactMeshShape>(mesh.get());
-  shape->setMargin(margin);
-  shape->updateBound();
-  return {shape.get(), [mesh, shape](btCollisionShape*) {}};
 }
 
 inline const btQuaternion kYUp{btVector3(1, 0, 0), btScalar(std::numbers::pi / 2)};  // takes y to z, and z to -y
@@ -195,7 +182,7 @@ inline std::vector<TriedMover> everyMover(const TreeOf& treeOf) {
   cone.height = h / 2 + btScalar(CONVEX_DISTANCE_MARGIN);
   const auto small = std::make_shared<btBoxShape>(half * btVector3(btScalar(0.5), 1, 1));
   const auto blockTree = treeOf(block());
-  TriedMover gimpact = blockMover("GImpact", detail::gimpactOf(block(), kGimpactMargin), kGimpactMargin);
+  TriedMover gimpact = blockMover("GImpact", gimpactMesh(block(), kGimpactMargin), kGimpactMargin);
   gimpact.meshMargin = kGimpactMargin;
   return {
       boxBlock(),

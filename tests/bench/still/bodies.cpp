@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "still/bodies.h"
 
-#include <BulletCollision/Gimpact/btGImpactShape.h>
-
 #include <utility>
 
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
+#include "gimpact_mesh.h"
 
 namespace cairn::bench {
 namespace {
@@ -22,22 +21,6 @@ std::shared_ptr<btCollisionShape> hullOf(const test::Solid& solid, btScalar marg
   hull->setMargin(margin);
   hull->recalcLocalAabb();
   return hull;
-}
-
-std::shared_ptr<btCollisionShape> gimpactOf(const test::Solid& solid, btScalar margin) {
-  auto mesh = std::make_shared<btTriangleMesh>();
-  for (const auto& t : solid.triangles)
-    mesh->addTriangle(toBullet(solid.vertices[t[0]]), toBullet(solid.vertices[t[1]]), toBullet(solid.vertices[t[2]]));
-  // The shape refers to the mesh: both live as long as either.
-  struct Kept {
-    explicit Kept(std::shared_ptr<btTriangleMesh> m) : mesh(std::move(m)), shape(mesh.get()) {}
-    std::shared_ptr<btTriangleMesh> mesh;
-    btGImpactMeshShape shape;
-  };
-  auto kept = std::make_shared<Kept>(std::move(mesh));
-  kept->shape.setMargin(margin);
-  kept->shape.updateBound();
-  return {kept, &kept->shape};
 }
 
 }  // namespace
@@ -58,7 +41,7 @@ Result<TriedShapes> tryShapes(const test::Solid& solid, const std::string& name,
   tried.shapes = {{"tree", {tree, inertia, 0}},
                   {"own", {std::move(own), inertia, 0}},
                   {"hull", {hullOf(solid, hullMargin), inertia, hullMargin}},
-                  {"gimpact", {gimpactOf(solid, gimpactMargin), inertia, gimpactMargin}}};
+                  {"gimpact", {test::gimpactMesh(solid, gimpactMargin), inertia, gimpactMargin}}};
   return tried;
 }
 
