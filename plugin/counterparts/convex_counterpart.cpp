@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "counterparts/cut_face.h"
 #include "placement/bullet_math.h"
-#include "triangles/triangle.h"
 
 namespace cairn::bullet {
 
@@ -21,6 +21,8 @@ constexpr int kMaxPulls = 3;
 constexpr float kLargeLeaf = 0.25F;
 // Cosine of the 10 degrees by which a triangle may lean against the plane between shape and leaf.
 constexpr float kSameFaceCosine = 0.984807753F;
+// Triangles that a leaf may be asked about: their number has no bound, and no budget covers them.
+constexpr std::size_t kMaxTriangles = 64;
 // Fraction of a leaf's radius by which a corner may miss a triangle it stands on: no more than rounding does.
 constexpr float kSeam = 1e-4F;
 
@@ -118,8 +120,8 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
   Touch touch = touchAlong(leaf, {center.normal, dot(center.normal, center.point)});
   if (touch.height - margin_ < reach_) improve(leaf, touch);
   if (touch.height - margin_ >= reach_) return;
-  if (sphere.radius > kLargeLeaf * size_) {
-    if (!appendCorners(leaf, touch, contacts)) appendContact(leaf, touch, touch.point, -1, contacts);
+  if (sphere.radius > kLargeLeaf * size_ && tree_.tree().regionTriangles(leaf).size() <= kMaxTriangles) {
+    if (!appendCommon(leaf, touch, contacts)) appendContact(leaf, touch, touch.point, -1, contacts);
     return;
   }
   if (!tree_.isPlanar(leaf)) {
@@ -182,40 +184,21 @@ bool ConvexCounterpart::isOnShape(const Vec3& onTree, float height) {
   return nearest(onTree).distance <= std::max(height, 0.0F) + reach_;
 }
 
-std::optional<float> ConvexCounterpart::heightOver(NodeId leaf, const Vec3& normal, const Vec3& point,
-                                                   float tolerance) const {
+bool ConvexCounterpart::appendCommon(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts) {
   const SphereTree& tree = tree_.tree();
-  std::optional<float> lowest;
-  for (const std::uint32_t index : tree.regionTriangles(leaf)) {
-    const auto& [i, j, k] = tree.triangles()[index];
-    const auto corner = [&](std::uint32_t v) { return tree_.toPair() * tree.vertices()[v]; };
-    const Triangle triangle{corner(i), corner(j), corner(k)};
-    const Vec3 outwards = triangle.normal();
-    const float facing = -dot(outwards, normal);
-    if (facing < kSameFaceCosine) continue;
-    const float height = dot(outwards, point - triangle.a) / facing;
-    const Vec3 foot = point + normal * height;
-    if (lengthSq(foot - nearestOnTriangle(triangle, foot).point) > tolerance * tolerance) continue;
-    lowest = lowest ? std::min(*lowest, height) : height;
-  }
-  return lowest;
-}
-
-bool ConvexCounterpart::appendCorners(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts) {
   const std::size_t before = contacts.size();
   const Vec3& normal = touch.plane.normal;
   const Mat3 shapeFromPairAxes = transpose(pairFromShapeAxes_);
   facing_.look(shapeFromPairAxes * normal, size_, [&](const Vec3& direction) { return surface_.support(direction); });
-  // Beside what there is of the leaf's own points, whose number is limited.
-  int index = kMaxSupportPoints;
-  for (const Vec3& corner : facing_.corners()) {
-    const Vec3 onShape = pairFromShapeAxes_ * corner + shapeOrigin_;
-    const std::optional<float> height = heightOver(leaf, normal, onShape, kSeam * tree_.sphere(leaf).radius);
-    if (height)
-      append(leaf, normal, onShape + normal * (0.5F * (*height - margin_)), *height - margin_, index, contacts);
-    ++index;
+  std::array<Vec3, FacingCorners::kMaxCorners> face;
+  const std::size_t corners = facing_.corners().size();
+  for (std::size_t i = 0; i < corners; ++i) face[i] = pairFromShapeAxes_ * facing_.corners()[i] + shapeOrigin_;
+  for (const std::uint32_t index : tree.regionTriangles(leaf)) {
+    const auto& [i, j, k] = tree.triangles()[index];
+    const auto corner = [&](std::uint32_t v) { return tree_.toPair() * tree.vertices()[v]; };
+    appendOnTriangle(leaf, normal, {corner(i), corner(j), corner(k)}, std::span(face).first(corners), contacts);
   }
-  index = 0;
+  int index = 0;
   for (const Vec3& point : tree_.supportPoints(leaf)) {
     const Vec3 onTree = tree_.toPair() * point;
     const float height = dot(normal, onTree) - touch.plane.offset;
@@ -223,6 +206,28 @@ bool ConvexCounterpart::appendCorners(NodeId leaf, const Touch& touch, std::vect
     ++index;
   }
   return contacts.size() > before;
+}
+
+// The face is cut by the planes through the triangle's sides along the normal; what is left of it lies over the
+// triangle.
+void ConvexCounterpart::appendOnTriangle(NodeId leaf, const Vec3& normal, const Triangle& triangle,
+                                         std::span<const Vec3> face, std::vector<Contact>& contacts) const {
+  const Vec3 outwards = triangle.normal();
+  const float facing = -dot(outwards, normal);
+  if (facing < kSameFaceCosine) return;
+  CutFace common(face);
+  const float seam = kSeam * tree_.sphere(leaf).radius;
+  const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 inwards = cross(corner[(i + 1) % 3] - corner[i], normal);
+    common.cut(inwards, dot(inwards, corner[i]) - seam * length(inwards));
+  }
+  // Beside what there is of the leaf's own points, whose number is limited.
+  int index = kMaxSupportPoints;
+  for (const Vec3& onShape : common.points()) {
+    const float gap = dot(outwards, onShape - triangle.a) / facing - margin_;
+    append(leaf, normal, onShape + normal * (0.5F * gap), gap, index++, contacts);
+  }
 }
 
 void ConvexCounterpart::appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "cairn/core/obstacle_traversal.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/counterpart.h"
 #include "counterparts/facing_corners.h"
+#include "triangles/triangle.h"
 
 namespace cairn::bullet {
 
@@ -60,11 +61,12 @@ class ConvexCounterpart final : public Counterpart {
   void improve(NodeId leaf, Touch& touch);
   void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
   void offerFaces(NodeId leaf, Touch& touch) const;
-  // For a leaf that is large against the shape: where the shape's corners stand on the leaf's triangles, and the
-  // leaf's own points that lie on the shape. False when there are none of either.
-  bool appendCorners(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts);
-  // By how far the leaf's triangles lie above the point along the normal, at least; nothing when none does.
-  std::optional<float> heightOver(NodeId leaf, const Vec3& normal, const Vec3& point, float tolerance) const;
+  // For a leaf that is large against the shape: what the shape's face, edge or point has in common with the leaf's
+  // triangles, seen along the normal, and the leaf's own points that lie on the shape. False when there is none of
+  // either.
+  bool appendCommon(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts);
+  void appendOnTriangle(NodeId leaf, const Vec3& normal, const Triangle& triangle, std::span<const Vec3> face,
+                        std::vector<Contact>& contacts) const;
   bool isOnShape(const Vec3& onTree, float height);
   void appendContact(NodeId leaf, const Touch& touch, const Vec3& onTree, int pointIndex,
                      std::vector<Contact>& contacts);

@@ -17,7 +17,7 @@ class FacingCorners {
   static constexpr std::size_t kMaxCorners = 8;
 
   /// `support(direction)`: the shape's farthest point. `direction`: unit. `size`: of the shape; corners nearer to each
-  /// other than a twentieth of that are one. Nine questions at most.
+  /// other than an eightieth of that are one. Nine questions at most.
   void look(const Vec3& direction, float size, const auto& support) {
     const Vec3 u = normalized(perpendicularTo(direction)), v = cross(direction, u);
     std::array<Vec3, kMaxCorners> tilted;
@@ -29,23 +29,24 @@ class FacingCorners {
     if (count_ == 2) takeFarthestPair(tilted);
   }
 
+  /// In their order around the direction.
   std::span<const Vec3> corners() const { return std::span(corners_).first(count_); }
 
  private:
   // What leans by more touches with fewer corners: over a quarter of its size, two of them are then more than two
   // thousandths of it apart in height, farther than contacts reach. Less would find less of round edges' ends.
   static constexpr float kTilt = 0.01F;
-  static constexpr float kSameFraction = 0.05F;
+  // Twice the tilt times a round shape's radius, half its size, lies between what opposite tilts find on it.
+  static constexpr float kSameFraction = 0.0125F;
   static constexpr float kDiagonal = 0.70710678F;
-  // Opposite ones are half the list apart. The corners of a square first, as its edges' middles are no corners.
-  static constexpr std::array<std::array<float, 2>, kMaxCorners> kTilts{{{kDiagonal, kDiagonal},
-                                                                         {-kDiagonal, kDiagonal},
-                                                                         {1, 0},
+  static constexpr std::array<std::array<float, 2>, kMaxCorners> kTilts{{{1, 0},
+                                                                         {kDiagonal, kDiagonal},
                                                                          {0, 1},
-                                                                         {-kDiagonal, -kDiagonal},
-                                                                         {kDiagonal, -kDiagonal},
+                                                                         {-kDiagonal, kDiagonal},
                                                                          {-1, 0},
-                                                                         {0, -1}}};
+                                                                         {-kDiagonal, -kDiagonal},
+                                                                         {0, -1},
+                                                                         {kDiagonal, -kDiagonal}}};
 
   static Vec3 perpendicularTo(const Vec3& d) {
     const Vec3 axis = d.x * d.x < 0.5F ? Vec3(1, 0, 0) : Vec3(0, 1, 0);

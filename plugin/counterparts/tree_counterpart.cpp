@@ -106,11 +106,8 @@ bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b
   const Vec3 onB = b_.support(contact.pair.b, contact.normal);
   contact.gap = dot(contact.normal, onA - onB) - margins_;
   if (contact.gap >= reach_) return false;
-  // What is round knows better where the contact is, as any point of a flat face may be extreme; else what is smaller.
-  const bool isFlatA = a_.isFlatAlong(contact.pair.a, -contact.normal);
-  const bool isFlatB = b_.isFlatAlong(contact.pair.b, contact.normal);
-  const float ofSizes = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
-  const float weightA = isFlatA == isFlatB ? ofSizes : static_cast<float>(isFlatB);
+  // The smaller region knows better where the contact is: on a flat one, any point may be extreme.
+  const float weightA = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
   const Vec3 where = onB + (onA - onB) * weightA;
   const float middle = 0.5F * dot(contact.normal, onA + onB);
   contact.position = where + contact.normal * (middle - dot(contact.normal, where));

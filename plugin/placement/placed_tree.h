@@ -40,17 +40,6 @@ class PlacedTree {
     const Vec3& axis = tree_->node(node).normalCone.axis;
     return toPair_.linear * axis * (1 / toPair_.scale);
   }
-  /// Whether the node's region has a flat face there (within 5 degrees), anywhere on which its extreme point along
-  /// `direction` (unit) may be.
-  bool isFlatAlong(NodeId node, const Vec3& direction) const {
-    constexpr float kCosine = 0.996194698F;
-    if (isPlanar(node)) return dot(facing(node), direction) > kCosine;
-    if (!isFaceted(node)) return false;
-    const Vec3 inTree = axesFromPair_ * direction;
-    for (const Vec3& face : tree_->faceNormals(node))
-      if (dot(face, inTree) > kCosine) return true;
-    return false;
-  }
   /// Whether the node's region certainly faces along `direction` rather than against it (by 18 degrees or more).
   bool facesAlong(NodeId node, const Vec3& direction) const {
     return tree_->node(node).normalCone.cosine > 0 && dot(facing(node), direction) > 0.3F;

@@ -19,6 +19,8 @@ std::shared_ptr<const SphereTree> builtTree(const Solid& solid) {
 constexpr double kSlideTolerance = 0.02;  // of the acceleration: what mechanics and Bullet's friction cone agree to
 // Where a block slides along the seams of a compound, each child has points of its own there.
 constexpr double kSeamTolerance = 0.06;
+// A round base is asked at eight points of its border.
+constexpr double kRoundBaseTolerance = 0.03;
 // Of a smooth body's: within a step it rolls by a tenth of its radius, and the solver moves it straight on.
 constexpr double kRollTolerance = 0.05;
 constexpr double kRestSpeed = 0.01;  // m/s
@@ -31,10 +33,10 @@ double sizeOf(const TriedMover& mover) {
   return double((upper - lower).length());
 }
 
-void expectRest(const TriedGround& ground, const TriedMover& mover, bool bodyFirst) {
+void expectRest(const TriedGround& ground, const TriedMover& mover, double stockSpeed, bool bodyFirst) {
   const RestRun run = Trials::rest(ground, mover, bodyFirst);
   EXPECT_NEAR(run.height, Trials::restTheory(ground, mover), double(bullet::kSpeculativeFraction) * sizeOf(mover));
-  EXPECT_LT(run.speed, ground.bend > 0 ? kRockingSpeed : kRestSpeed);
+  EXPECT_LT(run.speed, std::max(ground.bend > 0 ? kRockingSpeed : kRestSpeed, stockSpeed));
   EXPECT_GT(run.upright, 0.999);
   EXPECT_GT(run.touching.contacts, 0);
 }
@@ -56,12 +58,16 @@ double rollsOff(const TriedGround& ground, const TriedMover& mover, bool bodyFir
   return std::abs(Trials::roll(ground, mover, bodyFirst).acceleration / Trials::rollTheory(ground, mover) - 1);
 }
 
+bool isRoundBased(const TriedMover& mover) {
+  return mover.name.ends_with("standing");
+}
+
 TEST(CounterpartMatrix, ATreeLiesOnEverything) {
   const TriedMover block = treeBlock(builtTree), ball = treeBall(builtTree);
   for (const TriedGround& ground : everyGround(builtTree))
     for (const bool bodyFirst : {false, true}) {
       SCOPED_TRACE("on " + ground.name + (bodyFirst ? ", added before it" : ""));
-      expectRest(ground, block, bodyFirst);
+      expectRest(ground, block, 0, bodyFirst);
       expectSlide(ground, block, ground.name == "compound" ? kSeamTolerance : kSlideTolerance, bodyFirst);
       expectRoll(ground, ball, 0, bodyFirst);
     }
@@ -75,11 +81,12 @@ TEST(CounterpartMatrix, EverythingLiesOnATree) {
     if (mover.name == "GImpact") continue;
     for (const bool bodyFirst : {false, true}) {
       SCOPED_TRACE(mover.name + " on a tree" + (bodyFirst ? ", added before it" : ""));
-      if (mover.facets == 0) expectRest(slab, mover, bodyFirst);
+      // Bullet's cone sways on its own box by 7 cm/s.
+      if (mover.facets == 0) expectRest(slab, mover, Trials::rest(boxGround(), mover, bodyFirst).speed, bodyFirst);
       if (mover.radius > 0)
         expectRoll(slab, mover, rollsOff(boxGround(), mover, bodyFirst), bodyFirst);
       else
-        expectSlide(slab, mover, kSlideTolerance, bodyFirst);
+        expectSlide(slab, mover, isRoundBased(mover) ? kRoundBaseTolerance : kSlideTolerance, bodyFirst);
     }
   }
 }
