@@ -23,6 +23,7 @@ endfunction()
 
 cairn_install_library(cairn_core ${PROJECT_SOURCE_DIR}/core/include)
 cairn_install_library(cairn_bullet ${PROJECT_SOURCE_DIR}/plugin/include)
+cairn_install_library(cairn_effects ${PROJECT_SOURCE_DIR}/plugin/effects/include)
 install(EXPORT cairn NAMESPACE cairn:: FILE cairnTargets.cmake DESTINATION ${cairn_package_dir} COMPONENT plugin)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/install/cairnConfig.cmake.in cairn${cairn_suffix}Config.cmake

@@ -24,12 +24,6 @@ DiscPoint discPoint(Random& random) {
 
 }  // namespace
 
-std::uint64_t mixBits(std::uint64_t bits) {
-  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBULL;
-  return bits ^ (bits >> 31);
-}
-
 Random::Random(std::uint64_t seed, std::uint64_t stream)
     : key_(mixBits(mixBits(seed + kGoldenGamma) + kGoldenGamma * (stream + 1))) {}
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "cairn/core/mix_bits.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn::scenes {
@@ -29,8 +30,5 @@ class Random {
   std::uint64_t key_;
   std::uint64_t counter_ = 0;
 };
-
-/// The hash behind `Random`, for noise on a lattice.
-std::uint64_t mixBits(std::uint64_t bits);
 
 }  // namespace cairn::scenes

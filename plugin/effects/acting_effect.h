@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "cairn/effects/effect_set.h"
+
+namespace cairn::effects {
+
+/// An effect in a set, with what it did and what that took.
+class ActingEffect {
+ public:
+  explicit ActingEffect(std::unique_ptr<Effect> effect) : effect_(std::move(effect)), hooks_(effect_->hooks()) {
+    report_.name = effect_->name();
+  }
+
+  Effect& effect() { return *effect_; }
+  const Hooks& hooks() const { return hooks_; }
+  const EffectReport& report() const { return report_; }
+
+  void applyForces(std::span<Body* const> bodies, const Step& step) {
+    if (hooks_.force != nullptr) timed([&] { return hooks_.force->applyForces(bodies, step); });
+  }
+  void changeContacts(std::span<Contact> contacts, const Step& step) {
+    if (hooks_.material != nullptr) timed([&] { return hooks_.material->changeContacts(contacts, step); });
+  }
+  void restoreContacts(std::span<Contact> contacts) {
+    if (hooks_.material != nullptr) hooks_.material->restoreContacts(contacts);
+  }
+  void afterImpacts(std::span<const Impact> impacts, const Step& step) {
+    if (hooks_.impact != nullptr) timed([&] { return hooks_.impact->afterImpacts(impacts, step); });
+  }
+  void noteImpacts(std::span<const Impact> impacts, const Step& step) {
+    if (hooks_.event != nullptr) timed([&] { return hooks_.event->noteImpacts(impacts, step); });
+  }
+
+ private:
+  template <class Act>
+  void timed(const Act& act) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint32_t acted = act();
+    report_.elapsedMicroseconds +=
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    report_.acted += acted;
+    if (acted > 0) ++report_.stepsActed;
+  }
+
+  std::unique_ptr<Effect> effect_;
+  Hooks hooks_;
+  EffectReport report_;
+};
+
+}  // namespace cairn::effects

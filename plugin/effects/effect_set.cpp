@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/effects/effect_set.h"
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "acting_effect.h"
+#include "side_book.h"
+#include "solver_hook.h"
+#include "step_contacts.h"
+
+namespace cairn::effects {
+namespace {
+
+// Bullet says to nobody who owns a world's solver; naming a protected member through a derived class is how C++ lets
+// one look.
+struct WorldsSolver : btDiscreteDynamicsWorld {
+  static bool isOwnedBy(const btDiscreteDynamicsWorld& world) { return world.*&WorldsSolver::m_ownsConstraintSolver; }
+};
+
+}  // namespace
+
+class EffectSet::Impl final : public SolveListener {
+ public:
+  explicit Impl(btDiscreteDynamicsWorld& world) : world_(world), hook_(*world.getConstraintSolver(), *this) {
+    world_.setConstraintSolver(&hook_);
+  }
+  ~Impl() override {
+    assert(world_.getConstraintSolver() == &hook_ && "another solver was set while effects were at work");
+    while (!bodies_.empty()) removeBody(*bodies_.back()->body);
+    if (world_.getConstraintSolver() == &hook_) world_.setConstraintSolver(&hook_.solver());
+  }
+
+  void add(std::unique_ptr<Effect> effect) {
+    assert(!isInHook_);
+    effects_.emplace_back(std::move(effect));
+    for (const auto& body : bodies_) effects_.back().effect().welcome(*body);
+    const Hooks& hooks = effects_.back().hooks();
+    wantsContacts_ = wantsContacts_ || hooks.material != nullptr || hooks.impact != nullptr || hooks.event != nullptr;
+    wantsBodies_ = wantsBodies_ || hooks.force != nullptr;
+  }
+
+  std::uint32_t addBody(btRigidBody& body, const Traits& traits) {
+    assert(!isInHook_ && !body.isStaticOrKinematicObject() && traits.volume >= 0 && book_.find(body) == nullptr);
+    bodies_.push_back(std::make_unique<Body>(Body{&body, traits, nextId_}));
+    book_.enter(body, *bodies_.back());
+    for (ActingEffect& acting : effects_) acting.effect().welcome(*bodies_.back());
+    return nextId_++;
+  }
+
+  void removeBody(btRigidBody& body) {
+    assert(!isInHook_);
+    const auto found = std::ranges::find_if(bodies_, [&](const auto& known) { return known->body == &body; });
+    if (found == bodies_.end()) return;
+    for (ActingEffect& acting : effects_) acting.effect().dismiss(**found);
+    book_.strike(body);
+    bodies_.erase(found);
+  }
+
+  SideBook& book() { return book_; }
+
+  std::vector<EffectReport> report() const {
+    std::vector<EffectReport> reports;
+    for (const ActingEffect& acting : effects_) reports.push_back(acting.report());
+    return reports;
+  }
+
+  void beforeSolve() override {
+    if (effects_.empty()) return;
+    isInHook_ = true;
+    step_.timeStep = world_.getSolverInfo().m_timeStep;
+    step_.gravity = world_.getGravity();
+    applyForces();
+    if (wantsContacts_) changeContacts();
+  }
+
+  void afterSolve() override {
+    if (effects_.empty()) return;
+    if (wantsContacts_) {
+      for (ActingEffect& acting : effects_) acting.restoreContacts(contacts_.contacts());
+      const std::span<const Impact> impacts = contacts_.finish();
+      for (ActingEffect& acting : effects_) acting.afterImpacts(impacts, step_);
+      for (ActingEffect& acting : effects_) acting.noteImpacts(impacts, step_);
+    }
+    ++step_.number;
+    isInHook_ = false;
+  }
+
+ private:
+  void applyForces() {
+    if (!wantsBodies_) return;
+    awake_.clear();
+    for (const auto& body : bodies_)
+      if (body->body->isActive()) awake_.push_back(body.get());
+    for (ActingEffect& acting : effects_) acting.applyForces(awake_, step_);
+  }
+
+  void changeContacts() {
+    contacts_.gather(*world_.getDispatcher(), book_);
+    for (ActingEffect& acting : effects_) acting.changeContacts(contacts_.contacts(), step_);
+  }
+
+  btDiscreteDynamicsWorld& world_;
+  SolverHook hook_;
+  std::vector<ActingEffect> effects_;
+  std::vector<std::unique_ptr<Body>> bodies_;  // in the order they came
+  std::uint32_t nextId_ = 0;
+  SideBook book_;
+  StepContacts contacts_;
+  std::vector<Body*> awake_;
+  Step step_;
+  bool wantsContacts_ = false, wantsBodies_ = false, isInHook_ = false;
+};
+
+Result<std::unique_ptr<EffectSet>> EffectSet::create(btDiscreteDynamicsWorld& world) {
+  if (WorldsSolver::isOwnedBy(world))
+    return Error{"the world made its solver itself and would free it; give it one when you make it"};
+  if (world.getConstraintSolver()->getSolverType() == BT_MULTIBODY_SOLVER)
+    return Error{
+        "effects act on rigid bodies, and a multibody world keeps another solver; use a btDiscreteDynamicsWorld"};
+  return std::unique_ptr<EffectSet>(new EffectSet(std::make_unique<Impl>(world)));
+}
+
+EffectSet::EffectSet(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+EffectSet::~EffectSet() = default;
+
+void EffectSet::add(std::unique_ptr<Effect> effect) {
+  impl_->add(std::move(effect));
+}
+std::uint32_t EffectSet::addBody(btRigidBody& body, const Traits& traits) {
+  return impl_->addBody(body, traits);
+}
+void EffectSet::removeBody(btRigidBody& body) {
+  impl_->removeBody(body);
+}
+void EffectSet::describe(const btCollisionObject& object, const Traits& traits) {
+  impl_->book().enter(object, traits);
+}
+void EffectSet::forget(const btCollisionObject& object) {
+  impl_->book().strike(object);
+}
+std::vector<EffectReport> EffectSet::report() const {
+  return impl_->report();
+}
+
+}  // namespace cairn::effects

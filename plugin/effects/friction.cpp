@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/effects/friction.h"
+
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+
+namespace cairn::effects {
+
+std::uint32_t Friction::changeContacts(std::span<Contact> contacts, const Step& /*step*/) {
+  for (const Contact& contact : contacts)
+    contact.point->m_combinedFriction = coefficients_.at(contact.sides[0].material, contact.sides[1].material);
+  return static_cast<std::uint32_t>(contacts.size());
+}
+
+}  // namespace cairn::effects

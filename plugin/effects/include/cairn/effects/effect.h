@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "cairn/effects/materials.h"
+
+class btCollisionObject;
+class btManifoldPoint;
+class btRigidBody;
+
+namespace cairn::effects {
+
+/// What effects are told of an object that Bullet does not know.
+struct Traits {
+  MaterialId material = 0;
+  const MaterialMap* map = nullptr;  ///< in place of `material` where an object has several; must outlive its use
+  btScalar volume = 0;               ///< m^3; what buoyancy displaces. Zero: effects that need it pass the body over
+};
+
+/// A moving body in an `EffectSet`.
+struct Body {
+  btRigidBody* body = nullptr;
+  Traits traits;
+  std::uint32_t id = 0;  ///< given by the set in the order bodies came, never again to another; a place in tables
+
+  /// Radius of the ball of the same volume, m.
+  btScalar radius() const;
+};
+
+/// One simulation step, as its hooks see it.
+struct Step {
+  btScalar timeStep = 0;     ///< s
+  btVector3 gravity;         ///< m/s^2, the world's
+  std::uint64_t number = 0;  ///< counted by the set from zero
+};
+
+/// One of the two objects of a contact or an impact.
+struct Side {
+  const btCollisionObject* object = nullptr;
+  const Body* body = nullptr;  ///< null for what does not move or was not added
+  MaterialId material = 0;     ///< at the contact
+};
+
+/// A point of a manifold before the solver sees it; both sides' materials are known.
+struct Contact {
+  btManifoldPoint* point = nullptr;
+  std::array<Side, 2> sides;  ///< in the order of the manifold's bodies
+  btVector3
+      relativeVelocity;       ///< of side 0's surface against side 1's, there, forces of this step but gravity included
+  btScalar closingSpeed = 0;  ///< m/s along the point's normal; positive where the surfaces approach
+  std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
+};
+
+/// Two objects that struck each other in this step: all their contacts, whatever manifolds hold them, taken together.
+struct Impact {
+  std::array<Side, 2> sides;
+  btVector3 place;                        ///< of the contact that closed fastest, world frame
+  btVector3 normal;                       ///< there, unit, from side 1 to side 0
+  btVector3 relativeVelocity;             ///< there, before: of side 0 against side 1
+  btScalar closingSpeed = 0;              ///< before, m/s, positive
+  btScalar impulse = 0;                   ///< sum of the normal impulses, N s
+  std::array<btVector3, 2> linearBefore;  ///< of the centres of mass; zero for what does not move
+  std::array<btVector3, 2> angularBefore;
+
+  /// 1/2 m v^2 of the closing speed with the two masses' reduced mass, J: what the blow can spend.
+  btScalar energy() const;
+};
+
+/// Acts on velocities before the solver does, so that contacts answer in the same step. Bodies that sleep are left out.
+/// Returns on how many bodies it acted.
+class ForceHook {
+ public:
+  virtual ~ForceHook() = default;
+  virtual std::uint32_t applyForces(std::span<Body* const> bodies, const Step& step) = 0;
+};
+
+/// Changes how contacts answer: friction, restitution, normals. Contacts of which neither object is awake are left out.
+/// Returns on how many contacts it acted. What it changes of a point must not depend on what it changed a step before:
+/// Bullet keeps points.
+class MaterialHook {
+ public:
+  virtual ~MaterialHook() = default;
+  virtual std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) = 0;
+  /// After the solver, for what must not stay changed.
+  virtual void restoreContacts(std::span<Contact> /*contacts*/) {}
+};
+
+/// Acts on velocities after the solver, before bodies are moved. Returns on how many impacts it acted.
+class ImpactHook {
+ public:
+  virtual ~ImpactHook() = default;
+  virtual std::uint32_t afterImpacts(std::span<const Impact> impacts, const Step& step) = 0;
+};
+
+/// Is told of impacts when all that act on them have; changes nothing in the world. Returns of how many it took note.
+class EventHook {
+ public:
+  virtual ~EventHook() = default;
+  virtual std::uint32_t noteImpacts(std::span<const Impact> impacts, const Step& step) = 0;
+};
+
+/// Where an effect wants to be asked; null: not there, and costs nothing there.
+struct Hooks {
+  ForceHook* force = nullptr;
+  MaterialHook* material = nullptr;
+  ImpactHook* impact = nullptr;
+  EventHook* event = nullptr;
+};
+
+/// One effect of a scene, which acts through its hooks on whatever meets its criterion.
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  virtual std::string_view name() const = 0;
+  /// Asked once, when it is added to a set.
+  virtual Hooks hooks() = 0;
+  /// A body has come into the set (or was there before the effect): the place to switch on what Bullet does itself.
+  virtual void welcome(Body& /*body*/) {}
+  /// A body leaves the set; it still lives.
+  virtual void dismiss(Body& /*body*/) {}
+};
+
+}  // namespace cairn::effects

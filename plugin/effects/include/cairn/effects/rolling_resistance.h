@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/effects/effect.h"
+
+namespace cairn::effects {
+
+/// Resistance to rolling and to spinning on the spot: a torque of at most `length` times the normal force, by pair of
+/// materials (rolling friction's lever arm, m). A ball of radius r that rolls without slip is slowed by
+/// 5/7 * g * length / r.
+class RollingResistance final : public Effect, MaterialHook {
+ public:
+  struct Lengths {
+    btScalar rolling = 0;   ///< m, >= 0
+    btScalar spinning = 0;  ///< m, >= 0; about the contact's normal
+  };
+
+  explicit RollingResistance(PairTable<Lengths> lengths) : lengths_(std::move(lengths)) {}
+
+  std::string_view name() const override { return "rolling_resistance"; }
+  Hooks hooks() override { return {.material = this}; }
+
+ private:
+  std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;
+
+  PairTable<Lengths> lengths_;
+};
+
+}  // namespace cairn::effects

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/effects/rolling_resistance.h"
+
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+
+namespace cairn::effects {
+
+std::uint32_t RollingResistance::changeContacts(std::span<Contact> contacts, const Step& /*step*/) {
+  std::uint32_t acted = 0;
+  for (const Contact& contact : contacts) {
+    const Lengths lengths = lengths_.at(contact.sides[0].material, contact.sides[1].material);
+    contact.point->m_combinedRollingFriction = lengths.rolling;
+    contact.point->m_combinedSpinningFriction = lengths.spinning;
+    if (lengths.rolling > 0 || lengths.spinning > 0) ++acted;
+  }
+  return acted;
+}
+
+}  // namespace cairn::effects
