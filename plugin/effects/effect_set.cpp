@@ -57,11 +57,16 @@ class EffectSet::Impl final : public SolveListener {
     const auto found = std::ranges::find_if(bodies_, [&](const auto& known) { return known->body == &body; });
     if (found == bodies_.end()) return;
     for (ActingEffect& acting : effects_) acting.effect().dismiss(**found);
-    book_.strike(body);
+    forget(body);
     bodies_.erase(found);
   }
 
-  SideBook& book() { return book_; }
+  void describe(const btCollisionObject& object, const Traits& traits) { book_.enter(object, traits); }
+
+  void forget(const btCollisionObject& object) {
+    book_.strike(object);
+    contacts_.forgetBlows();
+  }
 
   std::vector<EffectReport> report() const {
     std::vector<EffectReport> reports;
@@ -138,10 +143,10 @@ void EffectSet::removeBody(btRigidBody& body) {
   impl_->removeBody(body);
 }
 void EffectSet::describe(const btCollisionObject& object, const Traits& traits) {
-  impl_->book().enter(object, traits);
+  impl_->describe(object, traits);
 }
 void EffectSet::forget(const btCollisionObject& object) {
-  impl_->book().strike(object);
+  impl_->forget(object);
 }
 std::vector<EffectReport> EffectSet::report() const {
   return impl_->report();

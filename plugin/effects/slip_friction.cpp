@@ -50,7 +50,11 @@ std::uint32_t SlipFriction::changeContacts(std::span<Contact> contacts, const St
   slipping_.clear();
   for (const Contact& contact : contacts)
     if (concerns(contact)) noteSlip(contact, step);
-  for (const std::uint32_t id : slipping_) states_[id].slip += states_[id].slipSpeed * step.timeStep;
+  // Friction as in the middle of the step's way.
+  const auto advance = [&] {
+    for (const std::uint32_t id : slipping_) states_[id].slip += states_[id].slipSpeed * step.timeStep / 2;
+  };
+  advance();
   std::uint32_t acted = 0;
   for (const Contact& contact : contacts) {
     if (!applies_.at(contact.sides[0].material, contact.sides[1].material)) continue;
@@ -58,6 +62,7 @@ std::uint32_t SlipFriction::changeContacts(std::span<Contact> contacts, const St
     contact.point->m_combinedFriction = coefficientAt(state != nullptr ? state->slip : btScalar(0));
     ++acted;
   }
+  advance();
   return acted;
 }
 

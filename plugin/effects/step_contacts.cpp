@@ -9,14 +9,10 @@
 #include <utility>
 
 #include "cairn/effects/effect_set.h"
+#include "surface_motion.h"
 
 namespace cairn::effects {
 namespace {
-
-btVector3 velocityAt(const btCollisionObject& object, const btVector3& place) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return body == nullptr ? btVector3(0, 0, 0) : body->getVelocityInLocalPoint(place - body->getCenterOfMassPosition());
-}
 
 std::uint64_t pairOf(const btPersistentManifold& manifold) {
   auto a = static_cast<std::uint32_t>(manifold.getBody0()->getWorldArrayIndex());
@@ -79,6 +75,7 @@ void StepContacts::formImpacts() {
     join(range, impacts_[static_cast<std::size_t>(number)], number);
   }
   for (Impact& impact : impacts_) rememberMotion(impact);
+  blows_.inherit(impacts_);
 }
 
 void StepContacts::join(const Range& range, Impact& impact, std::int32_t number) {
@@ -98,8 +95,7 @@ std::span<const Impact> StepContacts::finish() {
   for (const Contact& contact : contacts_)
     if (contact.impact >= 0)
       impacts_[static_cast<std::size_t>(contact.impact)].impulse += contact.point->getAppliedImpulse();
-  std::erase_if(impacts_, [](const Impact& impact) { return !(impact.impulse > 0); });
-  return impacts_;
+  return blows_.settle(impacts_);
 }
 
 }  // namespace cairn::effects

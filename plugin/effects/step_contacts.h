@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cairn/effects/effect.h"
+#include "open_blows.h"
 #include "side_book.h"
 
 class btDispatcher;
@@ -22,11 +23,10 @@ class StepContacts {
   /// Before the solver. Linear in the manifolds, and logarithmic in the impacts for each.
   void gather(btDispatcher& dispatcher, const SideBook& book);
   std::span<Contact> contacts() { return contacts_; }
-  /// All that may come to a blow, impulses still zero.
-  std::span<const Impact> pending() const { return impacts_; }
-
-  /// After the solver: the impacts that took place, with their impulses. Invalidates `Contact::impact`.
+  /// After the solver: the impacts that are over, with their impulses.
   std::span<const Impact> finish();
+  /// Objects are leaving.
+  void forgetBlows() { blows_.drop(); }
 
  private:
   struct Range {
@@ -43,6 +43,7 @@ class StepContacts {
   std::vector<Range> ranges_;  // one for each manifold
   std::vector<std::uint64_t> pairs_;
   std::vector<Impact> impacts_;
+  OpenBlows blows_;
 };
 
 }  // namespace cairn::effects

@@ -57,7 +57,9 @@ struct Contact {
   std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
 };
 
-/// Two objects that struck each other in this step: all their contacts, whatever manifolds hold them, taken together.
+/// Two objects that struck each other: all their contacts, whatever manifolds hold them, taken together. Bullet takes
+/// two steps to stop what is about to touch; such a blow is told once, when it is over, with the motion before it
+/// began.
 struct Impact {
   std::array<Side, 2> sides;
   btVector3 place;                        ///< of the contact that closed fastest, world frame

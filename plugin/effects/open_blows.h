@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cairn/effects/effect.h"
+
+namespace cairn::effects {
+
+/// Blows that take more than one step. Bullet stops a body that is about to touch in two: it lets it close by what is
+/// left of the way in the first, and takes the rest in the second. Each alone would be half a blow at the wrong speed.
+/// So a blow is told when it is over, with the motion before its first step and the impulses of all.
+class OpenBlows {
+ public:
+  /// Before the solver: gives pairs whose blow goes on what they had when it began.
+  void inherit(std::span<Impact> pending);
+
+  /// After the solver, impulses of this step filled in: the blows that are over, those that came to nothing after all
+  /// left out. The span holds until the next call.
+  std::span<const Impact> settle(std::span<const Impact> pending);
+
+  /// Objects are leaving: nothing goes on.
+  void drop() { open_.clear(); }
+
+ private:
+  struct Blow {
+    Impact impact;
+    bool goesOn = false;
+  };
+
+  std::vector<Blow> open_, next_;
+  std::vector<Impact> over_;
+};
+
+}  // namespace cairn::effects
