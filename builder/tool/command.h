@@ -25,6 +25,7 @@ void addInspectCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
 void addSimplifyCommand(CLI::App& app, Action& action);
 void addBoundCommand(CLI::App& app, Action& action);
+void addFractureCommand(CLI::App& app, Action& action);
 
 /// Prints `cairn: <sentence>` on standard error (nothing more than "cancelled" when the user did that) and returns the
 /// exit code that belongs to the error.
