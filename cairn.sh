@@ -22,6 +22,8 @@ Cairn: collision detection that keeps its deadline.
                              shapes and the textbook
   ./cairn.sh bench matrix [OPTIONS] how sphere-trees rest, slide and roll with everything Bullet has, beside Bullet's own
                              shapes and the textbook
+  ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
+                             shapes, hulls and trees of one to three levels: error and time of each
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -170,44 +172,18 @@ bench_builder() {
   tests/bench/builder.sh "$@"
 }
 
-bench_traversal() {
+# A micro-benchmark by its name, with its options.
+bench_program() {
   need "${everything[@]}" tests
-  configure_and_build release --target traversal_bench
-  build/release/bin/traversal_bench "$@"
-}
-
-bench_queries() {
-  need "${everything[@]}" tests
-  configure_and_build release --target query_bench
-  build/release/bin/query_bench "$@"
-}
-
-bench_still() {
-  need "${everything[@]}" tests
-  configure_and_build release --target still_bench
-  build/release/bin/still_bench "$@"
-}
-
-bench_matrix() {
-  need "${everything[@]}" tests
-  configure_and_build release --target matrix_bench
-  build/release/bin/matrix_bench "$@"
-}
-
-bench_memory() {
-  need "${everything[@]}" tests
-  configure_and_build release --target memory_bench
-  build/release/bin/memory_bench "$@"
+  configure_and_build release --target "$1_bench"
+  "build/release/bin/$1_bench" "${@:2}"
 }
 
 bench() {
   case ${1:-} in
-    memory) bench_memory "${@:2}"; return ;;
-    matrix) bench_matrix "${@:2}"; return ;;
-    still) bench_still "${@:2}"; return ;;
-    queries) bench_queries "${@:2}"; return ;;
     builder) bench_builder "${@:2}"; return ;;
-    traversal) bench_traversal "${@:2}"; return ;;
+    queries) bench_program query "${@:2}"; return ;;
+    matrix | memory | still | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release
   local mesh

@@ -2,6 +2,8 @@
 // Bodies that break: what breaks off when, and that mass, momentum and energy are kept.
 #include "cairn/effects/fragmentation.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

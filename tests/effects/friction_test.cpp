@@ -2,6 +2,8 @@
 // Friction by pair of materials, against the textbook.
 #include "cairn/effects/friction.h"
 
+#include <gtest/gtest.h>
+
 #include "effect_worlds.h"
 
 namespace cairn::test {

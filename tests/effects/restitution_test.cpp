@@ -2,6 +2,8 @@
 // Restitution by pair and speed, against its laws and against bouncing balls of the textbook.
 #include "cairn/effects/restitution.h"
 
+#include <gtest/gtest.h>
+
 #include <vector>
 
 #include "cairn/effects/friction.h"

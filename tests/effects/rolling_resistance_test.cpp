@@ -2,6 +2,8 @@
 // Resistance to rolling and spinning, against the textbook.
 #include "cairn/effects/rolling_resistance.h"
 
+#include <gtest/gtest.h>
+
 #include "cairn/effects/friction.h"
 #include "effect_worlds.h"
 

@@ -2,6 +2,8 @@
 // Friction that grows with the way slipped: its law, and the way of a box it stops.
 #include "cairn/effects/slip_friction.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "effect_worlds.h"

@@ -2,6 +2,8 @@
 // Roughness: how far normals are tilted, that it spreads bounces, and that it harms no other body.
 #include "cairn/effects/surface_roughness.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

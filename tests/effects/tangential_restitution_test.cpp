@@ -2,6 +2,8 @@
 // Lumped tangential restitution: what 2D tools mean by Rt.
 #include "cairn/effects/tangential_restitution.h"
 
+#include <gtest/gtest.h>
+
 #include "cairn/effects/friction.h"
 #include "cairn/effects/restitution.h"
 #include "effect_worlds.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "bullet_world.h"
@@ -23,7 +22,7 @@ class EffectWorld {
             std::make_shared<btStaticPlaneShape>(btVector3(btSin(slopeRadians), 0, btCos(slopeRadians)), btScalar(0)),
             0, btVector3(0, 0, 0))) {
     auto created = effects::EffectSet::create(bullet.world);
-    EXPECT_TRUE(created);
+    if (!created) throw std::runtime_error(created.error().message);
     set_ = std::move(created).value();
     set_->describe(ground_, {.material = kSoil});
     ground_.setFriction(1);
