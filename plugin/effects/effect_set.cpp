@@ -46,7 +46,7 @@ class EffectSet::Impl final : public SolveListener {
 
   std::uint32_t addBody(btRigidBody& body, const Traits& traits) {
     assert(!isInHook_ && !body.isStaticOrKinematicObject() && traits.volume >= 0 && book_.find(body) == nullptr);
-    bodies_.push_back(std::make_unique<Body>(Body{&body, traits, nextId_}));
+    bodies_.push_back(std::make_unique<Body>(&body, traits, nextId_));
     book_.enter(body, *bodies_.back());
     for (ActingEffect& acting : effects_) acting.effect().welcome(*bodies_.back());
     return nextId_++;

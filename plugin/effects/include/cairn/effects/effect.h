@@ -25,12 +25,12 @@ struct Traits {
 
 /// A moving body in an `EffectSet`.
 struct Body {
-  btRigidBody* body = nullptr;
-  Traits traits;
-  std::uint32_t id = 0;  ///< given by the set in the order bodies came, never again to another; a place in tables
+  Body(btRigidBody* rigidBody, const Traits& itsTraits, std::uint32_t itsId);
 
-  /// Radius of the ball of the same volume, m.
-  btScalar radius() const;
+  btRigidBody* body;
+  Traits traits;
+  std::uint32_t id;  ///< given by the set in the order bodies came, never again to another; a place in tables
+  btScalar radius;   ///< m, of the ball of the volume it came with
 };
 
 /// One simulation step, as its hooks see it.
