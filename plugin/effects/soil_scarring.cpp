@@ -22,8 +22,7 @@ SoilScarring::Work SoilScarring::workOf(const Soil& soil, btScalar mass, btScala
 
 bool SoilScarring::scar(const Impact& impact, std::size_t side) {
   const Side &mover = impact.sides[side], &ground = impact.sides[1 - side];
-  if (mover.body == nullptr || !ground.object->isStaticOrKinematicObject() || ground.material >= soils_.size())
-    return false;
+  if (mover.body == nullptr || !ground.object->isStaticOrKinematicObject() || !isSoil(ground.material)) return false;
   const btVector3& before = impact.linearBefore[side];
   const btScalar normalSpeed = impact.normal.dot(before) * (side == 0 ? btScalar(-1) : btScalar(1));
   if (normalSpeed <= 0 || mover.body->radius <= 0) return false;

@@ -53,7 +53,7 @@ std::vector<EffectRow> contactEffects() {
       {"rolling_resistance", make<RollingResistance>(PairTable<Lengths>({btScalar(0.05), btScalar(0.01)})),
        make<RollingResistance>(PairTable<Lengths>()), make<RollingResistance>(onlyNowhere(Lengths{1, 1}))},
       {"restitution", make<Restitution>(PairTable<btScalar>(btScalar(0.5)), law),
-       make<Restitution>(PairTable<btScalar>(), law), make<Restitution>(onlyNowhere(btScalar(1)), law)},
+       make<Restitution>(PairTable<btScalar>(), law), nullptr},
       {"tangential_restitution", make<TangentialRestitution>(PairTable<btScalar>(btScalar(0.5))), nullptr, nullptr},
       {"slip_friction", make<SlipFriction>(SlipFriction::Options{}, PairTable<bool>(true)), nullptr,
        make<SlipFriction>(SlipFriction::Options{}, onlyNowhere(true))},

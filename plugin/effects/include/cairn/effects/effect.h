@@ -86,6 +86,9 @@ class ForceHook {
 class MaterialHook {
  public:
   virtual ~MaterialHook() = default;
+  /// Whether it might change contacts of these materials, in either order; those that no effect is concerned with it
+  /// need not be shown. Always the same answer.
+  virtual bool concerns(MaterialId /*a*/, MaterialId /*b*/) const { return true; }
   virtual std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) = 0;
   /// After the solver, for what must not stay changed.
   virtual void restoreContacts(std::span<Contact> /*contacts*/) {}
@@ -95,6 +98,8 @@ class MaterialHook {
 class ImpactHook {
  public:
   virtual ~ImpactHook() = default;
+  /// As `MaterialHook::concerns`, of impacts.
+  virtual bool concerns(MaterialId /*a*/, MaterialId /*b*/) const { return true; }
   virtual std::uint32_t afterImpacts(std::span<const Impact> impacts, const Step& step) = 0;
 };
 

@@ -49,6 +49,8 @@ class SoilScarring final : public Effect, ImpactHook {
 
  private:
   std::uint32_t afterImpacts(std::span<const Impact> impacts, const Step& step) override;
+  bool concerns(MaterialId a, MaterialId b) const override { return isSoil(a) || isSoil(b); }
+  bool isSoil(MaterialId material) const { return material < soils_.size() && soils_[material].strength > 0; }
   bool scar(const Impact& impact, std::size_t side);
 
   std::vector<Soil> soils_;
