@@ -120,6 +120,7 @@ void StepContacts::add(btPersistentManifold& manifold, SideBook& book, WantedCon
 // Bullet keeps contacts until they are a fiftieth of the disc off it.
 btScalar StepContacts::speedOf(const btCollisionObject& object) {
   constexpr btScalar kBeyondTheDisc = btScalar(1.05);
+  if (object.getWorldArrayIndex() < 0) return BT_LARGE_FLOAT;  // in no world's list: its contacts are looked at
   const auto place = static_cast<std::size_t>(object.getWorldArrayIndex());
   if (speeds_.size() <= place) speeds_.resize(place + 1);
   Speed& known = speeds_[place];
