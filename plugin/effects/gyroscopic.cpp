@@ -70,18 +70,19 @@ Vector toArray(const btVector3& v) {
 
 btVector3 Gyroscopic::spinAfter(const btVector3& moments, const btVector3& spin, btScalar time) {
   constexpr int kSteps = 20;
-  // Of the residual to the momentum; the square is what is compared. Far below what rounding to float loses.
-  constexpr double kTolerance = 1e-12;
+  // Of the residual to the momentum; the square is what is compared. Convergence is quadratic: one more step from here
+  // leaves nothing but rounding.
+  constexpr double kTolerance = 1e-10;
   const MidpointRule rule{toArray(moments), toArray(spin), double(time)};
   const Vector momentum = rule.times(rule.before);
   const double enough = kTolerance * kTolerance * dot(momentum, momentum);
   Vector after = rule.before, change{};
   for (int i = 0; i < kSteps; ++i) {
     const Vector residual = rule.residual(after);
-    if (dot(residual, residual) <= enough)
-      return {static_cast<btScalar>(after[0]), static_cast<btScalar>(after[1]), static_cast<btScalar>(after[2])};
     if (!solve(rule.derivative(after), residual, change)) break;
     for (std::size_t j = 0; j < 3; ++j) after[j] -= change[j];
+    if (dot(residual, residual) <= enough)
+      return {static_cast<btScalar>(after[0]), static_cast<btScalar>(after[1]), static_cast<btScalar>(after[2])};
   }
   return spin;
 }
