@@ -24,6 +24,7 @@ Cairn: collision detection that keeps its deadline.
                              shapes and the textbook
   ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
                              shapes, hulls and trees of one to three levels: error and time of each
+  ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -183,7 +184,7 @@ bench() {
   case ${1:-} in
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
-    matrix | memory | still | textbook | traversal) bench_program "$@"; return ;;
+    effects | matrix | memory | still | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release
   local mesh

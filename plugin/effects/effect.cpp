@@ -7,9 +7,8 @@
 
 namespace cairn::effects {
 
-btScalar Body::radius() const {
-  return std::cbrt(traits.volume * btScalar(0.75) / SIMD_PI);
-}
+Body::Body(btRigidBody* rigidBody, const Traits& itsTraits, std::uint32_t itsId)
+    : body(rigidBody), traits(itsTraits), id(itsId), radius(std::cbrt(itsTraits.volume * btScalar(0.75) / SIMD_PI)) {}
 
 btScalar Impact::energy() const {
   btScalar inverseMass = 0;

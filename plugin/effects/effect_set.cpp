@@ -40,13 +40,13 @@ class EffectSet::Impl final : public SolveListener {
     effects_.emplace_back(std::move(effect));
     for (const auto& body : bodies_) effects_.back().effect().welcome(*body);
     const Hooks& hooks = effects_.back().hooks();
-    wantsContacts_ = wantsContacts_ || hooks.material != nullptr || hooks.impact != nullptr || hooks.event != nullptr;
+    wanted_.add(hooks);
     wantsBodies_ = wantsBodies_ || hooks.force != nullptr;
   }
 
   std::uint32_t addBody(btRigidBody& body, const Traits& traits) {
     assert(!isInHook_ && !body.isStaticOrKinematicObject() && traits.volume >= 0 && book_.find(body) == nullptr);
-    bodies_.push_back(std::make_unique<Body>(Body{&body, traits, nextId_}));
+    bodies_.push_back(std::make_unique<Body>(&body, traits, nextId_));
     book_.enter(body, *bodies_.back());
     for (ActingEffect& acting : effects_) acting.effect().welcome(*bodies_.back());
     return nextId_++;
@@ -80,17 +80,15 @@ class EffectSet::Impl final : public SolveListener {
     step_.timeStep = world_.getSolverInfo().m_timeStep;
     step_.gravity = world_.getGravity();
     applyForces();
-    if (wantsContacts_) changeContacts();
+    changeContacts();
   }
 
   void afterSolve() override {
     if (effects_.empty()) return;
-    if (wantsContacts_) {
-      for (ActingEffect& acting : effects_) acting.restoreContacts(contacts_.contacts());
-      const std::span<const Impact> impacts = contacts_.finish();
-      for (ActingEffect& acting : effects_) acting.afterImpacts(impacts, step_);
-      for (ActingEffect& acting : effects_) acting.noteImpacts(impacts, step_);
-    }
+    for (ActingEffect& acting : effects_) acting.restoreContacts(contacts_.contacts());
+    const std::span<const Impact> impacts = contacts_.finish();
+    for (ActingEffect& acting : effects_) acting.afterImpacts(impacts, step_);
+    for (ActingEffect& acting : effects_) acting.noteImpacts(impacts, step_);
     ++step_.number;
     isInHook_ = false;
   }
@@ -105,7 +103,7 @@ class EffectSet::Impl final : public SolveListener {
   }
 
   void changeContacts() {
-    contacts_.gather(*world_.getDispatcher(), book_);
+    contacts_.gather(*world_.getDispatcher(), book_, wanted_);
     for (ActingEffect& acting : effects_) acting.changeContacts(contacts_.contacts(), step_);
   }
 
@@ -118,7 +116,8 @@ class EffectSet::Impl final : public SolveListener {
   StepContacts contacts_;
   std::vector<Body*> awake_;
   Step step_;
-  bool wantsContacts_ = false, wantsBodies_ = false, isInHook_ = false;
+  WantedContacts wanted_;
+  bool wantsBodies_ = false, isInHook_ = false;
 };
 
 Result<std::unique_ptr<EffectSet>> EffectSet::create(btDiscreteDynamicsWorld& world) {

@@ -15,13 +15,33 @@ class btPersistentManifold;
 
 namespace cairn::effects {
 
-/// The contacts of one step whose objects are both known and not both at rest, and which pairs of objects may strike
-/// each other through them. In the order of the dispatcher's manifolds; impacts in that of the objects in the world.
-/// Rooms are kept from step to step.
+/// Which contacts somebody wants to see.
+class WantedContacts {
+ public:
+  /// What is wanted of two materials.
+  static constexpr unsigned kNothing = 0, kContacts = 1, kImpacts = 2;
+
+  void add(const Hooks& hooks);
+  unsigned of(MaterialId a, MaterialId b);
+  /// Whether anything is wanted of any two of the objects.
+  bool anyOf(const SideBook& book);
+
+ private:
+  static constexpr unsigned kUnknown = ~0U;
+
+  std::vector<Hooks> hooks_;
+  PairTable<unsigned> known_{kUnknown};
+  std::uint64_t version_ = 0;  // of the book, when `any_` was found
+  bool any_ = false;
+};
+
+/// The contacts of one step that are wanted, whose objects are both known and not both at rest, and which pairs of
+/// objects may strike each other through them. In the order of the dispatcher's manifolds, those last that are wanted
+/// for their impacts alone; impacts in the order of the objects in the world. Rooms are kept from step to step.
 class StepContacts {
  public:
   /// Before the solver. Linear in the manifolds, and logarithmic in the impacts for each.
-  void gather(btDispatcher& dispatcher, const SideBook& book);
+  void gather(btDispatcher& dispatcher, SideBook& book, WantedContacts& wanted);
   std::span<Contact> contacts() { return contacts_; }
   /// After the solver: the impacts that are over, with their impulses.
   std::span<const Impact> finish();
@@ -29,16 +49,30 @@ class StepContacts {
   void forgetBlows() { blows_.drop(); }
 
  private:
+  // A manifold's contacts, listed or left until it is known that its pair is fast.
   struct Range {
     std::uint64_t pair;  // the objects' places in the world, the smaller one above
+    btPersistentManifold* manifold;
+    const SideBook::Entry *sideA, *sideB;
     std::size_t first, end;
     bool isFast;
   };
 
-  void add(btPersistentManifold& manifold, const SideBook& book);
+  void add(btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted);
+  bool hasFast(const btPersistentManifold& manifold);
+  btScalar speedOf(const btCollisionObject& object);
+  void list(Range& range);
   void formImpacts();
   void join(const Range& range, Impact& impact, std::int32_t number);
 
+  // The most that a point of an object moves at in the step of that number.
+  struct Speed {
+    std::uint64_t step = 0;
+    btScalar speed = 0;
+  };
+
+  std::vector<Speed> speeds_;  // by place in the world
+  std::uint64_t step_ = 0;
   std::vector<Contact> contacts_;
   std::vector<Range> ranges_;  // one for each manifold
   std::vector<std::uint64_t> pairs_;

@@ -44,7 +44,7 @@ btVector3 SurfaceRoughness::tilted(const btVector3& normal, btScalar maxTilt, st
 bool SurfaceRoughness::tilt(Contact& contact, const Step& step) {
   const std::optional<Meeting> meeting = meetingOf(contact);
   if (!meeting || meeting->ground >= heights_.size()) return false;
-  const btScalar radius = meeting->body.radius(), height = heights_[meeting->ground];
+  const btScalar radius = meeting->body.radius, height = heights_[meeting->ground];
   if (radius <= 0 || height <= 0) return false;
   const btVector3 before = contact.point->m_normalWorldOnB;
   const btVector3 after = tilted(before, btAtan(height / radius), meeting->body.id, step.number);

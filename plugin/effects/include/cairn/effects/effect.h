@@ -25,12 +25,12 @@ struct Traits {
 
 /// A moving body in an `EffectSet`.
 struct Body {
-  btRigidBody* body = nullptr;
-  Traits traits;
-  std::uint32_t id = 0;  ///< given by the set in the order bodies came, never again to another; a place in tables
+  Body(btRigidBody* rigidBody, const Traits& itsTraits, std::uint32_t itsId);
 
-  /// Radius of the ball of the same volume, m.
-  btScalar radius() const;
+  btRigidBody* body;
+  Traits traits;
+  std::uint32_t id;  ///< given by the set in the order bodies came, never again to another; a place in tables
+  btScalar radius;   ///< m, of the ball of the volume it came with
 };
 
 /// One simulation step, as its hooks see it.
@@ -88,6 +88,9 @@ class ForceHook {
 class MaterialHook {
  public:
   virtual ~MaterialHook() = default;
+  /// Whether it might change contacts of these materials, in either order; those that no effect is concerned with it
+  /// need not be shown. Always the same answer.
+  virtual bool concerns(MaterialId /*a*/, MaterialId /*b*/) const { return true; }
   virtual std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) = 0;
   /// After the solver, for what must not stay changed.
   virtual void restoreContacts(std::span<Contact> /*contacts*/) {}
@@ -97,6 +100,8 @@ class MaterialHook {
 class ImpactHook {
  public:
   virtual ~ImpactHook() = default;
+  /// As `MaterialHook::concerns`, of impacts.
+  virtual bool concerns(MaterialId /*a*/, MaterialId /*b*/) const { return true; }
   virtual std::uint32_t afterImpacts(std::span<const Impact> impacts, const Step& step) = 0;
 };
 

@@ -7,7 +7,7 @@ namespace cairn::effects {
 
 /// Resistance to rolling and to spinning on the spot: a torque of at most `length` times the normal force, by pair of
 /// materials (rolling friction's lever arm, m). A ball of radius r that rolls without slip is slowed by
-/// 5/7 * g * length / r.
+/// 5/7 * g * length / r. Takes the place of what the bodies say themselves; where both lengths are zero that stays.
 class RollingResistance final : public Effect, MaterialHook {
  public:
   struct Lengths {
@@ -21,7 +21,10 @@ class RollingResistance final : public Effect, MaterialHook {
   Hooks hooks() override { return {.material = this}; }
 
  private:
+  bool concerns(MaterialId a, MaterialId b) const override { return acts(lengths_.at(a, b)); }
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;
+
+  static bool acts(const Lengths& lengths) { return lengths.rolling > 0 || lengths.spinning > 0; }
 
   PairTable<Lengths> lengths_;
 };

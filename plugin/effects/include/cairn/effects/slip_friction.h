@@ -36,6 +36,7 @@ class SlipFriction final : public Effect, MaterialHook {
     std::uint64_t seen = 0;  // one more than the number of that step
   };
 
+  bool concerns(MaterialId a, MaterialId b) const override { return applies_.at(a, b); }
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;
   void noteSlip(const Contact& contact, const Step& step);
   const State* stateOf(const Contact& contact) const;

@@ -26,9 +26,11 @@ class SurfaceRoughness final : public Effect, MaterialHook {
   btVector3 tilted(const btVector3& normal, btScalar maxTilt, std::uint32_t bodyId, std::uint64_t step) const;
 
  private:
+  bool concerns(MaterialId a, MaterialId b) const override { return heightOf(a) > 0 || heightOf(b) > 0; }
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;
   void restoreContacts(std::span<Contact> contacts) override;
   bool tilt(Contact& contact, const Step& step);
+  btScalar heightOf(MaterialId material) const { return material < heights_.size() ? heights_[material] : btScalar(0); }
 
   struct Changed {
     btManifoldPoint* point;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cairn::effects {
+
+/// What happened, until somebody takes it: room for a fixed number of entries; when it is full the oldest give way and
+/// are counted. Allocates when it is made and never again.
+template <class Entry>
+class BoundedLog {
+ public:
+  explicit BoundedLog(std::size_t capacity) : capacity_(capacity) { entries_.reserve(capacity); }
+
+  void add(const Entry& entry) {
+    if (entries_.size() < capacity_) {
+      entries_.push_back(entry);
+      return;
+    }
+    ++dropped_;
+    if (capacity_ == 0) return;
+    entries_[oldest_] = entry;
+    oldest_ = (oldest_ + 1) % capacity_;
+  }
+
+  /// Appends all entries to `to`, the oldest first, and forgets them.
+  void takeInto(std::vector<Entry>& to) {
+    const auto oldest = entries_.begin() + static_cast<std::ptrdiff_t>(oldest_);
+    to.insert(to.end(), oldest, entries_.end());
+    to.insert(to.end(), entries_.begin(), oldest);
+    entries_.clear();
+    oldest_ = 0;
+  }
+
+  std::size_t size() const { return entries_.size(); }
+  /// Since it was made.
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  std::size_t capacity_;
+  std::vector<Entry> entries_;
+  std::size_t oldest_ = 0;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace cairn::effects

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/effects/effect.h"
+#include "cairn/effects/ground_height.h"
+
+namespace cairn::effects {
+
+/// What makes slow rocks stop: a constant deceleration, near the ground and below a speed (as RockGIS does it: within
+/// 1 m, below 5 m/s). A body is brought to rest after v^2 / (2 deceleration), and never turned round. Spin is left
+/// alone.
+///
+/// Criterion: moves, slower than `below`, and the ball of its volume less than `within` above the ground.
+class GroundDrag final : public Effect, ForceHook {
+ public:
+  struct Options {
+    btScalar below = 5;         ///< m/s
+    btScalar within = 1;        ///< m, from the ball's underside
+    btScalar deceleration = 0;  ///< m/s^2, >= 0; zero does nothing
+  };
+
+  /// `ground` must outlive the effect.
+  GroundDrag(const Options& options, const GroundHeight& ground) : options_(options), ground_(ground) {}
+
+  std::string_view name() const override { return "ground_drag"; }
+  Hooks hooks() override { return {.force = this}; }
+
+ private:
+  std::uint32_t applyForces(std::span<Body* const> bodies, const Step& step) override;
+
+  Options options_;
+  const GroundHeight& ground_;
+};
+
+}  // namespace cairn::effects

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cairn/effects/effect.h"
+#include "cairn/effects/ground_height.h"
+
+namespace cairn::effects {
+
+class StemGrid;
+
+/// Trees that stand one by one. A body that meets a stem loses kinetic energy, once for each meeting: as much as the
+/// stem can take, E = energyRatio 38.7 D^2.31 J with D the diameter at breast height in cm, or all it has (Dorren and
+/// Berger 2006, Tree Physiology 26, 63-71, as Rockyfor3D has it: Dorren 2016, "Rockyfor3D (v5.2) revealed", 3.4). Its
+/// velocities, spin included, are scaled down in their directions.
+///
+/// A meeting: the ball of the body's volume, on its way in this step, touches the stem's cylinder; it ends when a step
+/// goes by without. Every hit counts as central: the share that a hit beside the axis takes is not in this effect, nor
+/// is the deflection. So trees brake more than measured, and small rocks at thick stems most. All stems are asked,
+/// however close to each other (Rockyfor3D before 6.0 kept one a cell: ecorisQ, "In-depth revision of Rockyfor3D").
+///
+/// Criterion: has a volume, moves, and touches a stem. Stems where the ground is unknown do not stand.
+class SingleTrees final : public Effect, ForceHook {
+ public:
+  struct Stem {
+    btScalar x, y;      ///< of the axis, world frame, m; z is up
+    btScalar diameter;  ///< at breast height, m, > 0; that of the whole cylinder
+  };
+  struct Options {
+    btScalar height = 20;      ///< of all stems above their ground, m
+    btScalar energyRatio = 1;  ///< >= 0, of the species' fracture energy to that of the stems measured; zero: nothing
+  };
+
+  /// `ground` is asked here and not kept.
+  SingleTrees(std::vector<Stem> stems, const GroundHeight& ground, const Options& options);
+  ~SingleTrees() override;
+
+  std::string_view name() const override { return "trees"; }
+  Hooks hooks() override { return {.force = this}; }
+  void welcome(Body& body) override;
+  void dismiss(Body& body) override;
+
+  /// How many have ground to stand on.
+  std::size_t standing() const;
+  /// What a stem of this diameter (m) can take, J.
+  static btScalar mostEnergy(btScalar diameter, btScalar energyRatio);
+
+ private:
+  std::uint32_t applyForces(std::span<Body* const> bodies, const Step& step) override;
+
+  Options options_;
+  std::unique_ptr<const StemGrid> stems_;
+  std::vector<std::vector<std::uint32_t>> meeting_;  // by body id: the stems it touched in its last step
+  std::vector<std::uint32_t> touched_;
+};
+
+}  // namespace cairn::effects

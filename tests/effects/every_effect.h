@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cairn/effects/effect_set.h"
+#include "cairn/effects/ground_height.h"
+
+namespace cairn::test {
+
+/// The materials of the scenes below, and one that is nowhere in them.
+inline constexpr effects::MaterialId kRock = 0, kSoil = 1, kNowhere = 7;
+
+/// Ground that rises by `kRise` along x, through the origin.
+class Incline final : public effects::GroundHeight {
+ public:
+  static constexpr btScalar kRise = btScalar(0.3);
+  std::optional<btScalar> at(btScalar x, btScalar /*y*/) const override { return kRise * x; }
+};
+
+/// An effect, set so that it acts in `rockSlope`; so that it has no strength; so that it never meets what it acts on.
+/// What there is no such setting of is empty.
+struct EffectRow {
+  using Make = std::function<std::unique_ptr<effects::Effect>()>;
+
+  std::string name;
+  Make active, zero, idle;
+  bool changesMotion = true;  // when it acts
+  bool dissipates = true;     // or keeps; never gives energy
+};
+inline void PrintTo(const EffectRow& row, std::ostream* out) {
+  *out << row.name;
+}
+
+/// A row for each effect of the library.
+std::vector<EffectRow> everyEffect();
+
+}  // namespace cairn::test

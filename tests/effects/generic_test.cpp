@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Zlib
+// What holds of every effect: not listed, of no strength or with nothing to act on it leaves every bit of a simulation
+// as it is; it allocates nothing once a scene runs; twice the same, whatever else the world holds; and what only takes
+// energy never gives any.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "counting_new.h"
+#include "every_effect.h"
+#include "rock_slope.h"
+
+namespace cairn::test {
+namespace {
+
+constexpr int kSteps = 360;
+
+class EveryEffect : public testing::TestWithParam<EffectRow> {};
+
+std::string nameOf(const testing::TestParamInfo<EffectRow>& info) {
+  return info.param.name;
+}
+
+std::string hashWith(const EffectRow::Make& make, const RockSlope::Options& options = {}) {
+  RockSlope scene(options);
+  if (make) scene.set->add(make());
+  return scene.runAndHash(kSteps);
+}
+
+std::string hashWithoutSet() {
+  static const std::string hash = hashWith(nullptr, {.hasSet = false});
+  return hash;
+}
+
+// The most that the energy rises above what it has been before, J.
+double greatestRise(RockSlope& scene) {
+  double least = scene.energy(), rise = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    scene.run(1);
+    rise = std::max(rise, scene.energy() - least);
+    least = std::min(least, scene.energy());
+  }
+  return rise;
+}
+
+TEST(NoEffect, NotListedIsAbsent) {
+  EXPECT_EQ(hashWith(nullptr), hashWithoutSet());
+}
+
+TEST_P(EveryEffect, ActsWhereItsCriterionIsMet) {
+  RockSlope scene({});
+  scene.set->add(GetParam().active());
+  const std::string hash = scene.runAndHash(kSteps);
+  EXPECT_GT(scene.set->report().front().acted, 0U);
+  EXPECT_EQ(hash != hashWithoutSet(), GetParam().changesMotion);
+}
+
+TEST_P(EveryEffect, OfNoStrengthIsOff) {
+  if (!GetParam().zero) GTEST_SKIP() << "has no strength that could be zero";
+  EXPECT_EQ(hashWith(GetParam().zero), hashWithoutSet());
+}
+
+TEST_P(EveryEffect, WithNothingToActOnIsOff) {
+  if (!GetParam().idle) GTEST_SKIP() << "acts on every contact";
+  RockSlope scene({});
+  scene.set->add(GetParam().idle());
+  EXPECT_EQ(scene.runAndHash(kSteps), hashWithoutSet());
+  EXPECT_EQ(scene.set->report().front().acted, 0U);
+}
+
+TEST_P(EveryEffect, IsTheSameTwiceAndWithStrangersFarAway) {
+  const std::string once = hashWith(GetParam().active);
+  EXPECT_EQ(hashWith(GetParam().active), once);
+  EXPECT_EQ(hashWith(GetParam().active, {.hasStrangers = true}), once);
+}
+
+TEST_P(EveryEffect, NeverGivesEnergy) {
+  if (!GetParam().dissipates) GTEST_SKIP() << "may give energy";
+  RockSlope scene({});
+  scene.set->add(GetParam().active());
+  // Bullet pushes bodies out of each other, which lifts them, and a body that turns in the air has its energy rounded:
+  // the effect may not add to that.
+  RockSlope plain({});
+  const double start = plain.energy();
+  EXPECT_LE(greatestRise(scene), greatestRise(plain) + 0.005 * start);
+}
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_P(EveryEffect, AllocatesNothingOnceItRuns) {
+  RockSlope scene({});
+  scene.set->add(GetParam().active());
+  // Rooms grow with what a step has of contacts, and no two throws are the same.
+  for (int i = 0; i < 8; ++i) {
+    scene.run(kSteps);
+    scene.throwAgain();
+  }
+  const std::size_t before = allocations();
+  scene.run(kSteps);
+  EXPECT_EQ(allocations() - before, 0U);
+}
+#endif
+
+INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(everyEffect()), nameOf);
+
+}  // namespace
+}  // namespace cairn::test

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Zlib
+// What is told of blows, what is dropped, and that telling changes nothing.
+#include "cairn/effects/impact_events.h"
+
+#include "effect_world.h"
+
+namespace cairn::test {
+namespace {
+
+using effects::ImpactEvents;
+using Event = ImpactEvents::Event;
+
+constexpr btScalar kStep = btScalar(1) / 240;
+constexpr effects::MaterialId kRock = 0, kSoil = 1;
+
+/// A light and a heavy ball fall from the same height and stay down.
+struct Fall : EffectWorld {
+  Fall() { ground(kSoil); }
+  btRigidBody& light = ball(btScalar(0.2), 1, btVector3(0, 0, btScalar(1.2)), btVector3(0, 0, 0));
+  btRigidBody& heavy = ball(btScalar(0.2), 10, btVector3(3, 0, btScalar(1.2)), btVector3(0, 0, 0));
+};
+
+TEST(ImpactEvents, TellsOfBlowsAboveTheThresholds) {
+  Fall w;
+  ImpactEvents& events = w.effect<ImpactEvents>(ImpactEvents::Options{.dustImpulse = 20, .soundImpulse = 2});
+  w.step(240, kStep);
+  std::vector<Event> told;
+  events.events().takeInto(told);
+  ASSERT_EQ(told.size(), 3U);
+  const btScalar speed = btSqrt(2 * kGravity), late = 2 * kGravity * kStep;
+  int dust = 0;
+  for (const Event& event : told) {
+    const bool isHeavy = event.place.x() > 1;
+    EXPECT_EQ(std::max(event.bodyIds[0], event.bodyIds[1]), isHeavy ? 1 : 0);
+    EXPECT_EQ(std::min(event.bodyIds[0], event.bodyIds[1]), -1) << "the ground has no id";
+    EXPECT_EQ(event.materials[0] + event.materials[1], kRock + kSoil);
+    EXPECT_NEAR(event.closingSpeed, speed, late);
+    // Stopped in a step, and pushed out of the ground in it: Bullet adds a fifth of the depth, at most a step's way.
+    EXPECT_NEAR(event.impulse, (isHeavy ? 10 : 1) * speed, (isHeavy ? 10 : 1) * (speed / 5 + late));
+    dust += event.kind == ImpactEvents::Kind::dust ? 1 : 0;
+    EXPECT_TRUE(event.kind == ImpactEvents::Kind::sound || isHeavy);
+  }
+  EXPECT_EQ(dust, 1);
+  EXPECT_EQ(events.events().size(), 0U) << "taken";
+}
+
+TEST(ImpactEvents, KeepsTheLastAndCountsWhatItDropped) {
+  effects::BoundedLog<int> log(3);
+  for (int i = 0; i < 5; ++i) log.add(i);
+  std::vector<int> taken;
+  log.takeInto(taken);
+  EXPECT_EQ(taken, (std::vector<int>{2, 3, 4}));
+  EXPECT_EQ(log.dropped(), 2U);
+  log.add(5);
+  log.takeInto(taken);
+  EXPECT_EQ(taken, (std::vector<int>{2, 3, 4, 5})) << "appended";
+  effects::BoundedLog<int> none(0);
+  none.add(1);
+  EXPECT_EQ(none.size(), 0U);
+  EXPECT_EQ(none.dropped(), 1U);
+}
+
+TEST(ImpactEvents, ChangesNothing) {
+  Fall without, with;
+  with.effect<ImpactEvents>(ImpactEvents::Options{.dustImpulse = 0, .soundImpulse = 0});
+  for (int i = 0; i < 240; ++i) {
+    without.step(1, kStep);
+    with.step(1, kStep);
+    ASSERT_EQ(without.bullet.stateHash(), with.bullet.stateHash());
+  }
+  EXPECT_GT(with.acted(), 0U);
+}
+
+}  // namespace
+}  // namespace cairn::test
