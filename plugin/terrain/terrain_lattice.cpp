@@ -75,6 +75,19 @@ bool TerrainLattice::corners(std::int64_t column, std::int64_t row, bool isUpper
   return !std::isnan(corners.at[0].z() + corners.at[1].z() + corners.at[2].z());
 }
 
+bool TerrainLattice::cornersOver(double x, double y, Corners& corners, int& index) const {
+  const IndexRange columns = columnsTouching(btScalar(x), btScalar(x)), rows = rowsTouching(btScalar(y), btScalar(y));
+  if (columns.isEmpty() || rows.isEmpty()) return false;
+  const auto within = [](std::span<const btScalar> points, std::int64_t i, double at) {
+    const double from = double(points[static_cast<std::size_t>(i)]);
+    return (at - from) / (double(points[static_cast<std::size_t>(i + 1)]) - from);
+  };
+  const double u = within(xs_, columns.last, x), v = within(ys_, rows.last, y);
+  const bool isUpper = isRising(columns.last, rows.last) ? v > u : u + v > 1;
+  index = indexOf(columns.last, rows.last, isUpper);
+  return this->corners(columns.last, rows.last, isUpper, corners);
+}
+
 HeightBounds TerrainLattice::cellBounds(std::int64_t column, std::int64_t row) const {
   const float a = height(column, row), b = height(column + 1, row), c = height(column + 1, row + 1),
               d = height(column, row + 1);

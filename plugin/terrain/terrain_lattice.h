@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cairn/bullet/terrain_shape.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 
@@ -46,6 +47,14 @@ class TerrainLattice {
 
   struct Corners {
     btVector3 at[3];
+
+    /// Not normalised; upwards.
+    Vec3d normal() const { return cross(toVec3d(at[1]) - toVec3d(at[0]), toVec3d(at[2]) - toVec3d(at[0])); }
+    /// Of the triangle's plane.
+    double heightAt(double x, double y) const {
+      const Vec3d n = normal();
+      return double(at[0].z()) - (n.x * (x - double(at[0].x())) + n.y * (y - double(at[0].y()))) / n.z;
+    }
   };
 
   /// Precondition: a grid that `TerrainShape::create` accepts.
@@ -71,6 +80,12 @@ class TerrainLattice {
   HeightBounds cellBounds(std::int64_t column, std::int64_t row) const;
   /// The corners of one of a cell's triangles, counter-clockwise from above. False where it is missing.
   bool corners(std::int64_t column, std::int64_t row, bool isUpper, Corners& corners) const;
+  /// The triangle over (x, y); on a border the one at greater x and y. False where there is none.
+  bool cornersOver(double x, double y, Corners& corners, int& index) const;
+  bool cornersOver(double x, double y, Corners& corners) const {
+    int index = 0;
+    return cornersOver(x, y, corners, index);
+  }
   bool isRising(std::int64_t column, std::int64_t row) const {
     if (grid_.diagonals != TerrainDiagonals::alternating) return grid_.diagonals == TerrainDiagonals::rising;
     return (column + row) % 2 == 0;

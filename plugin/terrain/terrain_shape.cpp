@@ -88,41 +88,16 @@ std::size_t TerrainShape::memoryBytes() const {
   return sizeof *this + lattice_->memoryBytes();
 }
 
-namespace {
-
-// The triangle over (x, y), in the order of `corners`; false where there is none.
-bool triangleOver(const TerrainLattice& lattice, double x, double y, TerrainLattice::Corners& corners) {
-  const IndexRange columns = lattice.columnsTouching(btScalar(x), btScalar(x));
-  const IndexRange rows = lattice.rowsTouching(btScalar(y), btScalar(y));
-  if (columns.isEmpty() || rows.isEmpty()) return false;
-  const std::int64_t column = columns.last, row = rows.last;
-  const auto within = [](std::span<const btScalar> points, std::int64_t i, double at) {
-    const double from = double(points[static_cast<std::size_t>(i)]),
-                 to = double(points[static_cast<std::size_t>(i + 1)]);
-    return (at - from) / (to - from);
-  };
-  const double u = within(lattice.xs(), column, x), v = within(lattice.ys(), row, y);
-  const bool isUpper = lattice.isRising(column, row) ? v > u : u + v > 1;
-  return lattice.corners(column, row, isUpper, corners);
-}
-
-Vec3d normalOf(const TerrainLattice::Corners& t) {
-  return cross(toVec3d(t.at[1]) - toVec3d(t.at[0]), toVec3d(t.at[2]) - toVec3d(t.at[0]));
-}
-
-}  // namespace
-
 std::optional<double> TerrainShape::heightAt(double x, double y) const {
   TerrainLattice::Corners t;
-  if (!triangleOver(*lattice_, x, y, t)) return std::nullopt;
-  const Vec3d normal = normalOf(t), a = toVec3d(t.at[0]);
-  return a.z - (normal.x * (x - a.x) + normal.y * (y - a.y)) / normal.z;
+  if (!lattice_->cornersOver(x, y, t)) return std::nullopt;
+  return t.heightAt(x, y);
 }
 
 std::optional<btVector3> TerrainShape::normalAt(double x, double y) const {
   TerrainLattice::Corners t;
-  if (!triangleOver(*lattice_, x, y, t)) return std::nullopt;
-  const Vec3d normal = normalOf(t);
+  if (!lattice_->cornersOver(x, y, t)) return std::nullopt;
+  const Vec3d normal = t.normal();
   return toBullet(normal / length(normal));
 }
 

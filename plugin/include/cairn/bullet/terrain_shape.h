@@ -39,12 +39,13 @@ class TerrainLattice;
 /// A terrain as a Bullet collision shape for static bodies: two triangles a cell, found by projecting what asks onto
 /// the ground plane (thesis 8.3.2). Blocks of cells keep the bounds of their heights, so that what flies above costs
 /// next to nothing. Neighbouring triangles share the very same corners, all turn their front upwards. A triangle with a
-/// corner that has no height is missing: bodies fall through. Both sides hold what touches them, as with any of
-/// Bullet's meshes.
+/// corner that has no height is missing: bodies fall through.
 ///
-/// The type is `FAST_CONCAVE_MESH_PROXYTYPE`: Bullet's shapes and sphere-trees meet the triangles. In contacts and hits
-/// part is 0 and index is that of `TerrainTriangle`. Rays and convex sweeps follow their way instead of asking all
-/// triangles near their box.
+/// For sphere-trees all that lies below the surface is inside, however deep, and comes up again; over the edges inside
+/// it they roll and slide as on a plane. Bullet's own shapes meet single triangles, both sides alike, as those of any
+/// of its meshes (the type is `FAST_CONCAVE_MESH_PROXYTYPE`). In contacts and hits index is that of `TerrainTriangle`;
+/// part is 0, or one plus a support point's number where a flat leaf of a tree touches with several. Rays and convex
+/// sweeps follow their way instead of asking all triangles near their box.
 ///
 /// Frame: the middle of the grid in x and y, heights as they are; `origin()` is where that is in the user's
 /// coordinates. A body that stands at the world's origin therefore makes the world's coordinates those of the user less
@@ -89,6 +90,9 @@ class TerrainShape final : public btConcaveShape {
 
   /// Bytes of memory the shape holds.
   std::size_t memoryBytes() const;
+
+  /// What the narrow phase looks at; not for games.
+  const TerrainLattice& lattice() const { return *lattice_; }
 
  private:
   explicit TerrainShape(TerrainGrid grid);
