@@ -17,6 +17,8 @@ namespace {
 constexpr std::uint32_t kMaxWholes = 4;
 // Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
 constexpr float kCoveredFraction = 0.01F;
+// Nearer to a centre than this fraction of its radius, the way from a border to it is rounding.
+constexpr float kNoDirectionFraction = 0.001F;
 // Of the hundredth of a radian between normals below which faces count as one plane.
 constexpr float kSamePlaneCosine = 0.99995F;
 
@@ -105,6 +107,7 @@ std::span<TriangleTouch> TerrainCounterpart::measure() {
   for (TriangleTouch& touch : touches) {
     const int side = sideOf_[touch.pair.b];
     touch.face = inPair_[touch.pair.b].normal() * static_cast<float>(side);
+    if (touch.distance < kNoDirectionFraction * placement_.tree.sphere(touch.pair.a).radius) touch.line = touch.face;
     sides_.push_back(static_cast<float>(side) * dot(touch.line, up) < 0 ? 0 : side);
   }
   return touches;

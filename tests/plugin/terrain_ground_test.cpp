@@ -21,9 +21,9 @@ struct Cut {
 };
 
 // The middle of the grid is the middle of a cell in one, a point in the others.
-constexpr Cut kEveryCut[] = {{TerrainDiagonals::alternating, 1, 0},    {TerrainDiagonals::rising, 1, 0},
-                             {TerrainDiagonals::falling, 1, 0},        {TerrainDiagonals::alternating, 0.25, 0},
-                             {TerrainDiagonals::rising, 0.7, 0},       {TerrainDiagonals::alternating, 1, 30},
+constexpr Cut kEveryCut[] = {{TerrainDiagonals::alternating, 1, 0}, {TerrainDiagonals::rising, 1, 0},
+                             {TerrainDiagonals::falling, 1, 0},     {TerrainDiagonals::alternating, 0.25, 0},
+                             {TerrainDiagonals::rising, 0.7, 0},    {TerrainDiagonals::alternating, 1, 30},
                              {TerrainDiagonals::falling, 0.3, 77}};
 
 std::shared_ptr<btCollisionShape> terrainCut(const Cut& cut) {
@@ -43,8 +43,8 @@ struct Rolled {
   double speed = 0, aside = 0, hop = 0;
 };
 
-Rolled roll(const std::shared_ptr<btCollisionShape>& ball, std::shared_ptr<btCollisionShape> ground, double groundTurned,
-            const btQuaternion& turned) {
+Rolled roll(const std::shared_ptr<btCollisionShape>& ball, std::shared_ptr<btCollisionShape> ground,
+            double groundTurned, const btQuaternion& turned) {
   const btScalar moment = btScalar(0.4 * kBall * kBall);
   Slope slope{.degrees = kRollDegrees,
               .friction = 1,
@@ -150,7 +150,8 @@ const double kRestTolerance = double(bullet::kSpeculativeFraction) * 0.6 * std::
 TEST(OnTerrain, ABallRestsOnARidgeAndInAValley) {
   for (const double slope : {0.5, 1.0, 2.0}) {
     const double inValley = 0.3 * std::hypot(1, slope);
-    EXPECT_NEAR(heightAfter(roofTerrain(slope), btVector3(0, 0, btScalar(0.5)), true, 240), 0.3, kRestTolerance + kSagitta);
+    EXPECT_NEAR(heightAfter(roofTerrain(slope), btVector3(0, 0, btScalar(0.5)), true, 240), 0.3,
+                kRestTolerance + kSagitta);
     EXPECT_NEAR(heightAfter(roofTerrain(-slope), btVector3(0, 0, btScalar(inValley + 0.1)), false, 300), inValley,
                 (kRestTolerance + kSagitta) * std::hypot(1, slope))
         << "slope " << slope;
@@ -161,7 +162,8 @@ TEST(OnTerrain, ABallRestsOnARidgeAndInAValley) {
 TEST(OnTerrain, WhatHasSunkComesUp) {
   const auto ground = flatTerrain(TerrainDiagonals::alternating, {41, 41, 0.25});
   for (const double depth : {0.1, 0.3, 0.7}) {
-    const btScalar height = heightAfter(ground, btVector3(btScalar(0.1), btScalar(0.05), btScalar(0.3 - depth)), false, 600);
+    const btScalar height =
+        heightAfter(ground, btVector3(btScalar(0.1), btScalar(0.05), btScalar(0.3 - depth)), false, 600);
     EXPECT_GT(height, 0.3 - kSagitta - kRestTolerance) << "sunk by " << depth;
   }
 }
@@ -218,7 +220,8 @@ TEST(OnTerrain, ContactsNameTheTriangle) {
   const bool isFirst = bullet::asTerrain(manifold.getBody0()->getCollisionShape()) != nullptr;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     const btManifoldPoint& point = manifold.getContactPoint(i);
-    const bullet::TerrainTriangle t = bullet::terrainTriangle(ground->grid(), isFirst ? point.m_index0 : point.m_index1);
+    const bullet::TerrainTriangle t =
+        bullet::terrainTriangle(ground->grid(), isFirst ? point.m_index0 : point.m_index1);
     EXPECT_EQ(t.column, 6);
     EXPECT_EQ(t.row, 2);
     EXPECT_EQ(t.isUpper, point.m_positionWorldOnA.y() + 3 > point.m_positionWorldOnA.x() - 1);
