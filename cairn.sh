@@ -22,6 +22,7 @@ Cairn: collision detection that keeps its deadline.
                              shapes and the textbook
   ./cairn.sh bench matrix [OPTIONS] how sphere-trees rest, slide and roll with everything Bullet has, beside Bullet's own
                              shapes and the textbook
+  ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -194,6 +195,12 @@ bench_matrix() {
   build/release/bin/matrix_bench "$@"
 }
 
+bench_terrain() {
+  need "${everything[@]}" tests
+  configure_and_build release --target terrain_bench
+  build/release/bin/terrain_bench "$@"
+}
+
 bench_memory() {
   need "${everything[@]}" tests
   configure_and_build release --target memory_bench
@@ -203,6 +210,7 @@ bench_memory() {
 bench() {
   case ${1:-} in
     memory) bench_memory "${@:2}"; return ;;
+    terrain) bench_terrain "${@:2}"; return ;;
     matrix) bench_matrix "${@:2}"; return ;;
     still) bench_still "${@:2}"; return ;;
     queries) bench_queries "${@:2}"; return ;;
