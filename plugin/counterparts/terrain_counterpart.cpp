@@ -75,52 +75,76 @@ bool TerrainCounterpart::resume() {
   return true;
 }
 
-void TerrainCounterpart::forget() {
-  inPair_.clear();
-  indices_.clear();
-  sideOf_.clear();
-  pairs_.clear();
+void TerrainCounterpart::forgetFrom(std::size_t count) {
+  inPair_.resize(count);
+  indices_.resize(count);
+  sideOf_.resize(count);
+  pairs_.resize(count);
 }
 
-// Appends the triangles near a node's sphere to the working memory.
-void TerrainCounterpart::gather(NodeId node) {
+Triangle TerrainCounterpart::toPair(const TerrainLattice::Corners& t) const {
+  const auto corner = [&](int i) { return Vec3(pairFromTerrain_ * toVec3d(t.at[i])); };
+  return {corner(0), corner(1), corner(2)};
+}
+
+// Appends the triangles near a node's sphere to the working memory, unless the sphere is certainly farther than the
+// reach. Returns how far it is at least, minus infinity where that is not known.
+float TerrainCounterpart::gather(NodeId node) {
   const Sphere ball = placement_.tree.sphere(node);
   const Vec3d center = terrainFromPair_ * Vec3d(ball.center);
-  const double radius = double(ball.radius + placement_.reach + placement_.treeMargin);
-  const bool isBelow = isBelowGround(*lattice_, center);
-  forEachTriangleNear(*lattice_, center, radius, isBelow, [&](const TerrainLattice::Corners& t, int index) {
+  const float own = ball.radius + placement_.treeMargin;
+  const double radius = double(own + placement_.reach);
+  // Where the answer is to be kept, what is told must hold for all ground that may come near.
+  const GroundBelow ground = groundBelow(*lattice_, center, radius + double(skin_));
+  const auto gap = static_cast<float>(ground.leastDistance()) - own;
+  isWhole_ = ground.factor > 0;
+  if (gap >= placement_.reach) return gap;
+  forEachTriangleNear(*lattice_, center, radius, ground.isInside(), [&](const TerrainLattice::Corners& t, int index) {
     pairs_.push_back({node, static_cast<std::uint32_t>(inPair_.size())});
-    const auto corner = [&](int i) { return Vec3(pairFromTerrain_ * toVec3d(t.at[i])); };
-    inPair_.push_back({corner(0), corner(1), corner(2)});
+    inPair_.push_back(toPair(t));
+    last_ = t;
     indices_.push_back(index);
-    sideOf_.push_back(isBelow ? -1 : 1);
+    sideOf_.push_back(ground.isInside() ? -1 : 1);
   });
+  return gap;
 }
 
 // The touches of what was gathered, nodes one after the other and nearest first, and their sides. Whatever side of a
 // triangle's plane a centre is on, its face is the upper one. No surface point that is nearest to anything has its way
-// out downwards: those that would are behind others, or on the ground's border.
+// out downwards: those that would are behind others, or on the ground's border. Nor is what a sphere does not reach
+// touched by anything inside it.
 std::span<TriangleTouch> TerrainCounterpart::measure() {
   const std::span<TriangleTouch> touches = contacts_.measure(placement_, inPair_, pairs_);
   const Vec3 up(pairFromTerrain_.rotation * Vec3d(0, 0, 1));
+  const float own = placement_.treeMargin + placement_.reach;
   sides_.clear();
   for (TriangleTouch& touch : touches) {
     const int side = sideOf_[touch.pair.b];
     touch.face = inPair_[touch.pair.b].normal() * static_cast<float>(side);
     if (touch.distance < kNoDirectionFraction * placement_.tree.sphere(touch.pair.a).radius) touch.line = touch.face;
-    sides_.push_back(static_cast<float>(side) * dot(touch.line, up) < 0 ? 0 : side);
+    const bool isFar = side > 0 && touch.distance > placement_.tree.sphere(touch.pair.a).radius + own;
+    sides_.push_back(isFar || static_cast<float>(side) * dot(touch.line, up) < 0 ? 0 : side);
   }
   return touches;
 }
 
 void TerrainCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
-  forget();
-  for (const NodePair& pair : pairs) gather(pair.a);
-  measure();
+  appendContacts(pairs, {}, contacts);
+}
+
+void TerrainCounterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
+                                        std::vector<Contact>& contacts) {
+  forgetFrom(0);
   const std::size_t first = contacts.size();
-  for (const NodePair& pair : pairs)
-    if (placement_.tree.isPlanar(pair.a)) appendCorners(pair.a, contacts);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const NodeId leaf = pairs[i].a;
+    const std::size_t firstNear = inPair_.size();
+    const float gap = gather(leaf);
+    if (!gaps.empty()) gaps[i] = gap;
+    if (inPair_.size() > firstNear && placement_.tree.isPlanar(leaf)) appendCorners(leaf, firstNear, contacts);
+  }
   const std::size_t corners = contacts.size();
+  measure();
   contacts_.appendMeasured(placement_, inPair_, sides_, contacts);
   for (std::size_t i = corners; i < contacts.size(); ++i) {
     const NodePair pair = contacts[i].pair;
@@ -130,20 +154,24 @@ void TerrainCounterpart::appendContacts(std::span<const NodePair> pairs, std::ve
   dropCovered(contacts, first, corners);
 }
 
-// A planar leaf touches with its corners: which of them is extreme would change with every rounding.
-void TerrainCounterpart::appendCorners(NodeId leaf, std::vector<Contact>& contacts) {
+// A planar leaf touches with its corners: which of them is extreme would change with every rounding. Over a single
+// triangle there is nothing else to touch.
+void TerrainCounterpart::appendCorners(NodeId leaf, std::size_t firstNear, std::vector<Contact>& contacts) {
   const PlacedTree& tree = placement_.tree;
-  int number = 0;
+  const bool isSingle = isWhole_ && inPair_.size() == firstNear + 1;
+  TerrainLattice::Corners over = last_;
+  Vec3d normal = normalized(over.normal());
+  int number = 0, index = indices_[firstNear];
   for (const Vec3& point : tree.supportPoints(leaf)) {
     ++number;
     const Vec3 corner = tree.toPair() * point;
     const Vec3d at = terrainFromPair_ * Vec3d(corner);
-    TerrainLattice::Corners t;
-    int index = 0;
-    if (!lattice_->cornersOver(at.x, at.y, t, index)) continue;
-    const Vec3d normal = t.normal() / length(t.normal());
+    if (!isSingle) {
+      if (!lattice_->cornersOver(at.x, at.y, over, index)) continue;
+      normal = normalized(over.normal());
+    }
     Contact contact;
-    contact.gap = static_cast<float>(dot(normal, at - toVec3d(t.at[0]))) - placement_.treeMargin;
+    contact.gap = static_cast<float>(dot(normal, at - toVec3d(over.at[0]))) - placement_.treeMargin;
     if (contact.gap >= placement_.reach) continue;
     contact.normal = Vec3(pairFromTerrain_.rotation * normal);
     if (tree.facesAlong(leaf, contact.normal)) continue;
@@ -152,6 +180,7 @@ void TerrainCounterpart::appendCorners(NodeId leaf, std::vector<Contact>& contac
     contact.id = idOf(leaf, number, index);
     contacts.push_back(contact);
   }
+  if (isSingle) forgetFrom(firstNear);
 }
 
 // Where a planar leaf's corners say the same as its nearest triangle, they stand for it.
@@ -189,7 +218,7 @@ Contact TerrainCounterpart::contactOfBall(const TriangleTouch& touch) const {
 }
 
 Contact TerrainCounterpart::boundingContact(const NodePair& pair) {
-  forget();
+  forgetFrom(0);
   gather(pair.a);
   if (const std::span<TriangleTouch> touches = measure(); !touches.empty()) return contactOfBall(touches.front());
   // No ground within reach.
@@ -206,7 +235,7 @@ Contact TerrainCounterpart::boundingContact(const NodePair& pair) {
 std::uint32_t TerrainCounterpart::appendWhole(std::vector<Contact>& contacts) {
   const float covered = kCoveredFraction * placement_.tree.sphere(kRootNode).radius;
   const auto onGround = [](const Contact& c) { return c.onTree() - c.normal * c.gap; };
-  forget();
+  forgetFrom(0);
   gather(kRootNode);
   wholes_.clear();
   const std::span<TriangleTouch> touches = measure();

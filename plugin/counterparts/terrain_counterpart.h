@@ -39,8 +39,8 @@ class TerrainCounterpart final : public Counterpart {
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
   bool keepsAnswer() const override { return true; }
-  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
+  void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   /// With the nearest of the triangles near the root, and with those in other directions that it does not cover, up to
   /// four. Linear in the triangles; only what is appended is counted as work.
@@ -49,12 +49,13 @@ class TerrainCounterpart final : public Counterpart {
 
  private:
   void placeObstacle();
-  void forget();
-  void gather(NodeId node);
-  std::span<TriangleTouch> measure();
-  void appendCorners(NodeId leaf, std::vector<Contact>& contacts);
+  void forgetFrom(std::size_t count);
+  float gather(NodeId node);
+  void appendCorners(NodeId leaf, std::size_t firstNear, std::vector<Contact>& contacts);
   static void dropCovered(std::vector<Contact>& contacts, std::size_t first, std::size_t corners);
+  std::span<TriangleTouch> measure();
   Contact contactOfBall(const TriangleTouch& touch) const;
+  Triangle toPair(const TerrainLattice::Corners& t) const;
   ContactId idOf(NodeId node, int part, int triangle) const;
 
   PairPlacement placement_;
@@ -70,6 +71,8 @@ class TerrainCounterpart final : public Counterpart {
   std::vector<NodePair> pairs_;
   std::vector<int> sides_;  // by touch
   std::vector<Contact> wholes_;
+  TerrainLattice::Corners last_;  // of what was gathered
+  bool isWhole_ = false;          // no ground was missing below the sphere it was gathered for
 };
 
 }  // namespace cairn::bullet

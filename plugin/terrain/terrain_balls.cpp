@@ -15,14 +15,25 @@ bool isNear(const TerrainLattice::Corners& t, const Vec3d& center, float radius)
 
 }  // namespace
 
-bool isBelowGround(const TerrainLattice& lattice, const Vec3d& point) {
-  TerrainLattice::Corners over;
-  return lattice.cornersOver(point.x, point.y, over) && point.z < over.heightAt(point.x, point.y);
+// Ground that rises by no more than `steepest` is no nearer to a point than its height over it, divided by the root of
+// 1 + steepest^2.
+GroundBelow groundBelow(const TerrainLattice& lattice, const Vec3d& point, double radius) {
+  GroundBelow ground;
+  ground.height = point.z - lattice.heightOver(point.x, point.y);
+  const auto isWithin = [&](std::span<const btScalar> points, double at) {
+    return at - radius >= double(points.front()) && at + radius <= double(points.back());
+  };
+  if (!isWithin(lattice.xs(), point.x) || !isWithin(lattice.ys(), point.y)) return ground;
+  const auto steepest =
+      double(lattice.steepest(lattice.columnsTouching(btScalar(point.x - radius), btScalar(point.x + radius)),
+                              lattice.rowsTouching(btScalar(point.y - radius), btScalar(point.y + radius))));
+  ground.factor = 1 / std::sqrt(1 + steepest * steepest);
+  return ground;
 }
 
 bool touchesGround(const TerrainLattice& lattice, const Vec3d& center, double radius) {
-  TerrainLattice::Corners t;
-  if (lattice.cornersOver(center.x, center.y, t) && center.z - radius <= t.heightAt(center.x, center.y)) return true;
+  if (center.z - lattice.heightOver(center.x, center.y) <= radius) return true;
+  if (groundBelow(lattice, center, radius).leastDistance() > radius) return false;
   bool isTouching = false;
   forEachTriangleNear(lattice, center, radius, false, [&](const TerrainLattice::Corners& corners, int) {
     isTouching = isTouching || isNear(corners, center, static_cast<float>(radius));

@@ -18,7 +18,10 @@ std::vector<btScalar> coordinates(std::uint32_t count, double cell) {
 }  // namespace
 
 TerrainLattice::TerrainLattice(TerrainGrid grid)
-    : grid_(std::move(grid)), xs_(coordinates(grid_.columns, grid_.cell)), ys_(coordinates(grid_.rows, grid_.cell)) {
+    : grid_(std::move(grid)),
+      xs_(coordinates(grid_.columns, grid_.cell)),
+      ys_(coordinates(grid_.rows, grid_.cell)),
+      perCell_(1 / grid_.cell) {
   boundBlocks();
 }
 
@@ -26,9 +29,32 @@ TerrainLattice::TerrainLattice(TerrainGrid grid)
 void TerrainLattice::boundBlocks() {
   blockColumns_ = (cellColumns() + kBlock - 1) / kBlock;
   blocks_.assign(static_cast<std::size_t>(blockColumns_ * ((cellRows() + kBlock - 1) / kBlock)), {});
+  steepest_.assign(blocks_.size(), 0);
   for (std::int64_t row = 0; row < cellRows(); ++row)
-    for (std::int64_t column = 0; column < cellColumns(); ++column)
-      blocks_[static_cast<std::size_t>(row / kBlock * blockColumns_ + column / kBlock)].add(cellBounds(column, row));
+    for (std::int64_t column = 0; column < cellColumns(); ++column) {
+      const auto block = static_cast<std::size_t>(row / kBlock * blockColumns_ + column / kBlock);
+      blocks_[block].add(cellBounds(column, row));
+      steepest_[block] = std::max(steepest_[block], steepestOfCell(column, row));
+    }
+}
+
+float TerrainLattice::steepestOfCell(std::int64_t column, std::int64_t row) const {
+  double most = 0;
+  for (const bool isUpper : {false, true}) {
+    Corners t;
+    if (!corners(column, row, isUpper, t)) return std::numeric_limits<float>::infinity();
+    const Vec3d n = t.normal();
+    most = std::max(most, std::hypot(n.x, n.y) / n.z);
+  }
+  return std::nextafter(static_cast<float>(most), std::numeric_limits<float>::infinity());
+}
+
+float TerrainLattice::steepest(const IndexRange& columns, const IndexRange& rows) const {
+  float most = 0;
+  for (std::int64_t j = rows.first / kBlock; j <= rows.last / kBlock; ++j)
+    for (std::int64_t i = columns.first / kBlock; i <= columns.last / kBlock; ++i)
+      most = std::max(most, steepest_[static_cast<std::size_t>(j * blockColumns_ + i)]);
+  return most;
 }
 
 HeightBounds TerrainLattice::bounds() const {
@@ -39,7 +65,8 @@ HeightBounds TerrainLattice::bounds() const {
 
 std::size_t TerrainLattice::memoryBytes() const {
   return sizeof *this + grid_.heights.capacity() * sizeof(float) +
-         (xs_.capacity() + ys_.capacity()) * sizeof(btScalar) + blocks_.capacity() * sizeof(HeightBounds);
+         (xs_.capacity() + ys_.capacity()) * sizeof(btScalar) + blocks_.capacity() * sizeof(HeightBounds) +
+         steepest_.capacity() * sizeof(float);
 }
 
 // The place is guessed from the spacing and corrected by the coordinates themselves, which are rounded.
@@ -47,7 +74,7 @@ IndexRange TerrainLattice::touching(std::span<const btScalar> points, btScalar f
   if (!(from <= to) || to < points.front() || from > points.back()) return {};
   const auto cells = static_cast<std::int64_t>(points.size()) - 1;
   const auto guess = [&](btScalar at) {
-    const double place = (double(at) - double(points.front())) / grid_.cell;
+    const double place = (double(at) - double(points.front())) * perCell_;
     return static_cast<std::int64_t>(std::clamp(place, 0.0, double(cells - 1)));
   };
   const auto at = [&](std::int64_t i) { return points[static_cast<std::size_t>(i)]; };
@@ -75,17 +102,47 @@ bool TerrainLattice::corners(std::int64_t column, std::int64_t row, bool isUpper
   return !std::isnan(corners.at[0].z() + corners.at[1].z() + corners.at[2].z());
 }
 
-bool TerrainLattice::cornersOver(double x, double y, Corners& corners, int& index) const {
-  const IndexRange columns = columnsTouching(btScalar(x), btScalar(x)), rows = rowsTouching(btScalar(y), btScalar(y));
-  if (columns.isEmpty() || rows.isEmpty()) return false;
+std::int64_t TerrainLattice::cellAt(std::span<const btScalar> points, double at) const {
+  const auto point = [&](std::int64_t i) { return double(points[static_cast<std::size_t>(i)]); };
+  const auto cells = static_cast<std::int64_t>(points.size()) - 1;
+  if (!(at >= point(0) && at <= point(cells))) return -1;
+  std::int64_t cell = std::min(static_cast<std::int64_t>((at - point(0)) * perCell_), cells - 1);
+  while (cell > 0 && point(cell) > at) --cell;
+  while (cell + 1 < cells && point(cell + 1) <= at) ++cell;
+  return cell;
+}
+
+bool TerrainLattice::locate(double x, double y, Over& over) const {
+  over.column = cellAt(xs_, x);
+  over.row = cellAt(ys_, y);
+  if (over.column < 0 || over.row < 0) return false;
   const auto within = [](std::span<const btScalar> points, std::int64_t i, double at) {
     const double from = double(points[static_cast<std::size_t>(i)]);
     return (at - from) / (double(points[static_cast<std::size_t>(i + 1)]) - from);
   };
-  const double u = within(xs_, columns.last, x), v = within(ys_, rows.last, y);
-  const bool isUpper = isRising(columns.last, rows.last) ? v > u : u + v > 1;
-  index = indexOf(columns.last, rows.last, isUpper);
-  return this->corners(columns.last, rows.last, isUpper, corners);
+  over.u = within(xs_, over.column, x);
+  over.v = within(ys_, over.row, y);
+  over.isUpper = isRising(over.column, over.row) ? over.v > over.u : over.u + over.v > 1;
+  return true;
+}
+
+bool TerrainLattice::cornersOver(double x, double y, Corners& corners, int& index) const {
+  Over over;
+  if (!locate(x, y, over)) return false;
+  index = indexOf(over.column, over.row, over.isUpper);
+  return this->corners(over.column, over.row, over.isUpper, corners);
+}
+
+double TerrainLattice::heightOver(double x, double y) const {
+  Over over;
+  if (!locate(x, y, over)) return std::numeric_limits<double>::quiet_NaN();
+  const auto z = [&](std::int64_t i, std::int64_t j) { return double(height(over.column + i, over.row + j)); };
+  const double u = over.u, v = over.v;
+  if (isRising(over.column, over.row))
+    return over.isUpper ? z(0, 0) + v * (z(0, 1) - z(0, 0)) + u * (z(1, 1) - z(0, 1))
+                        : z(0, 0) + u * (z(1, 0) - z(0, 0)) + v * (z(1, 1) - z(1, 0));
+  return over.isUpper ? z(1, 1) + (1 - u) * (z(0, 1) - z(1, 1)) + (1 - v) * (z(1, 0) - z(1, 1))
+                      : z(0, 0) + u * (z(1, 0) - z(0, 0)) + v * (z(0, 1) - z(0, 0));
 }
 
 HeightBounds TerrainLattice::cellBounds(std::int64_t column, std::int64_t row) const {

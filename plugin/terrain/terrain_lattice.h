@@ -80,6 +80,11 @@ class TerrainLattice {
   HeightBounds cellBounds(std::int64_t column, std::int64_t row) const;
   /// The corners of one of a cell's triangles, counter-clockwise from above. False where it is missing.
   bool corners(std::int64_t column, std::int64_t row, bool isUpper, Corners& corners) const;
+  /// Height of the triangle over (x, y); NaN where there is none. The fastest question there is.
+  double heightOver(double x, double y) const;
+  /// The most that ground rises, metres a metre, in the blocks below a square; infinite where ground is missing there
+  /// or beside it. Precondition: cells of this lattice.
+  float steepest(const IndexRange& columns, const IndexRange& rows) const;
   /// The triangle over (x, y); on a border the one at greater x and y. False where there is none.
   bool cornersOver(double x, double y, Corners& corners, int& index) const;
   bool cornersOver(double x, double y, Corners& corners) const {
@@ -106,12 +111,24 @@ class TerrainLattice {
     return {xs_[static_cast<std::size_t>(column)], ys_[static_cast<std::size_t>(row)], btScalar(height(column, row))};
   }
   IndexRange touching(std::span<const btScalar> points, btScalar from, btScalar to) const;
+  /// The last cell that begins at `at` or before; -1 where there is none.
+  std::int64_t cellAt(std::span<const btScalar> points, double at) const;
+  struct Over {
+    std::int64_t column, row;
+    double u, v;  ///< from 0 to 1 across the cell
+    bool isUpper;
+  };
+  /// False outside the grid.
+  bool locate(double x, double y, Over& over) const;
+  float steepestOfCell(std::int64_t column, std::int64_t row) const;
   void boundBlocks();
 
   TerrainGrid grid_;
   std::vector<btScalar> xs_, ys_;
   std::int64_t blockColumns_ = 0;
+  double perCell_ = 1;
   std::vector<HeightBounds> blocks_;  // of their triangles, row by row
+  std::vector<float> steepest_;       // of the same
 };
 
 template <class Visit>

@@ -89,9 +89,8 @@ std::size_t TerrainShape::memoryBytes() const {
 }
 
 std::optional<double> TerrainShape::heightAt(double x, double y) const {
-  TerrainLattice::Corners t;
-  if (!lattice_->cornersOver(x, y, t)) return std::nullopt;
-  return t.heightAt(x, y);
+  const double height = lattice_->heightOver(x, y);
+  return std::isnan(height) ? std::nullopt : std::optional(height);
 }
 
 std::optional<btVector3> TerrainShape::normalAt(double x, double y) const {

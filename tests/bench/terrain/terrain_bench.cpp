@@ -49,6 +49,7 @@ struct Grounds {
     bullet::TerrainGrid grid = test::terrainGrid({points, points, cell}, [&](double x, double y) {
       return kSlope * (kWidth - x) + std::sin(x / 3) * std::cos(y / 4) + kRough * cell * test::uniform(engine, -1, 1);
     });
+    grid.diagonals = bullet::TerrainDiagonals::rising;  // as Bullet's height field has them
     heights.assign(grid.heights.begin(), grid.heights.end());
     terrain = test::terrainOf(std::move(grid));
     test::copyTriangles(*terrain, mesh);
