@@ -56,7 +56,7 @@ void TerrainCounterpart::place(const PairPlacement& placement) {
 void TerrainCounterpart::placeObstacle() {
   const PlacedTree& tree = placement_.tree;
   const Pose& pose = tree.pose();
-  const float margin = placement_.reach + placement_.treeMargin + skin_;
+  const float margin = placement_.reach + placement_.treeMargin;
   // The ground of interest is near the tree, so the tree's own extent bounds the lengths that round.
   const float lengths = 4 * ((tree.tree().reach() + tree.tree().sphere(kRootNode).radius) * tree.scale() + margin);
   obstacle_.place(*lattice_,
@@ -64,8 +64,7 @@ void TerrainCounterpart::placeObstacle() {
                   double(margin + kOverlapSlack * lengths));
 }
 
-void TerrainCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
-  skin_ = skin;
+void TerrainCounterpart::start(std::vector<NodePair>& /*known*/, float /*skin*/) {
   placeObstacle();
   traversal_.start(placement_.tree.tree(), placement_.tree.scale(), obstacle_);
 }
@@ -88,17 +87,14 @@ Triangle TerrainCounterpart::toPair(const TerrainLattice::Corners& t) const {
 }
 
 // Appends the triangles near a node's sphere to the working memory, unless the sphere is certainly farther than the
-// reach. Returns how far it is at least, minus infinity where that is not known.
-float TerrainCounterpart::gather(NodeId node) {
+// reach.
+void TerrainCounterpart::gather(NodeId node) {
   const Sphere ball = placement_.tree.sphere(node);
   const Vec3d center = terrainFromPair_ * Vec3d(ball.center);
-  const float own = ball.radius + placement_.treeMargin;
-  const double radius = double(own + placement_.reach);
-  // Where the answer is to be kept, what is told must hold for all ground that may come near.
-  const GroundBelow ground = groundBelow(*lattice_, center, radius + double(skin_));
-  const auto gap = static_cast<float>(ground.leastDistance()) - own;
+  const auto radius = double(ball.radius + placement_.treeMargin + placement_.reach);
+  const GroundBelow ground = groundBelow(*lattice_, center, radius);
   isWhole_ = ground.factor > 0;
-  if (gap >= placement_.reach) return gap;
+  if (ground.leastDistance() > radius) return;
   forEachTriangleNear(*lattice_, center, radius, ground.isInside(), [&](const TerrainLattice::Corners& t, int index) {
     pairs_.push_back({node, static_cast<std::uint32_t>(inPair_.size())});
     inPair_.push_back(toPair(t));
@@ -106,7 +102,6 @@ float TerrainCounterpart::gather(NodeId node) {
     indices_.push_back(index);
     sideOf_.push_back(ground.isInside() ? -1 : 1);
   });
-  return gap;
 }
 
 // The touches of what was gathered, nodes one after the other and nearest first, and their sides. Whatever side of a
@@ -129,19 +124,12 @@ std::span<TriangleTouch> TerrainCounterpart::measure() {
 }
 
 void TerrainCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
-  appendContacts(pairs, {}, contacts);
-}
-
-void TerrainCounterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
-                                        std::vector<Contact>& contacts) {
   forgetFrom(0);
   const std::size_t first = contacts.size();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const NodeId leaf = pairs[i].a;
+  for (const NodePair& pair : pairs) {
     const std::size_t firstNear = inPair_.size();
-    const float gap = gather(leaf);
-    if (!gaps.empty()) gaps[i] = gap;
-    if (inPair_.size() > firstNear && placement_.tree.isPlanar(leaf)) appendCorners(leaf, firstNear, contacts);
+    gather(pair.a);
+    if (inPair_.size() > firstNear && placement_.tree.isPlanar(pair.a)) appendCorners(pair.a, firstNear, contacts);
   }
   const std::size_t corners = contacts.size();
   measure();

@@ -38,9 +38,8 @@ class TerrainCounterpart final : public Counterpart {
   void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
-  bool keepsAnswer() const override { return true; }
+  using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
-  void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   /// With the nearest of the triangles near the root, and with those in other directions that it does not cover, up to
   /// four. Linear in the triangles; only what is appended is counted as work.
@@ -50,7 +49,7 @@ class TerrainCounterpart final : public Counterpart {
  private:
   void placeObstacle();
   void forgetFrom(std::size_t count);
-  float gather(NodeId node);
+  void gather(NodeId node);
   void appendCorners(NodeId leaf, std::size_t firstNear, std::vector<Contact>& contacts);
   static void dropCovered(std::vector<Contact>& contacts, std::size_t first, std::size_t corners);
   std::span<TriangleTouch> measure();
@@ -61,7 +60,6 @@ class TerrainCounterpart final : public Counterpart {
   PairPlacement placement_;
   const TerrainLattice* lattice_ = nullptr;
   Pose pairFromTerrain_, terrainFromPair_;
-  float skin_ = 0;
   GroundObstacle obstacle_;
   ObstacleTraversal traversal_;
   TriangleContacts contacts_;
