@@ -98,7 +98,7 @@ build() {
   case $preset in
     plugin | double | threads) need build core plugin tests ;;
     fuzz) need build core tests fuzz ;;
-    *) need "${everything[@]}" tests ;;
+    *) need "${everything[@]}" tests rockfall ;;
   esac
   say "Building $preset"
   configure_and_build "$preset"
