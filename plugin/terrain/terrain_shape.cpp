@@ -127,9 +127,9 @@ void TerrainShape::setLocalScaling(const btVector3& scaling) {
                double(scaling.x()), double(scaling.y()), double(scaling.z()));
 }
 
-const char* TerrainShape::serialize(void* dataBuffer, btSerializer* serializer) const {
+// Without a chunk of its own: importers count what they cannot read.
+void TerrainShape::serializeSingleShape(btSerializer* /*serializer*/) const {
   std::fprintf(stderr, "a terrain's heights are not written to .bullet files: make it again from its grid\n");
-  return btConcaveShape::serialize(dataBuffer, serializer);
 }
 
 const TerrainShape* asTerrain(const btCollisionShape* shape) {

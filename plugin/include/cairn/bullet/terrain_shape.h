@@ -84,9 +84,9 @@ class TerrainShape final : public btConcaveShape {
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return scaling_; }
   const char* getName() const override { return "CairnTerrain"; }
-  /// Like btHeightfieldTerrainShape's, a `.bullet` file holds no heights: Bullet's importer leaves out the shape and
-  /// its body. A terrain is made again from what it was made from.
-  const char* serialize(void* dataBuffer, btSerializer* serializer) const override;
+  /// Refused, printed on standard error: a `.bullet` file holds no heights, and whoever loads it finds neither shape
+  /// nor body. A terrain is made again from what it was made from.
+  void serializeSingleShape(btSerializer* serializer) const override;
 
   /// Bytes of memory the shape holds.
   std::size_t memoryBytes() const;
