@@ -25,6 +25,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
                              shapes, hulls and trees of one to three levels: error and time of each
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
+  ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -100,7 +101,7 @@ build() {
   case $preset in
     plugin | double | threads) need build core plugin tests ;;
     fuzz) need build core tests fuzz ;;
-    *) need "${everything[@]}" tests ;;
+    *) need "${everything[@]}" tests rockfall ;;
   esac
   say "Building $preset"
   configure_and_build "$preset"
@@ -184,7 +185,7 @@ bench() {
   case ${1:-} in
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
-    effects | matrix | memory | still | textbook | traversal) bench_program "$@"; return ;;
+    effects | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release
   local mesh

@@ -29,7 +29,7 @@ foreach(room core builder plugin)
 endforeach()
 
 # Inside plugin/, a room sees those before it in this list, none after it.
-set(plugin_rooms memory placement queries shape contacts triangles faces counterparts continuous pairs dispatch serialize drawing effects)
+set(plugin_rooms memory placement queries shape contacts triangles terrain faces counterparts continuous pairs dispatch serialize drawing effects)
 set(later ${plugin_rooms})
 foreach(room IN LISTS plugin_rooms)
   list(POP_FRONT later)

@@ -9,7 +9,8 @@
 namespace cairn::bullet {
 
 /// What a contact point came from, as it is written into Bullet's manifold point (part, index) of either side. On a
-/// tree: the leaf's level and its `NodeId`. On a triangle mesh: the mesh's own part and triangle. On anything else:
+/// tree: the leaf's level and its `NodeId`. On a triangle mesh: the mesh's own part and triangle. On a terrain: the
+/// triangle, and as part 0, or one plus which of a flat leaf's support points it is. On anything else:
 /// part -1 and, because a flat leaf touches a flat shape in several points, which of the leaf's support points it is
 /// (-1 for the extreme one).
 struct ContactId {

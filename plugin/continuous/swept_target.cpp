@@ -19,6 +19,7 @@ std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind) {
       return std::make_unique<SweptConvex>();
     case CounterpartKind::field:
       return std::make_unique<SweptField>();
+    case CounterpartKind::terrain:
     case CounterpartKind::triangles:
       break;
   }

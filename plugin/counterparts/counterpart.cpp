@@ -8,10 +8,12 @@
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/bullet/terrain_shape.h"
 #include "counterparts/convex_counterpart.h"
 #include "counterparts/distance_field.h"
 #include "counterparts/field_counterpart.h"
 #include "counterparts/plane_counterpart.h"
+#include "counterparts/terrain_counterpart.h"
 #include "counterparts/tree_counterpart.h"
 #include "counterparts/triangle_counterpart.h"
 
@@ -47,6 +49,7 @@ std::optional<CounterpartKind> kindOf(const btCollisionShape& shape) {
   if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return CounterpartKind::plane;
   if (shape.isConvex()) return CounterpartKind::convex;
   if (asField(shape)) return CounterpartKind::field;
+  if (asTerrain(&shape)) return CounterpartKind::terrain;
   if (!shape.isConcave() || hidesTriangles(shape)) return std::nullopt;
   return CounterpartKind::triangles;
 }
@@ -67,6 +70,8 @@ std::unique_ptr<Counterpart> makeCounterpart(CounterpartKind kind) {
       return std::make_unique<ConvexCounterpart>();
     case CounterpartKind::field:
       return std::make_unique<FieldCounterpart>();
+    case CounterpartKind::terrain:
+      return std::make_unique<TerrainCounterpart>();
     case CounterpartKind::triangles:
       break;
   }

@@ -85,8 +85,8 @@ class Counterpart {
   virtual float size(const btCollisionShape& shape) const = 0;
 };
 
-enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles, field };
-inline constexpr int kCounterpartKinds = 5;
+enum class CounterpartKind : std::uint8_t { tree, plane, convex, triangles, field, terrain };
+inline constexpr int kCounterpartKinds = 6;
 
 /// What a shape is treated as; nothing for what is neither convex nor a distance field nor can show its triangles:
 /// compounds, soft bodies and GImpact compounds.

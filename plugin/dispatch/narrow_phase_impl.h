@@ -137,7 +137,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr double kLearning = 1.0 / 16;
   static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
   // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles, fields.
-  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 128, 32, 32, 32};
+  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 128, 32, 32, 32, 128};
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.
   static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;

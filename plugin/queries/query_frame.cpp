@@ -13,26 +13,21 @@ namespace cairn::bullet {
 
 namespace {
 
-// A few products and sums of three coordinates each: transforms, a plane's distance, an interpolation.
-constexpr double kRoundings = 8;
 // Bullet's cast ends when the shapes are this close, in the world's unit.
 constexpr double kContactRadius = 0.001;
 // It reads the turn between two equal rotations off a quaternion's real part, which says 1 to within some roundings:
 // their square root, as an angle.
 const double kTurnNoise = 8 * std::sqrt(double(SIMD_EPSILON));
 
-// What moves, seen from the tree's frame in the world's unit: a box that holds it, about its origin.
-struct Mover {
-  btVector3 center, halfExtent;
-};
+}  // namespace
 
-Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& worldFromTree) {
+Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& worldFromFrame) {
   const btConvexShape& convex = *callback.m_convexShape;
   const btScalar disc = convex.getAngularMotionDisc();
   Mover mover{btVector3(0, 0, 0), btVector3(disc, disc, disc)};
   if (callback.m_convexShapeFrom.getBasis() == callback.m_convexShapeTo.getBasis()) {
     btVector3 lower, upper;
-    convex.getAabb(btTransform(worldFromTree.getBasis().transposeTimes(callback.m_convexShapeFrom.getBasis())), lower,
+    convex.getAabb(btTransform(worldFromFrame.getBasis().transposeTimes(callback.m_convexShapeFrom.getBasis())), lower,
                    upper);
     const btScalar noise = btScalar(kTurnNoise) * disc;
     mover = {(lower + upper) / 2, (upper - lower) / 2 + btVector3(noise, noise, noise)};
@@ -42,8 +37,6 @@ Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& w
   mover.halfExtent += btVector3(grow, grow, grow);
   return mover;
 }
-
-}  // namespace
 
 Vec3d pointInTree(const SphereTreeShape& shape, const btVector3& point) {
   return toVec3d(shape.bodyFromTree().invXform(point)) / double(shape.scale());
@@ -55,8 +48,8 @@ double edgeTolerance(const SphereTreeShape& shape) {
 
 double roundingSlack(const SphereTreeShape& shape, double farthest) {
   const auto reach = double(shape.tree().reach());
-  return kRoundings * ((farthest / double(shape.scale()) + reach) * double(SIMD_EPSILON) +
-                       reach * double(std::numeric_limits<float>::epsilon()));
+  return kQueryRoundings * ((farthest / double(shape.scale()) + reach) * double(SIMD_EPSILON) +
+                            reach * double(std::numeric_limits<float>::epsilon()));
 }
 
 Segment segmentOf(const SphereTreeShape& shape, const btTriangleRaycastCallback& ray, double slack) {

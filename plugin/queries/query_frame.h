@@ -9,8 +9,19 @@
 
 namespace cairn::bullet {
 
+/// What moves in a sweep: a box that holds it all the way, about its origin, with the axes of the frame it is seen from
+/// and in the world's unit; grown by the distance at which Bullet ends a cast.
+struct Mover {
+  btVector3 center, halfExtent;
+};
+Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& worldFromFrame);
+
 /// A point of the body's frame in the tree's frame and unit.
 Vec3d pointInTree(const SphereTreeShape& shape, const btVector3& point);
+
+/// Products and sums of three coordinates by which Bullet's tests of triangles and our own of what holds them can
+/// differ: transforms, a plane's distance, an interpolation.
+inline constexpr double kQueryRoundings = 8;
 
 /// By how much, in the tree's unit, Bullet's tests of triangles and our own of nodes can differ by rounding alone.
 /// `farthest`: the largest coordinate that takes part, in the world's unit.

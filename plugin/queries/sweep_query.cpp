@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "placement/placed_triangle.h"
+#include "queries/convex_caster.h"
 #include "queries/leaf_walk.h"
 #include "queries/query_frame.h"
 #include "queries/seen_triangles.h"
@@ -12,27 +13,6 @@
 namespace cairn::bullet {
 
 namespace {
-
-// Bullet's test of a triangle, with an ear for what the callback answers.
-class Caster final : public btTriangleConvexcastCallback {
- public:
-  explicit Caster(btTriangleConvexcastCallback& callback)
-      : btTriangleConvexcastCallback(callback.m_convexShape, callback.m_convexShapeFrom, callback.m_convexShapeTo,
-                                     callback.m_triangleToWorld, callback.m_triangleCollisionMargin),
-        callback_(callback) {
-    m_hitFraction = callback.m_hitFraction;
-    m_allowedPenetration = callback.m_allowedPenetration;
-  }
-  btScalar reportHit(const btVector3& normal, const btVector3& point, btScalar fraction, int part,
-                     int triangle) override {
-    const btScalar answer = callback_.reportHit(normal, point, fraction, part, triangle);
-    if (answer == fraction) m_hitFraction = std::min(m_hitFraction, fraction);
-    return answer;
-  }
-
- private:
-  btTriangleConvexcastCallback& callback_;
-};
 
 struct Candidate {
   float at;
@@ -60,7 +40,7 @@ bool castConvex(const SphereTreeShape& shape, const RegionBalls& regions, btTria
   const SphereTree& tree = shape.tree();
   const SweptBox box = sweptBox(shape, callback, 0);
   if (!box.path().isSane()) return false;
-  Caster caster(callback);
+  ConvexCaster caster(callback);
   SeenTriangles seen(tree.triangles().size());
   std::vector<Candidate> candidates;
   const auto end = [&] { return box.path().placeOf(double(caster.m_hitFraction)); };

@@ -33,6 +33,12 @@ TriangleContacts::Touch TriangleContacts::onSide(const PlacedTree& tree, const T
 void TriangleContacts::append(const PairPlacement& placement, std::span<const Triangle> triangles,
                               std::span<const NodePair> pairs, bool isComplete, TriangleSides& sides,
                               std::vector<Contact>& contacts) {
+  const std::span<const TriangleTouch> touches = measure(placement, triangles, pairs);
+  appendMeasured(placement, triangles, sides.settle(placement.tree, triangles, touches, isComplete), contacts);
+}
+
+std::span<TriangleTouch> TriangleContacts::measure(const PairPlacement& placement, std::span<const Triangle> triangles,
+                                                   std::span<const NodePair> pairs) {
   all_.clear();
   for (const NodePair& pair : pairs) {
     const TriangleTouch touch = touchOf(placement.tree, triangles[pair.b], pair);
@@ -43,10 +49,14 @@ void TriangleContacts::append(const PairPlacement& placement, std::span<const Tr
     if (x.distance != y.distance) return x.distance < y.distance;
     return x.pair.b < y.pair.b;
   });
-  const std::span<const int> settled = sides.settle(placement.tree, triangles, all_, isComplete);
+  return all_;
+}
+
+void TriangleContacts::appendMeasured(const PairPlacement& placement, std::span<const Triangle> triangles,
+                                      std::span<const int> sides, std::vector<Contact>& contacts) {
   touches_.clear();
   for (std::size_t i = 0; i < all_.size(); ++i)
-    if (settled[i] != 0) touches_.push_back(onSide(placement.tree, all_[i], settled[i]));
+    if (sides[i] != 0) touches_.push_back(onSide(placement.tree, all_[i], sides[i]));
   for (auto first = touches_.begin(); first != touches_.end();) {
     const auto last = std::find_if(first, touches_.end(), [&](const Touch& t) { return t.pair.a != first->pair.a; });
     appendLeaf(placement, {first, last}, triangles, contacts);

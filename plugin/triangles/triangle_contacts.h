@@ -26,6 +26,14 @@ class TriangleContacts {
   void append(const PairPlacement& placement, std::span<const Triangle> triangles, std::span<const NodePair> pairs,
               bool isComplete, TriangleSides& sides, std::vector<Contact>& contacts);
 
+  /// The same in two steps, for who knows the sides. First the touches of these pairs, ordered by node and nearest
+  /// first, to be changed as need be; valid until the next call.
+  std::span<TriangleTouch> measure(const PairPlacement& placement, std::span<const Triangle> triangles,
+                                   std::span<const NodePair> pairs);
+  /// Then their contacts, with the side of each touch: see `TriangleSides::settle`.
+  void appendMeasured(const PairPlacement& placement, std::span<const Triangle> triangles, std::span<const int> sides,
+                      std::vector<Contact>& contacts);
+
  private:
   // How a region touches: the touch's line and face on the region's side, zero where it does not touch along them.
   struct Touch : TriangleTouch {

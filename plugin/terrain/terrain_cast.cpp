@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Zlib
+#include "terrain/terrain_cast.h"
+
+#include <algorithm>
+
+#include "placement/bullet_math.h"
+#include "queries/convex_caster.h"
+#include "queries/query_frame.h"
+#include "terrain/swept_way.h"
+#include "terrain/terrain_lattice.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Bullet says that a ray hits a triangle if it passes it by no more than 1e-4 in each barycentric coordinate, which
+// moves a point by at most twice that times what the triangle extends along an axis.
+constexpr double kEdgeTolerance = 2e-4;
+
+double roundingSlack(const TerrainLattice& lattice, double farthest) {
+  const double reach = std::max(double(lattice.xs().back()), double(lattice.ys().back()));
+  return kQueryRoundings * double(SIMD_EPSILON) * (farthest + reach);
+}
+
+// Goes along a way over blocks and then their cells, rows by rows, those it meets first coming first: in a row all
+// cells are met before the next row is, but for the way's own width.
+template <class End, class Ask>
+class CellWalk {
+ public:
+  // `end()` is the fraction beyond which nothing is wanted, `ask(column, row)` is called for cells the way can meet.
+  CellWalk(const TerrainLattice& lattice, const SweptWay& way, const End& end, const Ask& ask)
+      : lattice_(lattice), way_(way), end_(end), ask_(ask) {}
+
+  void go() const {
+    const IndexRange columns{0, (lattice_.cellColumns() - 1) / TerrainLattice::kBlock};
+    const IndexRange rows{0, (lattice_.cellRows() - 1) / TerrainLattice::kBlock};
+    walk(WayPart{}, columns, rows, TerrainLattice::kBlock, [&](std::int64_t i, std::int64_t j, const WayPart& part) {
+      if (passes(lattice_.blockBounds(i, j), part)) walkBlock(i, j, part);
+    });
+  }
+
+ private:
+  void walkBlock(std::int64_t i, std::int64_t j, const WayPart& part) const {
+    constexpr std::int64_t kBlock = TerrainLattice::kBlock;
+    const IndexRange columns = IndexRange{i * kBlock, (i + 1) * kBlock - 1}.cutTo({0, lattice_.cellColumns() - 1});
+    const IndexRange rows = IndexRange{j * kBlock, (j + 1) * kBlock - 1}.cutTo({0, lattice_.cellRows() - 1});
+    walk(part, columns, rows, 1, [&](std::int64_t column, std::int64_t row, const WayPart& inCell) {
+      if (passes(lattice_.cellBounds(column, row), inCell)) ask_(column, row);
+    });
+  }
+
+  // Squares of `size` cells a side, numbered by columns and rows of squares.
+  template <class Visit>
+  void walk(const WayPart& part, const IndexRange& columns, const IndexRange& rows, std::int64_t size,
+            const Visit& visit) const {
+    const IndexRange metRows = rows.cutTo(squares(1, part, size));
+    forEach(metRows, way_.way.y < 0, [&](std::int64_t row) {
+      const WayPart inRow = during(1, row, size, part);
+      if (inRow.isEmpty()) return;
+      forEach(columns.cutTo(squares(0, inRow, size)), way_.way.x < 0, [&](std::int64_t column) {
+        const WayPart inSquare = during(0, column, size, inRow);
+        if (!inSquare.isEmpty()) visit(column, row, inSquare);
+      });
+    });
+  }
+
+  template <class Visit>
+  static void forEach(const IndexRange& range, bool isBackwards, const Visit& visit) {
+    if (isBackwards)
+      for (std::int64_t i = range.last; i >= range.first; --i) visit(i);
+    else
+      for (std::int64_t i = range.first; i <= range.last; ++i) visit(i);
+  }
+
+  // The squares' columns (axis 0) or rows (axis 1) that are met during a part of the way.
+  IndexRange squares(int axis, const WayPart& part, std::int64_t size) const {
+    const double slack = double(SIMD_EPSILON) * (std::abs(way_.from[axis]) + std::abs(way_.way[axis]));
+    const auto from = btScalar(way_.least(axis, part) - slack), to = btScalar(way_.greatest(axis, part) + slack);
+    const IndexRange cells = axis == 0 ? lattice_.columnsTouching(from, to) : lattice_.rowsTouching(from, to);
+    return cells.isEmpty() ? cells : IndexRange{cells.first / size, cells.last / size};
+  }
+  WayPart during(int axis, std::int64_t square, std::int64_t size, const WayPart& part) const {
+    const std::span<const btScalar> points = axis == 0 ? lattice_.xs() : lattice_.ys();
+    const auto first = static_cast<std::size_t>(square * size);
+    const std::size_t last = std::min(first + static_cast<std::size_t>(size), points.size() - 1);
+    return way_.within(axis, double(points[first]), double(points[last])).cutTo({part.from, std::min(part.to, end_())});
+  }
+  bool passes(const HeightBounds& bounds, const WayPart& part) const {
+    const double slack = kEdgeTolerance * (double(bounds.upper) - double(bounds.lower));
+    return way_.least(2, part) <= double(bounds.upper) + slack &&
+           way_.greatest(2, part) >= double(bounds.lower) - slack;
+  }
+
+  const TerrainLattice& lattice_;
+  const SweptWay& way_;
+  const End& end_;
+  const Ask& ask_;
+};
+
+void castAlong(const TerrainLattice& lattice, const SweptWay& way, btTriangleCallback& callback, const auto& end) {
+  const auto ask = [&](std::int64_t column, std::int64_t row) {
+    for (const bool isUpper : {false, true}) {
+      TerrainLattice::Corners t;
+      if (lattice.corners(column, row, isUpper, t))
+        callback.processTriangle(t.at, 0, lattice.indexOf(column, row, isUpper));
+    }
+  };
+  if (!isFinite(way.from) || !isFinite(way.way) || !isFinite(way.half)) return;
+  CellWalk(lattice, way, end, ask).go();
+}
+
+void castRay(const TerrainLattice& lattice, btTriangleRaycastCallback& ray) {
+  const double farthest = double(std::max(ray.m_from.length(), ray.m_to.length()));
+  const double slack = roundingSlack(lattice, farthest), beside = slack + kEdgeTolerance * lattice.grid().cell;
+  const SweptWay way{toVec3d(ray.m_from), toVec3d(ray.m_to) - toVec3d(ray.m_from), {beside, beside, slack}};
+  // A fraction is rounded as well.
+  castAlong(lattice, way, ray, [&] { return double(ray.m_hitFraction) * (1 + 8 * double(SIMD_EPSILON)); });
+}
+
+void castConvex(const TerrainLattice& lattice, btTriangleConvexcastCallback& callback) {
+  const btTransform& world = callback.m_triangleToWorld;
+  const Mover mover = moverOf(callback, world);
+  const btVector3 from = world.invXform(callback.m_convexShapeFrom.getOrigin()) + mover.center;
+  const btVector3 to = world.invXform(callback.m_convexShapeTo.getOrigin()) + mover.center;
+  const double farthest = double(std::max({from.length(), to.length(), callback.m_convexShapeFrom.getOrigin().length(),
+                                           callback.m_convexShapeTo.getOrigin().length(), world.getOrigin().length()}));
+  const double slack = roundingSlack(lattice, farthest);
+  const SweptWay way{toVec3d(from), toVec3d(to) - toVec3d(from),
+                     toVec3d(mover.halfExtent) + Vec3d(slack, slack, slack)};
+  ConvexCaster caster(callback);
+  castAlong(lattice, way, caster, [&] { return double(caster.m_hitFraction); });
+}
+
+}  // namespace
+
+bool answerCast(const TerrainLattice& lattice, btTriangleCallback& callback) {
+  if (auto* const ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
+    castRay(lattice, *ray);
+    return true;
+  }
+  auto* const sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback);
+  if (sweep) castConvex(lattice, *sweep);
+  return sweep != nullptr;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "cairn/bullet/terrain_shape.h"
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+/// Cells or blocks from `first` to `last`, both included; none where first > last.
+struct IndexRange {
+  std::int64_t first = 0, last = -1;
+
+  bool isEmpty() const { return first > last; }
+  IndexRange cutTo(const IndexRange& other) const { return {std::max(first, other.first), std::min(last, other.last)}; }
+};
+
+/// Between the lowest and the highest height; empty where there is no ground.
+struct HeightBounds {
+  float lower = std::numeric_limits<float>::infinity(), upper = -std::numeric_limits<float>::infinity();
+
+  void add(float height) {
+    lower = std::min(lower, height);  // false for NaN, which leaves the bounds as they are
+    upper = std::max(upper, height);
+  }
+  void add(const HeightBounds& other) {
+    lower = std::min(lower, other.lower);
+    upper = std::max(upper, other.upper);
+  }
+  bool touches(btScalar from, btScalar to) const { return btScalar(lower) <= to && btScalar(upper) >= from; }
+};
+
+/// A grid's points in the shape's frame, its triangles, and the bounds of its blocks of cells.
+class TerrainLattice {
+ public:
+  /// Cells along a block's side. A rock of some cells then meets one to four blocks; whatever is looked at above that
+  /// is bounded by 1/256 of the cells.
+  static constexpr std::int64_t kBlock = 16;
+
+  struct Corners {
+    btVector3 at[3];
+
+    /// Not normalised; upwards.
+    Vec3d normal() const { return cross(toVec3d(at[1]) - toVec3d(at[0]), toVec3d(at[2]) - toVec3d(at[0])); }
+    /// Of the triangle's plane.
+    double heightAt(double x, double y) const {
+      const Vec3d n = normal();
+      return double(at[0].z()) - (n.x * (x - double(at[0].x())) + n.y * (y - double(at[0].y()))) / n.z;
+    }
+  };
+
+  /// Precondition: a grid that `TerrainShape::create` accepts.
+  explicit TerrainLattice(TerrainGrid grid);
+
+  const TerrainGrid& grid() const { return grid_; }
+  std::int64_t cellColumns() const { return static_cast<std::int64_t>(xs_.size()) - 1; }
+  std::int64_t cellRows() const { return static_cast<std::int64_t>(ys_.size()) - 1; }
+  /// Coordinates of the points' columns and rows.
+  std::span<const btScalar> xs() const { return xs_; }
+  std::span<const btScalar> ys() const { return ys_; }
+  /// Of all triangles.
+  HeightBounds bounds() const;
+  std::size_t memoryBytes() const;
+
+  /// Columns of cells that share a coordinate with [from, to]; rows likewise.
+  IndexRange columnsTouching(btScalar from, btScalar to) const { return touching(xs_, from, to); }
+  IndexRange rowsTouching(btScalar from, btScalar to) const { return touching(ys_, from, to); }
+  /// Precondition: a block of this lattice.
+  const HeightBounds& blockBounds(std::int64_t blockColumn, std::int64_t blockRow) const {
+    return blocks_[static_cast<std::size_t>(blockRow * blockColumns_ + blockColumn)];
+  }
+  HeightBounds cellBounds(std::int64_t column, std::int64_t row) const;
+  /// The corners of one of a cell's triangles, counter-clockwise from above. False where it is missing.
+  bool corners(std::int64_t column, std::int64_t row, bool isUpper, Corners& corners) const;
+  /// Height of the triangle over (x, y); NaN where there is none. The fastest question there is.
+  double heightOver(double x, double y) const;
+  /// The most that ground rises, metres a metre, in the blocks below a square; infinite where ground is missing there
+  /// or beside it. Precondition: cells of this lattice.
+  float steepest(const IndexRange& columns, const IndexRange& rows) const;
+  /// The triangle over (x, y); on a border the one at greater x and y. False where there is none.
+  bool cornersOver(double x, double y, Corners& corners, int& index) const;
+  bool cornersOver(double x, double y, Corners& corners) const {
+    int index = 0;
+    return cornersOver(x, y, corners, index);
+  }
+  bool isRising(std::int64_t column, std::int64_t row) const {
+    if (grid_.diagonals != TerrainDiagonals::alternating) return grid_.diagonals == TerrainDiagonals::rising;
+    return (column + row) % 2 == 0;
+  }
+  int indexOf(std::int64_t column, std::int64_t row, bool isUpper) const {
+    return static_cast<int>(2 * (row * cellColumns() + column) + (isUpper ? 1 : 0));
+  }
+
+  /// Calls `visit(column, row)` for the cells below or above the box whose blocks have heights in it. No allocation.
+  template <class Visit>
+  void forEachCell(const btVector3& lower, const btVector3& upper, const Visit& visit) const;
+
+ private:
+  float height(std::int64_t column, std::int64_t row) const {
+    return grid_.heights[static_cast<std::size_t>(row * (cellColumns() + 1) + column)];
+  }
+  btVector3 point(std::int64_t column, std::int64_t row) const {
+    return {xs_[static_cast<std::size_t>(column)], ys_[static_cast<std::size_t>(row)], btScalar(height(column, row))};
+  }
+  IndexRange touching(std::span<const btScalar> points, btScalar from, btScalar to) const;
+  /// The last cell that begins at `at` or before; -1 where there is none.
+  std::int64_t cellAt(std::span<const btScalar> points, double at) const;
+  struct Over {
+    std::int64_t column, row;
+    double u, v;  ///< from 0 to 1 across the cell
+    bool isUpper;
+  };
+  /// False outside the grid.
+  bool locate(double x, double y, Over& over) const;
+  float steepestOfCell(std::int64_t column, std::int64_t row) const;
+  void boundBlocks();
+
+  TerrainGrid grid_;
+  std::vector<btScalar> xs_, ys_;
+  std::int64_t blockColumns_ = 0;
+  double perCell_ = 1;
+  std::vector<HeightBounds> blocks_;  // of their triangles, row by row
+  std::vector<float> steepest_;       // of the same
+};
+
+template <class Visit>
+void TerrainLattice::forEachCell(const btVector3& lower, const btVector3& upper, const Visit& visit) const {
+  const IndexRange columns = columnsTouching(lower.x(), upper.x()), rows = rowsTouching(lower.y(), upper.y());
+  if (columns.isEmpty() || rows.isEmpty()) return;
+  for (std::int64_t j = rows.first / kBlock; j <= rows.last / kBlock; ++j)
+    for (std::int64_t i = columns.first / kBlock; i <= columns.last / kBlock; ++i) {
+      if (!blockBounds(i, j).touches(lower.z(), upper.z())) continue;
+      const IndexRange inRows = rows.cutTo({j * kBlock, (j + 1) * kBlock - 1});
+      const IndexRange inColumns = columns.cutTo({i * kBlock, (i + 1) * kBlock - 1});
+      for (std::int64_t row = inRows.first; row <= inRows.last; ++row)
+        for (std::int64_t column = inColumns.first; column <= inColumns.last; ++column) visit(column, row);
+    }
+}
+
+}  // namespace cairn::bullet
