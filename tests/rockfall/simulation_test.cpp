@@ -103,11 +103,9 @@ TEST(Release_AnotherRun, DrawsOtherNumbers) {
 
 TEST(Run_SameNumber, GivesTheSameBitsAndAnotherDoesNot) {
   const Scene scene = test::prepared(test::plainCase());
-  const FinishedRun first = simulate(scene, 3).value();
-  const std::string hash = first.result.stateHash;
+  const std::string hash = simulate(scene, 3).value().result.stateHash;
   EXPECT_EQ(simulate(scene, 3).value().result.stateHash, hash);
   EXPECT_NE(simulate(scene, 4).value().result.stateHash, hash);
-  EXPECT_LE(first.result.maxOperations, 20000U) << "the budget, and the re-testing of held pairs has room in it";
 }
 
 /// A rock thrown over flat ground: its parabola is known.

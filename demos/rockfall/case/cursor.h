@@ -62,7 +62,10 @@ class Value {
 
   bool isObject() const { return json_ && json_->is_object(); }
   bool isArray() const { return json_ && json_->is_array(); }
-  void refuse(std::string_view why) const { complaint_->refuse(path_, why); }
+  /// Where nothing stands, the object has a complaint of its own.
+  void refuse(std::string_view why) const {
+    if (json_) complaint_->refuse(path_, why);
+  }
 
  private:
   friend class Object;
