@@ -20,7 +20,7 @@ namespace {
 
 /// A sentence that begins with a path into the case gets its file's name before it.
 Error inCase(const std::filesystem::path& file, const Error& error) {
-  for (const char* section : {"/terrain", "/rocks/", "/effects/"})
+  for (const char* section : {"/terrain", "/rocks/", "/effects/", "/outputs/"})
     if (error.message.starts_with(section)) return Error{fmt::format("{}: {}", file.string(), error.message)};
   return error;
 }

@@ -78,6 +78,18 @@ TEST(Scene_AReleaseBeyondTheGround, IsRefusedWithItsPath) {
       << scene.error().message;
 }
 
+TEST(Scene_ARasterOfTooManyCells, IsRefusedWithItsPath) {
+  json document = test::plainCase();
+  document["terrain"] = {{"generated", "plane"}, {"length_m", 9000}, {"width_m", 900},
+                         {"slope_deg", 20},      {"cell_m", 100},    {"material", "soil"}};
+  document["outputs"]["raster_cell_m"] = 0.3;
+  TreeCache cache(test::treeFolder());
+  const auto scene = prepareScene(test::readJson(document).value(), cache);
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().message,
+            "/outputs/raster_cell_m: rasters would have 90 million cells, more than 64 million: use larger ones");
+}
+
 TEST(Release_OfManyRocks, LeavesThemApartInTheirBox) {
   json document = test::plainCase();
   document["rocks"][0]["count"] = 60;

@@ -61,7 +61,7 @@ Vec3d GridGround::normalAt(const MapPoint& point) const {
 Result<std::unique_ptr<Ground>> makeGround(const Case& scene) {
   const auto& source = scene.terrain.source;
   if (std::holds_alternative<RasterTerrain>(source) || std::holds_alternative<MeshTerrain>(source))
-    return Error{"terrain from a raster or a mesh cannot be run by this version: use a generated one"};
+    return Error{"/terrain: terrain from a raster or a mesh cannot be run by this version: use a generated one"};
   auto grid = generateHeights(scene.terrain, scene.seed);
   if (!grid) return grid.error();
   return std::unique_ptr<Ground>(std::make_unique<GridGround>(std::move(grid).value(), scene.terrain));

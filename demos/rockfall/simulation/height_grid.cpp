@@ -81,7 +81,7 @@ Result<HeightGrid> generateHeights(const TerrainSection& terrain, std::uint64_t 
   const double rows = std::ceil((surface.upper[1] - surface.lower[1]) / grid.cell - 1e-9) + 1;
   if (columns * rows > kMostPoints)
     return Error{
-        fmt::format("the terrain would have {:.3g} million grid points, more than {:.0f} million: use a "
+        fmt::format("/terrain: the grid would have {:.3g} million points, more than {:.0f} million: use a "
                     "larger cell_m",
                     columns * rows / 1e6, kMostPoints / 1e6)};
   grid.columns = static_cast<std::uint32_t>(columns);

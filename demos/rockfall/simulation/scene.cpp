@@ -23,12 +23,26 @@ Status checkReleases(const Case& description, const Ground& ground) {
   return {};
 }
 
+/// Before anything is run, because the merge would fail for it.
+Status checkRaster(const Case& description, const Ground& ground) {
+  constexpr double kMostCells = 64e6;
+  if (!description.outputs.rasterCellM) return {};
+  const double cell = *description.outputs.rasterCellM;
+  const double cells = (ground.upper().x - ground.lower().x) / cell * ((ground.upper().y - ground.lower().y) / cell);
+  if (cells <= kMostCells) return {};
+  return Error{
+      fmt::format("/outputs/raster_cell_m: rasters would have {:.3g} million cells, more than {:.0f} million: "
+                  "use larger ones",
+                  cells / 1e6, kMostCells / 1e6)};
+}
+
 }  // namespace
 
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress) {
   auto ground = makeGround(description);
   if (!ground) return ground.error();
   if (const Status checked = checkReleases(description, *ground.value()); !checked) return checked.error();
+  if (const Status checked = checkRaster(description, *ground.value()); !checked) return checked.error();
   auto stock = stockRocks(description, cache, progress);
   if (!stock) return stock.error();
   ContentHash hash;

@@ -19,7 +19,8 @@ struct Scene {
   std::string hash;
 };
 
-/// Fails as `makeGround` and `stockRocks` do, and for a release box that reaches beyond the ground.
+/// Fails as `makeGround` and `stockRocks` do, for a release box that reaches beyond the ground and for
+/// rasters of more than 64 million cells.
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
 }  // namespace cairn::rockfall
