@@ -1,126 +1,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// rockfall: concave rocks down a stepped slope, headless, within a narrow-phase budget.
+// rockfall: rocks down a slope as a case file tells it, in ensembles, headless.
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <memory>
-#include <nlohmann/json.hpp>
+#include <unistd.h>
+#include <cstdio>
 #include <string>
-#include <system_error>
-#include <vector>
+#include <utility>
 
 #include "cairn/core/atomic_file.h"
+#include "explain_report.h"
 #include "options.h"
+#include "rockfall/ensemble/run_folder.h"
+#include "rockfall/outputs/merge_outputs.h"
+#include "rockfall/simulation/run_effects.h"
 #include "scenes/command/program.h"
-#include "scenes/command/tree_source.h"
-#include "scenes/figures/quantiles.h"
-#include "scenes/rockfall/rockfall.h"
-#include "second_table.h"
-#include "trajectory_log.h"
 
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::uint32_t kSamplesPerSecond = 10;
-constexpr std::uint32_t kStepsPerSample = scenes::Rockfall::kStepsPerSecond / kSamplesPerSecond;
-
-using Trees = std::vector<std::shared_ptr<const SphereTree>>;
-
-Result<Trees> buildRocks(const Options& options) {
-  Trees trees;
-  for (std::uint32_t i = 0; i < options.distinctRocks; ++i) {
-    scenes::TreeSource source;
-    source.rock.seed = options.scene.seed + i;
-    scenes::ProgressLine progress(fmt::format("building rock {} of {}", i + 1, options.distinctRocks));
-    auto tree = scenes::obtainTree(source, progress.callback());
-    if (!tree) return tree.error();
-    trees.push_back(tree.value().tree);
-  }
-  return trees;
+/// A sentence that begins with a path into the case gets its file's name before it.
+Error inCase(const std::filesystem::path& file, const Error& error) {
+  for (const char* section : {"/terrain", "/rocks/", "/effects/", "/outputs/"})
+    if (error.message.starts_with(section)) return Error{fmt::format("{}: {}", file.string(), error.message)};
+  return error;
 }
 
-struct Run {
-  TrajectoryLog log;
-  std::vector<double> narrowPhaseUs, operations;
-  double peakSpeed = 0;
-  std::uint32_t lost = 0, asleep = 0;
-  std::string stateHash;
-};
-
-Result<Run> simulate(scenes::Rockfall& scene, const Options& options) {
-  Run run;
-  SecondTable table(options.scene.budget);
-  StateHash hash;
-  run.log.sample(0, scene.world());
-  for (std::uint32_t step = 1; step <= options.seconds * scenes::Rockfall::kStepsPerSecond; ++step) {
-    const scenes::StepRecord record = scene.step();
-    table.add(record);
-    run.narrowPhaseUs.push_back(record.narrowPhaseCpuUs);
-    run.operations.push_back(static_cast<double>(record.tree->operations));
-    run.peakSpeed = std::max(run.peakSpeed, scenes::fastestSpeed(scene.world().bodies()));
-    if (step % kStepsPerSample == 0)
-      run.log.sample(static_cast<double>(step) / scenes::Rockfall::kStepsPerSecond, scene.world());
-    if (step % scenes::Rockfall::kStepsPerSecond == 0) {
-      table.endSecond(step / scenes::Rockfall::kStepsPerSecond, scene.world(), scene.countLost());
-      scene.world().addState(hash);
-    }
-    if (scenes::interrupted()) return Error{std::string(builder::kCancelled)};
-  }
-  run.lost = scene.countLost();
-  run.asleep = scenes::countAsleep(scene.world().bodies());
-  run.stateHash = hash.hex();
-  return run;
+Result<Scene> prepare(const std::filesystem::path& caseFile, const std::optional<std::filesystem::path>& cacheFolder,
+                      Case description) {
+  TreeCache cache(cacheFolder ? cacheFolder : TreeCache::defaultFolder());
+  scenes::ProgressLine progress("building trees of rocks");
+  auto scene = prepareScene(std::move(description), cache, progress.callback());
+  if (cache.complaint()) fmt::print(stderr, "rockfall: trees are not kept: {}.\n", cache.complaint()->message);
+  if (!scene) return inCase(caseFile, scene.error());
+  return scene;
 }
 
-std::string summaryText(const Run& run, const Options& options) {
-  const scenes::Quantiles time = scenes::quantilesOf(run.narrowPhaseUs), work = scenes::quantilesOf(run.operations);
-  nlohmann::ordered_json json{{"scene", "rockfall"},
-                              {"rocks", options.scene.rocks},
-                              {"seconds", options.seconds},
-                              {"seed", options.scene.seed}};
-  const auto& budget = options.scene.budget;
-  json["budget_ops"] = budget.operations ? nlohmann::ordered_json(*budget.operations) : nullptr;
-  json["budget_us"] = budget.microseconds ? nlohmann::ordered_json(*budget.microseconds) : nullptr;
-  json["narrow_phase_cpu_us"] = {{"median", time.median}, {"p99", time.p99}, {"p999", time.p999}, {"max", time.max}};
-  json["operations"] = {{"median", work.median}, {"max", work.max}};
-  json["peak_speed_m_per_s"] = run.peakSpeed;
-  json["bodies_lost"] = run.lost;
-  json["bodies_asleep"] = run.asleep;
-  json["state_hash"] = run.stateHash;
-  return json.dump(2) + "\n";
+Result<Json> documentOf(const std::filesystem::path& file) {
+  const auto content = readFile(file);
+  if (!content) return content.error();
+  return parseDocument({reinterpret_cast<const char*>(content.value().data()), content.value().size()}, file.string());
 }
 
-// Before the work, so that nobody waits for what cannot be kept.
-Status prepareOutputs(const Options& options) {
-  if (options.json)
-    if (Status writable = checkWritable(*options.json); !writable) return writable;
-  std::error_code failure;
-  std::filesystem::create_directories(options.folder, failure);
-  if (failure) return Error{fmt::format("cannot make the folder {}: {}", options.folder.string(), failure.message())};
-  return checkWritable(options.folder / "trajectories.csv");
-}
-
-Status writeResults(const Run& run, const Options& options) {
-  if (const Status status = run.log.write(options.folder / "trajectories.csv"); !status) return status;
-  return options.json ? writeFileAtomically(*options.json, summaryText(run, options)) : Status();
-}
-
-Status runRockfall(const Options& options) {
-  if (Status prepared = prepareOutputs(options); !prepared) return prepared;
-  const auto trees = buildRocks(options);
-  if (!trees) return trees.error();
-  auto scene = scenes::Rockfall::create(trees.value(), options.scene);
+Status execute(const RunCommand& command) {
+  auto description = readCase(command.caseFile);
+  if (!description) return description.error();
+  if (const Status possible = checkEffects(description.value()); !possible)
+    return inCase(command.caseFile, possible.error());
+  const auto document = documentOf(command.caseFile);
+  if (!document) return document.error();
+  const auto scene = prepare(command.caseFile, command.cache, std::move(description).value());
   if (!scene) return scene.error();
-  const auto run = simulate(*scene.value(), options);
-  if (!run) return run.error();
-  if (options.scene.budget.operations)
-    fmt::print(
-        "\nAbove 100 % of the budget: contacts known from the step before are re-tested whatever is left of it.\n");
-  fmt::print("\nstate hash {}; {} of {} rocks at rest\n", run.value().stateHash, run.value().asleep,
-             options.scene.rocks);
-  if (const Status status = writeResults(run.value(), options); !status) return status;
-  fmt::print("wrote {}\n", (options.folder / "trajectories.csv").string());
-  if (run.value().lost > 0) return Error{fmt::format("{} rocks fell through the slope or left it", run.value().lost)};
+  scenes::ProgressLine progress("runs");
+  const auto keepGoing = [&, own = getpid()](std::uint64_t done, std::uint64_t all) {
+    if (command.jobs > 1 || own != getpid()) return !scenes::interrupted();
+    return progress.show("done", static_cast<double>(done) / static_cast<double>(all));
+  };
+  const auto report =
+      computeRuns(scene.value(), document.value(), {command.runs, command.folder, command.jobs}, keepGoing);
+  if (!report) return inCase(command.caseFile, report.error());
+  fmt::print("runs {}:{} of {} in {}: {} computed, {} were there\n", command.runs.first, command.runs.last,
+             scene.value().description.name, command.folder.string(), report.value().computed, report.value().kept);
+  return {};
+}
+
+Status execute(const ExplainCommand& command) {
+  if (command.json)
+    if (Status writable = checkWritable(*command.json); !writable) return writable;
+  auto description = readCase(command.caseFile);
+  if (!description) return description.error();
+  const auto scene = prepare(command.caseFile, command.cache, std::move(description).value());
+  if (!scene) return scene.error();
+  const SceneBounds bounds = boundsOf(scene.value());
+  const auto outlooks = explainEffects(scene.value().description, bounds);
+  fmt::print("{}", explainText(scene.value(), bounds, outlooks));
+  return command.json ? writeFileAtomically(*command.json, explainJson(scene.value(), bounds, outlooks)) : Status();
+}
+
+Status execute(const MergeCommand& command) {
+  const auto report = mergeOutputs({command.parts, command.folder, command.png});
+  if (!report) return report.error();
+  const MergeReport& merged = report.value();
+  fmt::print("{} runs, {} rocks, {} lost, {:.1f} s of CPU time; results in {}\n", merged.runs, merged.rocks,
+             merged.lost, merged.cpuS, command.folder.string());
+  for (const EffectReport& effect : merged.effects)
+    fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s\n", effect.name, effect.acted, effect.cpuUs / 1e6);
+  fmt::print("merged hash {}\n", merged.hash);
+  return {};
+}
+
+Status execute(const SchemaCommand&) {
+  std::fwrite(caseSchema().data(), 1, caseSchema().size(), stdout);
   return {};
 }
 
@@ -132,6 +101,7 @@ int main(int argc, char** argv) {
   const auto parsed = rockfall::parseOptions(argc, argv);
   if (const int* code = std::get_if<int>(&parsed)) return *code;
   scenes::watchForInterrupt();
-  const Status status = rockfall::runRockfall(std::get<rockfall::Options>(parsed));
+  const Status status =
+      std::visit([](const auto& command) { return rockfall::execute(command); }, std::get<rockfall::Command>(parsed));
   return status ? scenes::kExitDone : scenes::refuse("rockfall", status.error());
 }

@@ -4,21 +4,37 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
-#include "scenes/rockfall/rockfall.h"
+#include "rockfall/ensemble/run_range.h"
 
 namespace cairn::rockfall {
 
-struct Options {
-  scenes::RockfallOptions scene;
-  std::uint32_t seconds = 20;
-  std::uint32_t distinctRocks = 5;
-  std::filesystem::path folder = "rockfall-out";
-  std::optional<std::filesystem::path> json;
+struct RunCommand {
+  std::filesystem::path caseFile, folder;
+  RunRange runs;
+  std::uint32_t jobs = 1;
+  std::optional<std::filesystem::path> cache;
 };
 
-/// The options, or the exit code if the program is to end now.
-std::variant<Options, int> parseOptions(int argc, const char* const* argv);
+struct ExplainCommand {
+  std::filesystem::path caseFile;
+  std::optional<std::filesystem::path> cache, json;
+};
+
+struct MergeCommand {
+  std::vector<std::filesystem::path> parts;
+  std::filesystem::path folder;
+  bool png = false;
+};
+
+struct SchemaCommand {};
+
+using Command = std::variant<RunCommand, ExplainCommand, MergeCommand, SchemaCommand>;
+
+/// The command, or the exit code if the program is to end now.
+std::variant<Command, int> parseOptions(int argc, const char* const* argv);
 
 }  // namespace cairn::rockfall

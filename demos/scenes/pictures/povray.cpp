@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/pictures/povray.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,8 +12,7 @@
 #include <vector>
 
 #include "cairn/core/atomic_file.h"
-
-extern char** environ;
+#include "scenes/command/subprocess.h"
 
 namespace cairn::scenes {
 namespace {
@@ -76,24 +72,6 @@ std::vector<Vec3d> cornerNormals(std::span<const Vec3d> vertices,
   return normals;
 }
 
-/// Runs a program with its output going to `log`; its exit code, or an error number as a negative one.
-int run(const std::vector<std::string>& command, const fs::path& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return -failure;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
-}
-
 /// The line of POV-Ray's output that says what went wrong.
 std::string complaintIn(const fs::path& log) {
   std::ifstream stream(log);
@@ -132,9 +110,10 @@ Status renderWithPovray(const std::string& scene, const PictureSize& size, const
   if (const Status status = writeFileAtomically(source, scene); !status) return status;
   return writeFileAtomically(png, [&](const fs::path& temporary) -> Status {
     const fs::path log = scratch.path() / "povray.log";
-    const int code = run({"povray", "+I" + source.string(), "+O" + temporary.string(), fmt::format("+W{}", size.width),
-                          fmt::format("+H{}", size.height), "+A0.15", "+R3", "-D", "+FN"},
-                         log);
+    const int code =
+        runCommand({"povray", "+I" + source.string(), "+O" + temporary.string(), fmt::format("+W{}", size.width),
+                    fmt::format("+H{}", size.height), "+A0.15", "+R3", "-D", "+FN"},
+                   log);
     if (code == -ENOENT) return Error{"POV-Ray is needed to render pictures: install the package povray"};
     if (code != 0) return Error{fmt::format("povray could not render {}: {}", png.string(), complaintIn(log))};
     return {};

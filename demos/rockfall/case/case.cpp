@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/case/case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cairn/core/atomic_file.h"
+#include "rockfall/case/content_hash.h"
+#include "rockfall/case/effects_section.h"
+
+namespace cairn::rockfall {
+namespace {
+
+BudgetSection readBudget(const Value& value) {
+  Object object(value);
+  BudgetSection budget;
+  if (const auto operations = object.find("operations"))
+    budget.operations = operations->whole(0, std::uint64_t{1} << 53);
+  if (const auto time = object.find("microseconds")) budget.microseconds = time->number(between(0, 1e9));
+  return budget;
+}
+
+Case readSections(const Value& value) {
+  Object object(value);
+  Case scene;
+  scene.name = object.at("case").name();
+  scene.seed = object.at("seed").whole(0, std::uint64_t{1} << 53);
+  scene.stepS = object.at("step_s").number({1e-5, 0.1});
+  scene.durationS = object.at("duration_s").number({0, 86400, true});
+  scene.gravityMPerS2 = object.numberOr("gravity_m_per_s2", between(0, 1000), scene.gravityMPerS2);
+  if (const auto budget = object.find("budget")) scene.budget = readBudget(*budget);
+  scene.materials = readMaterials(object.at("materials"));
+  scene.terrain = readTerrain(object.at("terrain"), scene.materials);
+  scene.rocks = readRocks(object.at("rocks"), scene.materials);
+  scene.effects = readEffects(object.at("effects"), scene.materials);
+  if (const auto collectors = object.find("collectors")) scene.collectors = readCollectors(*collectors);
+  if (const auto outputs = object.find("outputs")) scene.outputs = readOutputs(*outputs);
+  return scene;
+}
+
+struct NamedFile {
+  std::string path;  // in the case
+  std::string file;
+};
+
+std::vector<NamedFile> namedFiles(const Case& scene) {
+  std::vector<NamedFile> files;
+  if (const auto* raster = std::get_if<RasterTerrain>(&scene.terrain.source))
+    files.push_back({"/terrain/raster", raster->file});
+  if (const auto* mesh = std::get_if<MeshTerrain>(&scene.terrain.source))
+    files.push_back({"/terrain/mesh", mesh->file});
+  for (std::size_t i = 0; i < scene.rocks.size(); ++i)
+    if (const auto* mesh = std::get_if<MeshRocks>(&scene.rocks[i].source))
+      files.push_back({pathInto("/rocks", i) + "/mesh", mesh->file});
+  return files;
+}
+
+}  // namespace
+
+std::uint32_t Case::stepCount() const {
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(durationS / stepS)));
+}
+
+Result<Case> parseCase(std::string_view text, const std::string& file, const std::filesystem::path& folder) {
+  const auto document = parseDocument(text, file);
+  if (!document) return document.error();
+  Complaint complaint(file);
+  Case scene = readSections(Value(&document.value(), "", complaint));
+  if (complaint.first()) return Error{*complaint.first()};
+  scene.folder = folder;
+  ContentHash hash;
+  hash.add(document.value().dump());
+  for (const NamedFile& named : namedFiles(scene)) {
+    const auto content = readFile(scene.pathOf(named.file));
+    if (!content) return Error{file + ": " + named.path + ": " + content.error().message};
+    hash.add(content.value());
+  }
+  scene.hash = hash.hex();
+  return scene;
+}
+
+Result<Case> readCase(const std::filesystem::path& path) {
+  const auto content = readFile(path);
+  if (!content) return content.error();
+  const std::string_view text(reinterpret_cast<const char*>(content.value().data()), content.value().size());
+  return parseCase(text, path.string(), path.parent_path());
+}
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cairn/core/result.h"
+#include "rockfall/case/collectors_section.h"
+#include "rockfall/case/effect_options.h"
+#include "rockfall/case/materials.h"
+#include "rockfall/case/outputs_section.h"
+#include "rockfall/case/rocks_section.h"
+#include "rockfall/case/terrain_section.h"
+
+namespace cairn::rockfall {
+
+/// What a step of the narrow phase may cost. Microseconds make runs depend on the machine; operations do not.
+struct BudgetSection {
+  std::optional<std::uint64_t> operations;
+  std::optional<double> microseconds;
+};
+
+/// A scene as its file tells it: nothing is built yet. SI units; the world is z up, x and y as on the map.
+struct Case {
+  std::string name;
+  std::uint64_t seed = 0;
+  double stepS = 0, durationS = 0, gravityMPerS2 = 9.81;
+  BudgetSection budget;
+  Materials materials;
+  TerrainSection terrain;
+  std::vector<RockGroup> rocks;
+  std::vector<EffectOptions> effects;
+  std::vector<Collector> collectors;
+  OutputsSection outputs;
+
+  std::filesystem::path folder;  ///< of the case file: the files it names are relative to it
+  /// SHA-256, hexadecimal, of the case without its comments and of the files it names: equal for cases that give equal
+  /// runs.
+  std::string hash;
+
+  std::filesystem::path pathOf(const std::string& file) const { return folder / file; }
+  std::uint32_t stepCount() const;
+};
+
+/// Fails in one sentence with file and JSON path: for what is no JSON, unknown or repeated keys, what is missing, of
+/// the wrong kind or out of range, materials that are not listed, and files that cannot be read. `file` is for
+/// messages.
+Result<Case> parseCase(std::string_view text, const std::string& file, const std::filesystem::path& folder);
+Result<Case> readCase(const std::filesystem::path& path);
+
+/// The JSON Schema (draft 2020-12) of case files: docs/rockfall-case.schema.json.
+std::string_view caseSchema();
+
+}  // namespace cairn::rockfall

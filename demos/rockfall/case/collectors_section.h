@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "rockfall/case/plane_geometry.h"
+
+namespace cairn::rockfall {
+
+/// A line on the map; who passes over or under it is counted and measured.
+struct Collector {
+  std::string name;
+  std::array<MapPoint, 2> line{};
+};
+
+std::vector<Collector> readCollectors(const Value& value);
+
+}  // namespace cairn::rockfall

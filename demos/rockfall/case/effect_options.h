@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "rockfall/case/materials.h"
+#include "rockfall/case/plane_geometry.h"
+
+namespace cairn::rockfall {
+
+// What a case file says of each effect: plain data, units in the names. `kName` is the effect's name in the file. The
+// laws stand with the effects themselves.
+
+struct FrictionOptions {
+  static constexpr std::string_view kName = "friction";
+  PairTable coefficient;
+};
+
+struct RollingResistanceOptions {
+  static constexpr std::string_view kName = "rolling_resistance";
+  PairTable leverM;           ///< torque against rolling per normal force
+  double spinningLeverM = 0;  ///< the same against spinning about the normal, all materials
+};
+
+enum class RestitutionLaw : std::uint8_t { constant, pfeiffer, bourrier };
+struct RestitutionOptions {
+  static constexpr std::string_view kName = "restitution";
+  RestitutionLaw law = RestitutionLaw::constant;
+  PairTable value;                ///< the coefficient; for bourrier the speed at which it is one half, m/s
+  double halfSpeedMPerS = 9.144;  ///< pfeiffer: at which half the coefficient is left
+};
+
+struct TangentialRestitutionOptions {
+  static constexpr std::string_view kName = "tangential_restitution";
+  PairTable coefficient;
+};
+
+struct SlipFrictionOptions {
+  static constexpr std::string_view kName = "slip_friction";
+  double min = 0, max = 0;
+  double kappaPerM = 0, recoveryPerS = 0;
+  std::vector<MaterialPair> pairs;  ///< it applies to; empty: all
+};
+
+struct SurfaceRoughnessOptions {
+  static constexpr std::string_view kName = "surface_roughness";
+  struct Entry {
+    MaterialId material;
+    double roughnessM;
+  };
+  std::vector<Entry> entries;
+};
+
+struct GyroscopicOptions {
+  static constexpr std::string_view kName = "gyroscopic";
+  double minInertiaRatio = 1.05;  ///< of the greatest principal moment to the least
+};
+
+struct CcdOptions {
+  static constexpr std::string_view kName = "ccd";
+  double radiiPerStep = 0.5;
+};
+
+struct SleepingOptions {
+  static constexpr std::string_view kName = "sleeping";
+  double linearMPerS = 0, angularRadPerS = 0, afterS = 0;
+};
+
+struct AirDragOptions {
+  static constexpr std::string_view kName = "air_drag";
+  double densityKgPerM3 = 1.2, coefficient = 0.5;
+};
+
+struct WaterOptions {
+  static constexpr std::string_view kName = "water";
+  double levelM = 0, densityKgPerM3 = 1000, coefficient = 0.5;
+  Polygon polygon;
+};
+
+struct ForestDragOptions {
+  static constexpr std::string_view kName = "forest_drag";
+  double heightM = 0, coefficientKgPerS = 0;
+  Polygon polygon;
+};
+
+enum class TreeKind : std::uint8_t { conifer, broadleaf };
+struct Stem {
+  MapPoint placeM;
+  double diameterM;
+};
+struct StandOfTrees {
+  double densityPerHa = 0;
+  std::array<double, 2> diameterM{};  ///< drawn evenly between
+  Polygon polygon;
+};
+struct TreesOptions {
+  static constexpr std::string_view kName = "trees";
+  TreeKind kind = TreeKind::conifer;
+  std::variant<std::vector<Stem>, StandOfTrees> stems;
+};
+
+struct SoilScarringOptions {
+  static constexpr std::string_view kName = "soil_scarring";
+  struct Entry {
+    MaterialId material;
+    double strengthKpa, densityKgPerM3, dragCoefficient;
+  };
+  std::vector<Entry> entries;
+};
+
+struct GroundDragOptions {
+  static constexpr std::string_view kName = "ground_drag";
+  double belowMPerS = 5, withinM = 1, decelerationMPerS2 = 0;
+};
+
+struct FragmentationOptions {
+  static constexpr std::string_view kName = "fragmentation";
+  double energyJPerKg = 0;
+  std::uint32_t maxGenerations = 1;
+};
+
+struct EventsOptions {
+  static constexpr std::string_view kName = "events";
+  double dustImpulseNS = 0, soundImpulseNS = 0;  ///< 0: none of this kind
+};
+
+using EffectOptions =
+    std::variant<FrictionOptions, RollingResistanceOptions, RestitutionOptions, TangentialRestitutionOptions,
+                 SlipFrictionOptions, SurfaceRoughnessOptions, GyroscopicOptions, CcdOptions, SleepingOptions,
+                 AirDragOptions, WaterOptions, ForestDragOptions, TreesOptions, SoilScarringOptions, GroundDragOptions,
+                 FragmentationOptions, EventsOptions>;
+
+std::string_view nameOf(const EffectOptions& effect);
+
+/// The listed effect of a kind, or null. Of those that may be listed several times (water, forest_drag, trees), the
+/// first.
+template <class Options>
+const Options* findEffect(const std::vector<EffectOptions>& effects) {
+  for (const EffectOptions& effect : effects)
+    if (const auto* found = std::get_if<Options>(&effect)) return found;
+  return nullptr;
+}
+
+}  // namespace cairn::rockfall

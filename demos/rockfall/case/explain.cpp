@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/case/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cairn::rockfall {
+namespace {
+
+/// Answers for one effect after the other.
+class Outlooks {
+ public:
+  Outlooks(const Case& scene, const SceneBounds& bounds) : scene_(scene), bounds_(bounds) {}
+
+  EffectOutlook of(std::size_t index) {
+    outlook_ = {index, std::string(nameOf(scene_.effects[index])), {}, {}};
+    std::visit([&](const auto& options) { judge(options); }, scene_.effects[index]);
+    return outlook_;
+  }
+
+ private:
+  std::uint32_t groupCount() const { return static_cast<std::uint32_t>(bounds_.groups.size()); }
+
+  /// Those groups for which `meets` holds; `reason` says what it is about, either way.
+  template <class Meets>
+  void groupsThat(const Meets& meets, std::string reason) {
+    for (std::uint32_t group = 0; group < groupCount(); ++group)
+      if (meets(group)) outlook_.groups.push_back(group);
+    outlook_.reason = std::move(reason);
+  }
+  void all(bool possible, std::string reason) {
+    groupsThat([&](std::uint32_t) { return possible; }, std::move(reason));
+  }
+
+  /// Materials a rock of the group can touch: the ground's, and those of rocks, itself alone aside.
+  std::vector<MaterialId> partnersOf(std::uint32_t group) const {
+    std::vector<MaterialId> partners = bounds_.groundMaterials;
+    for (std::uint32_t other = 0; other < groupCount(); ++other)
+      if (other != group || scene_.rocks[group].count > 1) partners.push_back(scene_.rocks[other].material);
+    return partners;
+  }
+  template <class Suits>
+  bool anyPair(std::uint32_t group, const Suits& suits) const {
+    const MaterialId own = scene_.rocks[group].material;
+    return std::ranges::any_of(partnersOf(group), [&](MaterialId other) { return suits(own, other); });
+  }
+  /// By the values of the pairs that can meet.
+  template <class Suits>
+  void pairsThat(const PairTable& table, const Suits& suits, std::string reason) {
+    groupsThat(
+        [&](std::uint32_t group) {
+          return anyPair(group, [&](MaterialId a, MaterialId b) { return suits(table.at(a, b)); });
+        },
+        std::move(reason));
+  }
+  bool isOnGround(MaterialId material) const {
+    return std::ranges::find(bounds_.groundMaterials, material) != bounds_.groundMaterials.end();
+  }
+  template <class Entries, class Suits>
+  void groundMaterialsThat(const Entries& entries, const Suits& suits, const char* what) {
+    const bool some =
+        std::ranges::any_of(entries, [&](const auto& entry) { return isOnGround(entry.material) && suits(entry); });
+    all(some, fmt::format("a listed material that the ground has, with {}", what));
+  }
+
+  static constexpr auto kAboveZero = [](double value) { return value > 0; };
+
+  void judge(const FrictionOptions& o) {
+    pairsThat(o.coefficient, kAboveZero, "coefficients above 0 of materials that can meet");
+  }
+  void judge(const RollingResistanceOptions& o) {
+    if (o.spinningLeverM > 0) return all(true, "the lever against spinning is above 0");
+    pairsThat(o.leverM, kAboveZero, "levers above 0 of materials that can meet");
+  }
+  void judge(const RestitutionOptions& o) {
+    pairsThat(o.value, kAboveZero, "values above 0 of materials that can meet");
+  }
+  void judge(const TangentialRestitutionOptions& o) {
+    pairsThat(
+        o.coefficient, [](double value) { return value < 1; }, "values below 1 of materials that can meet");
+  }
+  void judge(const SlipFrictionOptions& o) {
+    groupsThat(
+        [&](std::uint32_t group) {
+          return o.max > 0 && anyPair(group, [&](MaterialId a, MaterialId b) {
+                   return o.pairs.empty() || std::ranges::find(o.pairs, pairOf(a, b)) != o.pairs.end();
+                 });
+        },
+        "listed pairs of materials that can meet, and a friction above 0");
+  }
+  void judge(const SurfaceRoughnessOptions& o) {
+    groundMaterialsThat(
+        o.entries, [](const auto& entry) { return entry.roughnessM > 0; }, "roughness above 0");
+  }
+  void judge(const SoilScarringOptions& o) {
+    groundMaterialsThat(
+        o.entries, [](const auto& entry) { return entry.densityKgPerM3 > 0 && entry.dragCoefficient > 0; },
+        "density and drag above 0");
+  }
+  void judge(const GyroscopicOptions& o) {
+    groupsThat([&](std::uint32_t g) { return bounds_.groups[g].greatestInertiaRatio >= o.minInertiaRatio; },
+               fmt::format("an inertia ratio of at least {:g}", o.minInertiaRatio));
+  }
+  void judge(const CcdOptions& o) {
+    groupsThat(
+        [&](std::uint32_t g) {
+          const GroupBounds& group = bounds_.groups[g];
+          return group.greatestSpeedMPerS * scene_.stepS > o.radiiPerStep * group.smallestRadiusM;
+        },
+        fmt::format("more than {:g} radii in a step of {:g} s", o.radiiPerStep, scene_.stepS));
+  }
+  void judge(const SleepingOptions& o) {
+    all(o.linearMPerS > 0 && o.angularRadPerS > 0, "speeds below both thresholds");
+  }
+  void judge(const AirDragOptions& o) {
+    all(o.densityKgPerM3 > 0 && o.coefficient > 0, "density and coefficient above 0");
+  }
+  void judge(const WaterOptions& o) {
+    const auto lowest = bounds_.lowestGround(o.polygon);
+    if (!lowest) return all(false, "a region over the ground");
+    all(*lowest < o.levelM && o.densityKgPerM3 > 0,
+        fmt::format("ground below the level of {:g} m: the lowest there is at {:.4g} m", o.levelM, *lowest));
+  }
+  void judge(const ForestDragOptions& o) {
+    all(bounds_.lowestGround(o.polygon) && o.heightM > 0 && o.coefficientKgPerS > 0,
+        "a region over the ground, height and coefficient above 0");
+  }
+  void judge(const TreesOptions& o) {
+    bool some = false;
+    if (const auto* stand = std::get_if<StandOfTrees>(&o.stems))
+      some = stand->densityPerHa > 0 && bounds_.lowestGround(stand->polygon);
+    else
+      for (const Stem& stem : std::get<std::vector<Stem>>(o.stems)) {
+        const auto [x, y] = stem.placeM;
+        const double r = stem.diameterM / 2;
+        some |= bounds_.lowestGround({{x - r, y - r}, {x + r, y - r}, {x + r, y + r}, {x - r, y + r}}).has_value();
+      }
+    all(some, "stems over the ground");
+  }
+  void judge(const GroundDragOptions& o) {
+    all(o.belowMPerS > 0 && o.withinM > 0 && o.decelerationMPerS2 > 0, "speed, layer and deceleration above 0");
+  }
+  void judge(const FragmentationOptions& o) {
+    groupsThat(
+        [&](std::uint32_t g) {
+          const double speed = bounds_.groups[g].greatestSpeedMPerS;
+          return speed * speed / 2 >= o.energyJPerKg;
+        },
+        fmt::format("an energy of {:g} J/kg", o.energyJPerKg));
+  }
+  void judge(const EventsOptions& o) {
+    double least = o.dustImpulseNS > 0 ? o.dustImpulseNS : o.soundImpulseNS;
+    if (o.soundImpulseNS > 0) least = std::min(least, o.soundImpulseNS);
+    // A head-on impact of two equal rocks that keep all their energy turns both speeds round.
+    groupsThat(
+        [&](std::uint32_t g) {
+          return 2 * bounds_.groups[g].greatestMassKg * bounds_.groups[g].greatestSpeedMPerS >= least;
+        },
+        fmt::format("an impulse of {:g} N s", least));
+  }
+
+  const Case& scene_;
+  const SceneBounds& bounds_;
+  EffectOutlook outlook_;
+};
+
+}  // namespace
+
+std::vector<EffectOutlook> explainEffects(const Case& scene, const SceneBounds& bounds) {
+  Outlooks outlooks(scene, bounds);
+  std::vector<EffectOutlook> all;
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) all.push_back(outlooks.of(i));
+  return all;
+}
+
+}  // namespace cairn::rockfall

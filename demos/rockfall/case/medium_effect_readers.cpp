@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Effects of what a body is in: air, water, forest, the layer over the ground.
+#include <array>
+
+#include "rockfall/case/effect_readers.h"
+
+namespace cairn::rockfall {
+namespace {
+
+constexpr Range kDensity = between(0, 20000), kCoefficient = between(0, 100), kDiameter{0, 20, true};
+constexpr std::size_t kMostStems = 1000000;
+
+StandOfTrees readStand(const Value& value) {
+  Object object(value);
+  StandOfTrees stand;
+  stand.densityPerHa = object.at("density_per_ha").number(between(0, 100000));
+  const Value diameters = object.at("diameter_m");
+  if (const auto ends = diameters.items(2, 2); ends.size() == 2) {
+    stand.diameterM = {ends[0].number(kDiameter), ends[1].number(kDiameter)};
+    if (stand.diameterM[1] < stand.diameterM[0]) diameters.refuse("the smaller diameter comes first");
+  }
+  stand.polygon = readRegion(object);
+  return stand;
+}
+
+std::vector<Stem> readStems(const Value& value) {
+  std::vector<Stem> stems;
+  for (const Value& item : value.items(0, kMostStems)) {
+    const auto parts = item.items(3, 3);
+    if (parts.size() != 3) return stems;
+    const MapPoint place{parts[0].number(between(-1e7, 1e7)), parts[1].number(between(-1e7, 1e7))};
+    stems.push_back({place, parts[2].number(kDiameter)});
+  }
+  return stems;
+}
+
+}  // namespace
+
+EffectOptions readAirDrag(Object& object, const Materials& /*materials*/) {
+  const double density = object.numberOr("density_kg_per_m3", kDensity, 1.2);
+  return AirDragOptions{density, object.numberOr("coefficient", kCoefficient, 0.5)};
+}
+
+EffectOptions readWater(Object& object, const Materials& /*materials*/) {
+  WaterOptions options;
+  options.levelM = object.at("level_m").number(between(-1e5, 1e5));
+  options.densityKgPerM3 = object.numberOr("density_kg_per_m3", kDensity, options.densityKgPerM3);
+  options.coefficient = object.numberOr("coefficient", kCoefficient, options.coefficient);
+  options.polygon = readRegion(object);
+  return options;
+}
+
+EffectOptions readForestDrag(Object& object, const Materials& /*materials*/) {
+  ForestDragOptions options;
+  options.heightM = object.at("height_m").number(between(0, 200));
+  options.coefficientKgPerS = object.at("coefficient_kg_per_s").number(between(0, 1e9));
+  options.polygon = readRegion(object);
+  return options;
+}
+
+EffectOptions readTrees(Object& object, const Materials& /*materials*/) {
+  static constexpr std::array<std::string_view, 2> kKinds{"conifer", "broadleaf"};
+  TreesOptions options;
+  options.kind = static_cast<TreeKind>(object.at("kind").choice(kKinds, "kind of tree"));
+  const Value stems = object.at("stems");
+  if (stems.isArray())
+    options.stems = readStems(stems);
+  else if (stems.isObject())
+    options.stems = readStand(stems);
+  else
+    stems.refuse("this must be a list of stems, or an object with the density of a stand");
+  return options;
+}
+
+EffectOptions readGroundDrag(Object& object, const Materials& /*materials*/) {
+  GroundDragOptions options;
+  options.belowMPerS = object.numberOr("below_m_per_s", between(0, 300), options.belowMPerS);
+  options.withinM = object.numberOr("within_m", between(0, 1000), options.withinM);
+  options.decelerationMPerS2 = object.at("deceleration_m_per_s2").number(between(0, 1e4));
+  return options;
+}
+
+}  // namespace cairn::rockfall

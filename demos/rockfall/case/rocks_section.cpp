@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/case/rocks_section.h"
+
+namespace cairn::rockfall {
+namespace {
+
+constexpr std::size_t kMostGroups = 100, kMostPoints = 100;
+constexpr std::uint64_t kMostRocks = 100000, kMostVariants = 100;
+
+std::variant<MadeRocks, MeshRocks> readSource(Object& group) {
+  const auto make = group.find("make"), mesh = group.find("mesh");
+  if (make.has_value() == mesh.has_value()) {
+    group.refuse("exactly one of \"make\" and \"mesh\" must be given");
+    return {};
+  }
+  if (mesh) return MeshRocks{mesh->text()};
+  Object object(*make);
+  static constexpr std::array<std::string_view, 3> kKinds{"angular", "slabby", "rounded"};
+  MadeRocks rocks;
+  rocks.kind = static_cast<RockKind>(object.at("kind").choice(kKinds, "kind of rock"));
+  if (const auto concave = object.find("concave")) rocks.concave = concave->flag();
+  if (const auto variants = object.find("variants"))
+    rocks.variants = static_cast<std::uint32_t>(variants->whole(1, kMostVariants));
+  return rocks;
+}
+
+SieveCurve readSieve(const Value& value) {
+  Object object(value);
+  SieveCurve curve;
+  const Value sizes = object.at("sizes");
+  for (const Value& item : sizes.items(2, kMostPoints)) {
+    const auto pair = item.items(2, 2);
+    if (pair.size() != 2) return curve;
+    const SieveCurve::Point point{pair[0].number({0.01, 100}), pair[1].number(between(0, 1))};
+    if (!curve.points.empty() && (point.sizeM < curve.points.back().sizeM || point.share <= curve.points.back().share))
+      item.refuse("sieve sizes must not fall, and shares must rise, from point to point");
+    curve.points.push_back(point);
+  }
+  if (!curve.points.empty() && (curve.points.front().share != 0 || curve.points.back().share != 1))
+    sizes.refuse("the first share must be 0 and the last 1");
+  return curve;
+}
+
+Release readRelease(const Value& value) {
+  Object object(value);
+  Release release;
+  if (const auto corners = object.at("box_m").items(2, 2); corners.size() == 2)
+    release.boxM = {readPoint(corners[0]), readPoint(corners[1])};
+  release.aboveGroundM = object.at("above_ground_m").number(between(0, 10000));
+  if (const auto velocity = object.find("velocity_m_per_s"))
+    if (const auto parts = velocity->items(3, 3); parts.size() == 3)
+      for (int axis = 0; axis < 3; ++axis)
+        release.velocityMPerS[axis] = parts[static_cast<std::size_t>(axis)].number(between(-300, 300));
+  release.intervalS = object.numberOr("interval_s", between(0, 3600), 0);
+  return release;
+}
+
+RockGroup readGroup(const Value& value, const Materials& materials) {
+  Object object(value);
+  RockGroup group;
+  group.count = static_cast<std::uint32_t>(object.at("count").whole(1, kMostRocks));
+  group.source = readSource(object);
+  group.sieve = readSieve(object.at("sieve_m"));
+  if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
+  group.densityKgPerM3 = object.at("density_kg_per_m3").number({0, 20000, true});
+  group.material = readMaterial(object.at("material"), materials);
+  group.release = readRelease(object.at("release"));
+  return group;
+}
+
+}  // namespace
+
+double SieveCurve::sizeAt(double u) const {
+  std::size_t i = 1;
+  while (i + 1 < points.size() && points[i].share < u) ++i;
+  const Point &a = points[i - 1], &b = points[i];
+  return a.sizeM + (b.sizeM - a.sizeM) * (u - a.share) / (b.share - a.share);
+}
+
+std::vector<RockGroup> readRocks(const Value& value, const Materials& materials) {
+  std::vector<RockGroup> groups;
+  for (const Value& item : value.items(1, kMostGroups)) groups.push_back(readGroup(item, materials));
+  return groups;
+}
+
+}  // namespace cairn::rockfall

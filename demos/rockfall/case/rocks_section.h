@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cairn/core/vec3.h"
+#include "rockfall/case/materials.h"
+#include "rockfall/case/plane_geometry.h"
+
+namespace cairn::rockfall {
+
+enum class RockKind : std::uint8_t { angular, slabby, rounded };
+
+/// Rocks of a kind, made from seeds.
+struct MadeRocks {
+  RockKind kind = RockKind::angular;
+  bool concave = false;
+  std::uint32_t variants = 1;  ///< different shapes, each with a tree of its own
+};
+
+/// One shape for all, from a mesh file; its unit does not matter.
+struct MeshRocks {
+  std::string file;
+};
+
+/// Share of rocks, by number, that pass a sieve: straight between the points, from 0 to 1. The sieve size of a rock is
+/// the middle one of its three extents along its principal axes, metres.
+struct SieveCurve {
+  struct Point {
+    double sizeM = 0, share = 0;
+  };
+  std::vector<Point> points;
+
+  /// The size that the share `u` (0 to 1) of all rocks passes.
+  double sizeAt(double u) const;
+  double smallest() const { return points.front().sizeM; }
+  double largest() const { return points.back().sizeM; }
+};
+
+/// Where and how rocks of a group begin.
+struct Release {
+  std::array<MapPoint, 2> boxM{};  ///< opposite corners on the map; a place is drawn evenly from it
+  double aboveGroundM = 0;         ///< of the rock's lowest point
+  Vec3d velocityMPerS{};
+  double intervalS = 0;  ///< between one rock and the next; 0: all at once
+};
+
+struct RockGroup {
+  std::uint32_t count = 1;
+  std::variant<MadeRocks, MeshRocks> source;
+  SieveCurve sieve;
+  std::uint32_t treeDepth = 3;  ///< levels below the root
+  double densityKgPerM3 = 2600;
+  MaterialId material = 0;
+  Release release;
+};
+
+std::vector<RockGroup> readRocks(const Value& value, const Materials& materials);
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rockfall/case/materials.h"
+#include "rockfall/case/plane_geometry.h"
+
+namespace cairn::rockfall {
+
+/// What every generated terrain has: z up, downhill along +x, its middle at y = 0.
+struct GeneratedGrid {
+  double widthM = 0;      ///< across, in y
+  double cellM = 1;       ///< between grid points
+  double roughnessM = 0;  ///< greatest displacement of a grid point, up or down; by the case's seed
+};
+
+/// An even slope that begins at x = 0 and ends at height 0.
+struct PlaneTerrain {
+  GeneratedGrid grid;
+  double lengthM = 0;   ///< in x
+  double slopeDeg = 0;  ///< below the horizontal
+};
+
+/// Risers and benches: straight between the corners of a profile, the same all across, between banks.
+struct SteppedSlopeTerrain {
+  GeneratedGrid grid;
+  std::vector<MapPoint> profileM;  ///< x and z, x rising
+  double bankM = 0;                ///< how far the ground rises over one metre beyond each edge
+};
+
+/// An even slope with a parabolic cross-section.
+struct ChannelTerrain {
+  GeneratedGrid grid;
+  double lengthM = 0;
+  double slopeDeg = 0;
+  double depthM = 0;  ///< of the middle below the edges
+};
+
+/// A cone about the origin on level ground.
+struct TalusConeTerrain {
+  GeneratedGrid grid;  ///< square: the width is the length too
+  double heightM = 0;
+  double slopeDeg = 0;
+};
+
+/// An elevation raster of any format GDAL reads.
+struct RasterTerrain {
+  std::string file;
+};
+
+/// A surface mesh, sampled from above.
+struct MeshTerrain {
+  std::string file;
+  double cellM = 1;
+};
+
+using TerrainSource =
+    std::variant<PlaneTerrain, SteppedSlopeTerrain, ChannelTerrain, TalusConeTerrain, RasterTerrain, MeshTerrain>;
+
+/// A part of the ground that is made of something else. Of several over one place, the last counts.
+struct Zone {
+  MaterialId material = 0;
+  Polygon polygon;
+};
+
+struct TerrainSection {
+  TerrainSource source;
+  MaterialId material = 0;
+  std::vector<Zone> zones;
+
+  MaterialId materialAt(const MapPoint& point) const;
+};
+
+TerrainSection readTerrain(const Value& value, const Materials& materials);
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "rockfall/ensemble/manifest.h"
+#include "rockfall/ensemble/run_file.h"
+
+namespace cairn::rockfall {
+
+/// Finished runs of one scene, in any number of folders. What they are does not depend on the folders' order, nor on
+/// how runs are shared out among them.
+class Parts {
+ public:
+  /// Fails in one sentence for folders without a manifest, of different scenes or versions, or that hold no runs. A run
+  /// in several folders must be the same in all.
+  static Result<Parts> open(const std::vector<std::filesystem::path>& folders);
+
+  const Manifest& manifest() const { return manifest_; }
+  std::vector<RunRange> runs() const;
+  std::uint64_t count() const { return files_.size(); }
+
+  /// Every run once, by rising number. Fails as `readRunFile` and `use` do.
+  Status forEach(const std::function<Status(const RunFile&)>& use) const;
+
+ private:
+  Status add(const std::filesystem::path& folder);
+
+  Manifest manifest_;
+  std::map<std::uint64_t, std::vector<std::filesystem::path>> files_;
+};
+
+}  // namespace cairn::rockfall

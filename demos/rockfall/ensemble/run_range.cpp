@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/ensemble/run_range.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <utility>
+
+namespace cairn::rockfall {
+namespace {
+
+std::optional<std::uint64_t> wholeNumber(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value > kMostRuns) return {};
+  return value;
+}
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> twoNumbers(std::string_view text, char between) {
+  const std::size_t middle = text.find(between);
+  if (middle == std::string_view::npos) return {};
+  const auto first = wholeNumber(text.substr(0, middle)), second = wholeNumber(text.substr(middle + 1));
+  if (!first || !second) return {};
+  return std::pair{*first, *second};
+}
+
+}  // namespace
+
+Result<RunRange> parseRange(std::string_view text) {
+  const auto numbers = twoNumbers(text, ':');
+  if (!numbers || numbers->first >= numbers->second)
+    return Error{fmt::format("'{}' is no range of runs: use a:b for the runs a to b - 1, as in 0:100", text)};
+  return RunRange{numbers->first, numbers->second};
+}
+
+Result<RunRange> partOf(const RunRange& range, std::string_view text) {
+  const auto numbers = twoNumbers(text, '/');
+  if (!numbers || numbers->first < 1 || numbers->first > numbers->second)
+    return Error{fmt::format("'{}' is no part: use i/n for the i-th of n parts, as in 3/8", text)};
+  const auto [part, parts] = *numbers;
+  const std::uint64_t count = range.last - range.first;
+  // Both factors are below 2^30.
+  return RunRange{range.first + count * (part - 1) / parts, range.first + count * part / parts};
+}
+
+std::vector<RunRange> rangesOf(const std::vector<std::uint64_t>& runs) {
+  std::vector<RunRange> ranges;
+  for (const std::uint64_t run : runs) {
+    if (!ranges.empty() && ranges.back().last == run)
+      ++ranges.back().last;
+    else
+      ranges.push_back({run, run + 1});
+  }
+  return ranges;
+}
+
+}  // namespace cairn::rockfall

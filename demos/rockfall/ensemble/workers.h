@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "cairn/core/result.h"
+
+namespace cairn::rockfall {
+
+/// Calls `work(0)` to `work(count - 1)`, each in a process of its own that ends with it, and waits for all. Fails with
+/// the sentence of the lowest that failed, or says that it was killed.
+Status inProcesses(std::uint32_t count, const std::function<Status(std::uint32_t)>& work);
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explain_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iterator>
+
+namespace cairn::rockfall {
+
+std::string explainText(const Scene& scene, const SceneBounds& bounds, const std::vector<EffectOutlook>& outlooks) {
+  const Case& description = scene.description;
+  std::string text =
+      fmt::format("case {}: step {:g} s, duration {:g} s, ground from {:.4g} to {:.4g} m\n", description.name,
+                  description.stepS, description.durationS, scene.ground->lower().z, scene.ground->upper().z);
+  const auto out = std::back_inserter(text);
+  text += "group  rocks  sieve m        mass at most kg  fall at most m  speed at most m/s  inertia ratio at most\n";
+  for (std::size_t g = 0; g < bounds.groups.size(); ++g) {
+    const GroupBounds& group = bounds.groups[g];
+    fmt::format_to(out, "{:>5}  {:>5}  {:<13}  {:>15.1f}  {:>14.1f}  {:>17.1f}  {:>21.2f}\n", g,
+                   description.rocks[g].count,
+                   fmt::format("{:.3g} to {:.3g}", group.smallestSieveM, group.largestSieveM), group.greatestMassKg,
+                   group.greatestFallM, group.greatestSpeedMPerS, group.greatestInertiaRatio);
+  }
+  fmt::format_to(out, "effects listed: {}; nothing else is simulated\n", outlooks.size());
+  for (const EffectOutlook& outlook : outlooks) {
+    const std::string whom =
+        outlook.groups.empty() ? "never" : fmt::format("groups {}", fmt::join(outlook.groups, ", "));
+    fmt::format_to(out, "  {:<22}  {:<16}  needs {}\n", outlook.name, whom, outlook.reason);
+  }
+  for (const EffectOutlook& outlook : outlooks)
+    if (outlook.groups.empty())
+      fmt::format_to(out, "warning: /effects/{}: \"{}\" can never act: it needs {}\n", outlook.index, outlook.name,
+                     outlook.reason);
+  return text;
+}
+
+std::string explainJson(const Scene& scene, const SceneBounds& bounds, const std::vector<EffectOutlook>& outlooks) {
+  using Ordered = nlohmann::ordered_json;
+  Ordered groups = Ordered::array(), effects = Ordered::array();
+  for (std::size_t g = 0; g < bounds.groups.size(); ++g) {
+    const GroupBounds& group = bounds.groups[g];
+    groups.push_back({{"rocks", scene.description.rocks[g].count},
+                      {"sieve_m", {group.smallestSieveM, group.largestSieveM}},
+                      {"max_mass_kg", group.greatestMassKg},
+                      {"max_fall_m", group.greatestFallM},
+                      {"max_speed_m_per_s", group.greatestSpeedMPerS},
+                      {"max_inertia_ratio", group.greatestInertiaRatio}});
+  }
+  for (const EffectOutlook& outlook : outlooks)
+    effects.push_back({{"effect", outlook.name},
+                       {"path", fmt::format("/effects/{}", outlook.index)},
+                       {"can_act", !outlook.groups.empty()},
+                       {"groups", outlook.groups},
+                       {"needs", outlook.reason}});
+  const Ordered json{{"case", scene.description.name},
+                     {"ground_m", {scene.ground->lower().z, scene.ground->upper().z}},
+                     {"groups", groups},
+                     {"effects", effects}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace cairn::rockfall

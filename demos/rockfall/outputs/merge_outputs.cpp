@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/outputs/merge_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "cairn/core/atomic_file.h"
+#include "rockfall/case/content_hash.h"
+#include "rockfall/outputs/figures.h"
+#include "rockfall/outputs/raster.h"
+#include "rockfall/outputs/svg.h"
+#include "rockfall/outputs/tables.h"
+
+namespace cairn::rockfall {
+namespace {
+
+namespace fs = std::filesystem;
+using Ordered = nlohmann::ordered_json;
+
+/// Everything that is drawn from the runs, one after the other.
+struct Gathered {
+  explicit Gathered(const Case& description) : tables(description) {
+    merged.collectors.resize(description.collectors.size());
+  }
+
+  void add(const RunFile& file, const std::optional<double>& cellM) {
+    const RunResult& result = file.result;
+    merged.add(result, cellM);
+    tables.add(result);
+    for (std::uint32_t rock = 0; rock < result.trajectories.size(); ++rock)
+      trajectories.push_back({result.run, rock, result.trajectories[rock]});
+    for (const RockRecord& rock : result.rocks)
+      if (rock.ending == RockEnd::resting || rock.ending == RockEnd::moving)
+        stops.push_back({{rock.end.x, rock.end.y}, rock.ending});
+    addCost(file.cost);
+  }
+
+  void addCost(const RunCost& cost) {
+    cpuS += cost.cpuS;
+    if (effects.size() < cost.effects.size()) effects.resize(cost.effects.size());
+    for (std::size_t i = 0; i < cost.effects.size(); ++i) {
+      effects[i].name = cost.effects[i].name;
+      effects[i].acted += cost.effects[i].acted;
+      effects[i].cpuUs += cost.effects[i].cpuUs;
+    }
+  }
+
+  MergedRuns merged;
+  Tables tables;
+  std::vector<Trajectory> trajectories;
+  std::vector<StopPoint> stops;
+  double cpuS = 0;
+  std::vector<EffectReport> effects;
+};
+
+Ordered quantilesJson(const LogHistogram& histogram) {
+  return {{"median", histogram.quantile(500)}, {"p95", histogram.quantile(950)}, {"max", histogram.greatest()}};
+}
+
+std::string summaryText(const Case& description, const MergedRuns& merged) {
+  Ordered endings, collectors = Ordered::array();
+  for (std::size_t i = 0; i < merged.endings.size(); ++i) endings[nameOf(static_cast<RockEnd>(i))] = merged.endings[i];
+  for (std::size_t i = 0; i < merged.collectors.size(); ++i) {
+    const CollectorSummary& collector = merged.collectors[i];
+    collectors.push_back({{"name", description.collectors[i].name},
+                          {"crossings", collector.crossings},
+                          {"rocks", collector.rocks},
+                          {"energy_j", quantilesJson(collector.energyJ)},
+                          {"height_m", quantilesJson(collector.heightM)},
+                          {"speed_m_per_s", quantilesJson(collector.speed)}});
+  }
+  const Ordered json{{"case", description.name},
+                     {"runs", merged.runs},
+                     {"rocks", merged.rocks},
+                     {"endings", endings},
+                     {"impacts", merged.impacts},
+                     {"mean_runout_m", merged.rocks ? merged.runoutSumM / static_cast<double>(merged.rocks) : 0},
+                     {"runout_m", quantilesJson(merged.runoutM)},
+                     {"max_energy_j", quantilesJson(merged.energyJ)},
+                     {"max_height_m", quantilesJson(merged.heightM)},
+                     {"collectors", collectors}};
+  return json.dump(1) + "\n";
+}
+
+/// A file's name and its content.
+using File = std::pair<std::string, std::string>;
+
+void addRasters(std::vector<File>& files, const Ground& ground, const MergedRuns& merged, double cellM) {
+  const RasterFrame frame = rasterFrame(ground, cellM);
+  const auto add = [&](const char* name, double (*value)(const CellSummary&)) {
+    files.emplace_back(name, esriAscii(frame, merged, value));
+  };
+  add("reach.asc", [](const CellSummary& c) { return static_cast<double>(c.passages()); });
+  add("stops.asc", [](const CellSummary& c) { return static_cast<double>(c.stops); });
+  add("energy_max_j.asc", [](const CellSummary& c) { return c.energyJ.greatest(); });
+  add("energy_p95_j.asc", [](const CellSummary& c) { return c.energyJ.quantile(950); });
+  add("height_max_m.asc", [](const CellSummary& c) { return c.heightM.greatest(); });
+  add("height_p95_m.asc", [](const CellSummary& c) { return c.heightM.quantile(950); });
+}
+
+std::vector<File> filesOf(const Case& description, const Ground& ground, const Gathered& gathered) {
+  const OutputsSection& outputs = description.outputs;
+  std::vector<File> files{{"runs.csv", gathered.tables.runs()},
+                          {"rocks.csv", gathered.tables.rocks()},
+                          {"summary.json", summaryText(description, gathered.merged)}};
+  if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", gathered.tables.impacts());
+  if (!description.collectors.empty()) files.emplace_back("collectors.csv", gathered.tables.crossings());
+  if (outputs.rasterCellM) addRasters(files, ground, gathered.merged, *outputs.rasterCellM);
+  if (outputs.trajectoriesEveryS) files.emplace_back("trajectories.vtk", vtkPolydata(gathered.trajectories));
+  files.emplace_back("map.svg", mapFigure(description, ground, gathered.trajectories, gathered.stops));
+  if (outputs.rasterCellM && !gathered.merged.distances.empty())
+    files.emplace_back("profiles.svg", profileFigure(description, gathered.merged, *outputs.rasterCellM));
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string hashOf(std::string_view content) {
+  ContentHash hash;
+  hash.add(content);
+  return hash.hex();
+}
+
+/// Writes the files, then the manifest that names them; the hash over all.
+Result<std::string> write(const std::vector<File>& files, const Parts& parts, const fs::path& folder) {
+  Ordered hashes;
+  ContentHash all;
+  for (const auto& [name, content] : files) {
+    if (const Status written = writeFileAtomically(folder / name, std::string_view(content)); !written)
+      return written.error();
+    hashes[name] = hashOf(content);
+    all.add(name);
+    all.add(content);
+  }
+  const std::string hash = all.hex();
+  Json runs = Json::array();
+  for (const RunRange& range : parts.runs()) runs.push_back({range.first, range.last});
+  const Manifest& manifest = parts.manifest();
+  const Ordered json{{"merged_hash", hash},
+                     {"case_hash", manifest.caseHash},
+                     {"scene_hash", manifest.sceneHash},
+                     {"versions", manifest.versions},
+                     {"merged_runs", runs},
+                     {"files", hashes},
+                     {"case", manifest.document}};
+  if (const Status written = writeFileAtomically(folder / kManifestName, json.dump(1) + "\n"); !written)
+    return written.error();
+  return hash;
+}
+
+/// The case as the runs had it.
+Result<Case> caseOf(const Manifest& manifest) {
+  auto description = parseCase(manifest.document.dump(), "the case in the manifest", manifest.caseFolder);
+  if (description && description.value().hash != manifest.caseHash)
+    return Error{"the files the case names have changed since it was run"};
+  return description;
+}
+
+Status prepare(const MergeOptions& options) {
+  if (options.png)
+    if (const Status there = checkRenderer(); !there) return there;
+  for (const fs::path& part : options.parts)
+    if (fs::weakly_canonical(part) == fs::weakly_canonical(options.folder))
+      return Error{fmt::format("{} holds runs: merge them into another folder", options.folder.string())};
+  std::error_code failure;
+  fs::create_directories(options.folder, failure);
+  if (failure) return Error{fmt::format("cannot make the folder {}: {}", options.folder.string(), failure.message())};
+  return {};
+}
+
+}  // namespace
+
+Result<MergeReport> mergeOutputs(const MergeOptions& options) {
+  const auto parts = Parts::open(options.parts);
+  if (!parts) return parts.error();
+  if (const Status prepared = prepare(options); !prepared) return prepared.error();
+  const auto description = caseOf(parts.value().manifest());
+  if (!description) return description.error();
+  const auto ground = makeGround(description.value());
+  if (!ground) return ground.error();
+  Gathered gathered(description.value());
+  const Status read = parts.value().forEach([&](const RunFile& file) -> Status {
+    gathered.add(file, description.value().outputs.rasterCellM);
+    return {};
+  });
+  if (!read) return read.error();
+  const auto files = filesOf(description.value(), *ground.value(), gathered);
+  auto hash = write(files, parts.value(), options.folder);
+  if (!hash) return hash.error();
+  if (options.png)
+    for (const auto& [name, content] : files)
+      if (const fs::path svg = options.folder / name; svg.extension() == ".svg")
+        if (const Status drawn = renderSvg(svg, fs::path(svg).replace_extension(".png")); !drawn) return drawn.error();
+  const auto lost = gathered.merged.endings[static_cast<std::size_t>(RockEnd::lost)];
+  return MergeReport{gathered.merged.runs, gathered.merged.rocks, lost,
+                     gathered.cpuS,        gathered.effects,      std::move(hash).value()};
+}
+
+}  // namespace cairn::rockfall

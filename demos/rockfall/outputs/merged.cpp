@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/outputs/merged.h"
+
+#include <cmath>
+#include <set>
+
+namespace cairn::rockfall {
+namespace {
+
+void addVisit(CellSummary& cell, const VisitRecord& visit) {
+  cell.energyJ.add(visit.maxEnergyJ);
+  cell.heightM.add(visit.maxHeightM);
+}
+
+}  // namespace
+
+void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
+  ++runs;
+  for (const RockRecord& rock : result.rocks) {
+    ++rocks;
+    ++endings[static_cast<std::size_t>(rock.ending)];
+    impacts += rock.impacts;
+    runoutSumM += rock.runoutM();
+    runoutM.add(rock.runoutM());
+    energyJ.add(rock.maxEnergyJ);
+    heightM.add(rock.maxHeightM);
+    const bool stopped = rock.ending == RockEnd::resting || rock.ending == RockEnd::moving;
+    if (cellM && stopped)
+      ++cells[{static_cast<std::int32_t>(std::floor(rock.end.y / *cellM)),
+               static_cast<std::int32_t>(std::floor(rock.end.x / *cellM))}]
+            .stops;
+  }
+  for (const VisitRecord& visit : result.cells) addVisit(cells[{visit.row, visit.column}], visit);
+  for (const VisitRecord& visit : result.distances) addVisit(distances[visit.column], visit);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossed;
+  for (const CrossingRecord& crossing : result.crossings) {
+    CollectorSummary& collector = collectors[crossing.collector];
+    ++collector.crossings;
+    collector.rocks += crossed.insert({crossing.collector, crossing.rock}).second;
+    collector.energyJ.add(crossing.energyJ);
+    collector.heightM.add(crossing.heightM);
+    collector.speed.add(crossing.speed);
+  }
+}
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rockfall/outputs/log_histogram.h"
+#include "rockfall/simulation/run_result.h"
+
+namespace cairn::rockfall {
+
+/// What passed through a cell of the map, or a distance from the release: one value a rock and run.
+struct CellSummary {
+  LogHistogram energyJ, heightM;
+  std::uint64_t stops = 0;
+  std::uint64_t passages() const { return energyJ.count(); }
+};
+
+struct CollectorSummary {
+  std::uint64_t crossings = 0;
+  std::uint64_t rocks = 0;  ///< that crossed at least once
+  LogHistogram energyJ, heightM, speed;
+};
+
+/// An ensemble in figures: integer counts, greatest values, histograms of fixed bins, and sums in the order of runs.
+struct MergedRuns {
+  using Cell = std::pair<std::int32_t, std::int32_t>;  ///< row, column
+
+  std::uint64_t runs = 0, rocks = 0, impacts = 0;
+  std::array<std::uint64_t, 4> endings{};  ///< by `RockEnd`
+  double runoutSumM = 0;
+  LogHistogram runoutM, energyJ, heightM;
+  std::map<Cell, CellSummary> cells;
+  std::map<std::int32_t, CellSummary> distances;
+  std::vector<CollectorSummary> collectors;
+
+  /// To be called by rising run. `cellM`: of the rasters, if there are any.
+  void add(const RunResult& result, std::optional<double> cellM);
+};
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "rockfall/case/case.h"
+#include "rockfall/rocks/tree_cache.h"
+
+namespace cairn::rockfall {
+
+/// One shape of rock at a sieve size of 1 m.
+struct RockShape {
+  std::shared_ptr<const SphereTree> tree;
+  double scale = 1;         ///< metres per mesh unit that make the sieve size 1 m
+  double volume = 0;        ///< m^3
+  double reach = 0;         ///< of the farthest point from the centre of mass, m
+  double inertiaRatio = 1;  ///< greatest principal moment by the least
+};
+
+/// Every shape of every group of a case: `groups[g]` are the variants of group g.
+struct RockStock {
+  std::vector<std::vector<RockShape>> groups;
+  /// SHA-256 over all trees, hexadecimal: runs are equal only with equal trees.
+  std::string hash;
+};
+
+/// Makes or imports the meshes and obtains their trees. Variant v of group g is a pure function of (seed of the case,
+/// g, v). Fails as `importMesh` and `buildTree` do.
+Result<RockStock> stockRocks(const Case& scene, TreeCache& cache, const builder::ProgressCallback& progress = {});
+
+/// The middle one of the extents along the principal axes, of a tree's mesh at scale 1.
+RockShape measureRock(std::shared_ptr<const SphereTree> tree);
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/simulation/release.h"
+
+#include <algorithm>
+
+#include "rockfall/simulation/run_seed.h"
+#include "scenes/bodies/model.h"
+#include "scenes/figures/random.h"
+
+namespace cairn::rockfall {
+namespace {
+
+constexpr int kDrawsPerLevel = 20;
+constexpr double kSeparateS = 2;      // apart in time by this much, two rocks may begin at one place
+constexpr double kLeastUpward = 0.2;  // of a normal: no rock starts more than five radii up a cliff
+
+class Releaser {
+ public:
+  Releaser(const Scene& scene, std::uint64_t run) : scene_(scene), run_(run) {}
+
+  void release(std::uint32_t group, std::uint32_t number) {
+    const RockGroup& rocks = scene_.description.rocks[group];
+    const auto& shapes = scene_.stock.groups[group];
+    ReleasedRock rock;
+    rock.group = group;
+    rock.variant = static_cast<std::uint32_t>(random(Variable::variant).bits() % shapes.size());
+    const RockShape& shape = shapes[rock.variant];
+    rock.sieveM = rocks.sieve.sizeAt(random(Variable::size).uniform());
+    rock.massKg = rocks.densityKgPerM3 * shape.volume * rock.sieveM * rock.sieveM * rock.sieveM;
+    rock.reachM = shape.reach * rock.sieveM;
+    rock.timeS = number * rocks.release.intervalS;
+    rock.velocity = scenes::toBullet(rocks.release.velocityMPerS);
+    rock.pose = btTransform(random(Variable::orientation).rotation(), scenes::toBullet(freePlace(rocks.release, rock)));
+    rocks_.push_back(rock);
+  }
+
+  std::vector<ReleasedRock> take() { return std::move(rocks_); }
+
+ private:
+  scenes::Random random(Variable variable) const {
+    return scenes::Random(seedOf(scene_.description.seed, scene_.description.name, run_, variable), rocks_.size());
+  }
+
+  Vec3d freePlace(const Release& release, const ReleasedRock& rock) const {
+    scenes::Random places = random(Variable::place);
+    const auto& [a, b] = release.boxM;
+    for (int draw = 0;; ++draw) {
+      const MapPoint point{places.uniform(a[0], b[0]), places.uniform(a[1], b[1])};
+      const double onGround =
+          scene_.ground->heightAt(point) + rock.reachM / std::max(kLeastUpward, scene_.ground->normalAt(point).z);
+      const double raised = 2 * rock.reachM * (draw / kDrawsPerLevel);
+      const Vec3d place(point[0], point[1], onGround + release.aboveGroundM + raised);
+      if (isFree(place, rock)) return place;
+    }
+  }
+
+  bool isFree(const Vec3d& place, const ReleasedRock& rock) const {
+    return std::ranges::all_of(rocks_, [&](const ReleasedRock& other) {
+      return std::abs(other.timeS - rock.timeS) > kSeparateS ||
+             distance(scenes::fromBullet(other.pose.getOrigin()), place) > other.reachM + rock.reachM;
+    });
+  }
+
+  const Scene& scene_;
+  std::uint64_t run_;
+  std::vector<ReleasedRock> rocks_;
+};
+
+}  // namespace
+
+std::vector<ReleasedRock> releaseRocks(const Scene& scene, std::uint64_t run) {
+  Releaser releaser(scene, run);
+  for (std::uint32_t group = 0; group < scene.description.rocks.size(); ++group)
+    for (std::uint32_t number = 0; number < scene.description.rocks[group].count; ++number)
+      releaser.release(group, number);
+  return releaser.take();
+}
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/simulation/rock_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "scenes/bodies/model.h"
+
+namespace cairn::rockfall {
+namespace {
+
+std::int32_t cellOf(double coordinate, double cell) {
+  return static_cast<std::int32_t>(std::floor(coordinate / cell));
+}
+
+double between(double a, double b, double t) {
+  return a + t * (b - a);
+}
+
+/// Where the way from a to b crosses a line, both as shares of their lengths.
+struct Crossing {
+  double onWay, onLine;
+  bool toTheRight;
+};
+
+std::optional<Crossing> crossing(const Vec3d& a, const Vec3d& b, const std::array<MapPoint, 2>& line) {
+  const double lx = line[1][0] - line[0][0], ly = line[1][1] - line[0][1];
+  const auto side = [&](const Vec3d& p) { return lx * (p.y - line[0][1]) - ly * (p.x - line[0][0]); };
+  const double from = side(a), to = side(b);
+  if ((from > 0) == (to > 0)) return {};
+  const double onWay = from / (from - to);
+  const double x = between(a.x, b.x, onWay) - line[0][0], y = between(a.y, b.y, onWay) - line[0][1];
+  const double onLine = (x * lx + y * ly) / (lx * lx + ly * ly);
+  if (onLine < 0 || onLine > 1) return {};
+  return Crossing{onWay, onLine, from > 0};
+}
+
+}  // namespace
+
+double RockRecord::runoutM() const {
+  return std::hypot(end.x - start.x, end.y - start.y);
+}
+
+double kineticEnergy(const btRigidBody& rock) {
+  const btVector3 spin = rock.getWorldTransform().getBasis().transpose() * rock.getAngularVelocity();
+  const btVector3& inverse = rock.getInvInertiaDiagLocal();
+  double twice = static_cast<double>(rock.getLinearVelocity().length2()) / static_cast<double>(rock.getInvMass());
+  for (int axis = 0; axis < 3; ++axis)
+    twice += static_cast<double>(spin[axis]) * static_cast<double>(spin[axis]) / static_cast<double>(inverse[axis]);
+  return twice / 2;
+}
+
+RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS) {
+  RockMoment moment;
+  moment.timeS = timeS;
+  moment.place = scenes::fromBullet(rock.getWorldTransform().getOrigin());
+  moment.heightM = moment.place.z - ground.heightAt({moment.place.x, moment.place.y});
+  moment.speed = static_cast<double>(rock.getLinearVelocity().length());
+  moment.energyJ = kineticEnergy(rock);
+  return moment;
+}
+
+RockWatch::RockWatch(const Scene& scene, RunResult& result)
+    : scene_(scene), result_(result), tracks_(result.rocks.size()) {
+  if (scene.description.outputs.trajectoriesEveryS) result.trajectories.resize(result.rocks.size());
+}
+
+void RockWatch::follow(std::uint32_t rock, const RockMoment& moment) {
+  Track& track = tracks_[rock];
+  RockRecord& record = result_.rocks[rock];
+  record.maxSpeed = std::max(record.maxSpeed, moment.speed);
+  record.maxEnergyJ = std::max(record.maxEnergyJ, moment.energyJ);
+  record.maxHeightM = std::max(record.maxHeightM, moment.heightM);
+  record.end = moment.place;
+  if (track.begun) passCollectors(rock, track.last, moment);
+  track.begun = true;
+  track.last = moment;
+  visit(rock, moment);
+  sample(rock, moment);
+}
+
+void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
+  if (!scene_.description.outputs.rasterCellM) return;
+  const double cell = *scene_.description.outputs.rasterCellM;
+  const auto note = [&](Peaks& peaks, std::int32_t column, std::int32_t row) {
+    VisitRecord& peak = peaks.try_emplace({row, column}, VisitRecord{rock, column, row, 0, 0}).first->second;
+    peak.maxEnergyJ = std::max(peak.maxEnergyJ, moment.energyJ);
+    peak.maxHeightM = std::max(peak.maxHeightM, moment.heightM);
+  };
+  note(tracks_[rock].cells, cellOf(moment.place.x, cell), cellOf(moment.place.y, cell));
+  note(tracks_[rock].distances, cellOf(result_.rocks[rock].runoutM(), cell), 0);
+}
+
+void RockWatch::sample(std::uint32_t rock, const RockMoment& moment) {
+  const auto& every = scene_.description.outputs.trajectoriesEveryS;
+  if (!every) return;
+  // Half a step early rather than late, so that rounding does not decide.
+  const double due = result_.rocks[rock].releaseS + static_cast<double>(tracks_[rock].samples) * *every;
+  if (moment.timeS < due - scene_.description.stepS / 2) return;
+  ++tracks_[rock].samples;
+  result_.trajectories[rock].push_back({moment.timeS, moment.place, moment.speed, moment.energyJ, moment.heightM});
+}
+
+void RockWatch::passCollectors(std::uint32_t rock, const RockMoment& before, const RockMoment& now) {
+  const auto& collectors = scene_.description.collectors;
+  for (std::uint32_t i = 0; i < collectors.size(); ++i) {
+    const auto& line = collectors[i].line;
+    const auto passed = crossing(before.place, now.place, line);
+    if (!passed) continue;
+    const double t = passed->onWay, lineLength = std::hypot(line[1][0] - line[0][0], line[1][1] - line[0][1]);
+    result_.crossings.push_back({i, rock, passed->toTheRight ? 1 : -1, between(before.timeS, now.timeS, t),
+                                 passed->onLine * lineLength, between(before.heightM, now.heightM, t),
+                                 between(before.speed, now.speed, t), between(before.energyJ, now.energyJ, t)});
+  }
+}
+
+void RockWatch::finish() {
+  for (const Track& track : tracks_) {
+    for (const auto& [cell, visit] : track.cells) result_.cells.push_back(visit);
+    for (const auto& [cell, visit] : track.distances) result_.distances.push_back(visit);
+  }
+}
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "rockfall/simulation/run_result.h"
+#include "rockfall/simulation/scene.h"
+
+namespace cairn::rockfall {
+
+struct FinishedRun {
+  RunResult result;
+  RunCost cost;
+};
+
+/// Simulates one run to its end: the case's duration, or until all rocks have been released and sleep or are gone. Asks
+/// `keepGoing` once a simulated second and fails with `builder::kCancelled` if it says no; fails as `makeEffects` and
+/// the shapes do.
+Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, const std::function<bool()>& keepGoing = {});
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cairn/core/vec3.h"
+#include "rockfall/case/materials.h"
+#include "rockfall/simulation/run_effects.h"
+
+namespace cairn::rockfall {
+
+/// How a rock was when its run ended.
+enum class RockEnd : std::uint8_t {
+  resting,  ///< asleep
+  moving,   ///< the run's time was over
+  left,     ///< it left the ground's edge
+  lost,     ///< it fell through the ground
+};
+
+/// Energies are kinetic, of translation and rotation. Heights are those of the centre of mass above the ground below
+/// it. Places are centres of mass, world frame. Times since the run's begin. SI units.
+struct RockRecord {
+  std::uint32_t group = 0, variant = 0;
+  double sieveM = 0, massKg = 0, releaseS = 0, endS = 0;
+  Vec3d start, end;
+  RockEnd ending = RockEnd::moving;
+  double maxSpeed = 0, maxEnergyJ = 0, maxHeightM = 0;
+  std::uint32_t impacts = 0;  ///< all of them, whatever is recorded of each
+
+  /// Horizontal, as the crow flies.
+  double runoutM() const;
+};
+
+struct ImpactRecord {
+  std::uint32_t rock = 0;
+  std::int32_t other = -1;  ///< another rock, or -1: the ground
+  MaterialId material = 0;  ///< of the other
+  double timeS = 0;
+  Vec3d place;  ///< a contact point
+  double energyBeforeJ = 0, energyAfterJ = 0, impulseNS = 0;
+};
+
+struct CrossingRecord {
+  std::uint32_t collector = 0, rock = 0;
+  std::int32_t direction = 1;  ///< 1: from the line's left to its right, seen from its first end to its second
+  double timeS = 0, alongM = 0, heightM = 0, speed = 0, energyJ = 0;
+};
+
+/// What one rock did in one cell of the raster, or at one distance from its release.
+struct VisitRecord {
+  std::uint32_t rock = 0;
+  std::int32_t column = 0, row = 0;  ///< cell [column, column + 1) times the cell's size; rows count along y
+  double maxEnergyJ = 0, maxHeightM = 0;
+};
+
+struct TrajectorySample {
+  double timeS = 0;
+  Vec3d place;
+  double speed = 0, energyJ = 0, heightM = 0;
+};
+
+/// What a run gave: a pure function of (scene, run), unless microseconds are its budget.
+struct RunResult {
+  std::uint64_t run = 0;
+  std::vector<RockRecord> rocks;
+  std::vector<ImpactRecord> impacts;
+  std::vector<CrossingRecord> crossings;
+  std::vector<VisitRecord> cells;                           ///< of the map
+  std::vector<VisitRecord> distances;                       ///< `column` counts cells of distance, `row` is 0
+  std::vector<std::vector<TrajectorySample>> trajectories;  ///< by rock
+  std::uint64_t steps = 0, operations = 0, maxOperations = 0;
+  std::string stateHash;  ///< over all poses and velocities, once a simulated second
+};
+
+/// What a run cost: not reproducible, for reports only.
+struct RunCost {
+  double cpuS = 0;
+  double narrowPhaseP999Us = 0, narrowPhaseMaxUs = 0;
+  std::vector<EffectReport> effects;
+};
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "cairn/bullet/dispatcher.h"
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "rockfall/simulation/release.h"
+#include "rockfall/simulation/run_effects.h"
+
+namespace cairn::rockfall {
+
+/// The Bullet world of one run: the ground, and rocks as they are released. A body's user index is its rock's number,
+/// -1 for the ground.
+class RunWorld {
+ public:
+  /// Fails as `makeEffects` does. `scene` must outlive the world.
+  static Result<std::unique_ptr<RunWorld>> create(const Scene& scene, std::uint64_t run);
+  ~RunWorld();
+  RunWorld(const RunWorld&) = delete;
+  RunWorld& operator=(const RunWorld&) = delete;
+
+  /// Fails as the shape does.
+  Result<btRigidBody*> addRock(const ReleasedRock& rock, int number);
+  /// Takes a rock out; its body stays readable.
+  void retire(btRigidBody& rock);
+  void step();
+
+  const btCollisionDispatcher& dispatcher() const { return dispatcher_; }
+  const bullet::StepStatistics& lastStep() const { return dispatcher_.lastStep(); }
+  const RunEffects& effects() const { return *effects_; }
+
+ private:
+  class Dispatcher final : public bullet::Dispatcher<> {
+   public:
+    using bullet::Dispatcher<>::Dispatcher;
+    void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
+                                   btDispatcher* dispatcher) override;
+    RunEffects* effects = nullptr;
+  };
+
+  explicit RunWorld(const Scene& scene);
+  Status prepare(std::uint64_t run);
+  void addGround();
+
+  const Scene& scene_;
+  btDefaultCollisionConfiguration configuration_;
+  Dispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_;
+  std::unique_ptr<RunEffects> effects_;
+  std::vector<std::unique_ptr<bullet::SphereTreeShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+}  // namespace cairn::rockfall

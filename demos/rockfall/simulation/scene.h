@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rockfall/case/case.h"
+#include "rockfall/rocks/rock_stock.h"
+#include "rockfall/simulation/ground.h"
+
+namespace cairn::rockfall {
+
+/// A case with what all its runs share.
+struct Scene {
+  Case description;
+  std::unique_ptr<Ground> ground;
+  RockStock stock;
+  /// SHA-256, hexadecimal, over case and trees: runs of equal scenes and equal numbers are equal.
+  std::string hash;
+};
+
+/// Fails as `makeGround` and `stockRocks` do, for a release box that reaches beyond the ground and for
+/// rasters of more than 64 million cells.
+Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
+
+}  // namespace cairn::rockfall

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/case/case.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "case_documents.h"
+#include "run_program.h"
+
+namespace cairn::rockfall {
+namespace {
+
+using nlohmann::json;
+
+TEST(Case_Examples, AreAllRead) {
+  const auto files = test::exampleFiles();
+  EXPECT_GE(files.size(), 5U);
+  for (const auto& file : files) {
+    const auto scene = readCase(file);
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_FALSE(scene.value().effects.empty()) << file;
+    EXPECT_EQ(scene.value().hash.size(), 64U);
+  }
+}
+
+TEST(Case_Examples, NameEveryEffectTogether) {
+  std::set<std::size_t> kinds;
+  for (const auto& file : test::exampleFiles()) {
+    const Case scene = readCase(file).value();
+    for (const EffectOptions& effect : scene.effects) kinds.insert(effect.index());
+  }
+  EXPECT_EQ(kinds.size(), std::variant_size_v<EffectOptions>);
+}
+
+TEST(Case_Read, KeepsWhatTheFileSays) {
+  const auto read = test::readJson(test::plainCase());
+  ASSERT_TRUE(read) << read.error().message;
+  const Case& scene = read.value();
+  EXPECT_EQ(scene.name, "plain");
+  EXPECT_EQ(scene.stepCount(), 400U);
+  EXPECT_EQ(scene.gravityMPerS2, 9.81);
+  EXPECT_EQ(scene.budget.operations, 20000U);
+  EXPECT_EQ(scene.terrain.materialAt({39, 0}), 0U) << "in the zone";
+  EXPECT_EQ(scene.terrain.materialAt({10, 0}), 1U);
+  const auto* friction = findEffect<FrictionOptions>(scene.effects);
+  ASSERT_NE(friction, nullptr);
+  EXPECT_EQ(friction->coefficient.at(1, 0), 0.6) << "in either order";
+  EXPECT_EQ(friction->coefficient.at(0, 0), 0.5);
+  EXPECT_EQ(findEffect<WaterOptions>(scene.effects), nullptr);
+}
+
+TEST(Case_SieveCurve, IsStraightBetweenItsPoints) {
+  const SieveCurve curve{{{0.4, 0}, {0.7, 0.5}, {1.1, 1}}};
+  EXPECT_DOUBLE_EQ(curve.sizeAt(0), 0.4);
+  EXPECT_DOUBLE_EQ(curve.sizeAt(0.25), 0.55);
+  EXPECT_DOUBLE_EQ(curve.sizeAt(0.5), 0.7);
+  EXPECT_DOUBLE_EQ(curve.sizeAt(0.75), 0.9);
+  EXPECT_DOUBLE_EQ(curve.sizeAt(1), 1.1);
+}
+
+TEST(Case_Hash, SeesTheContentAndNotTheComments) {
+  const std::string text = test::plainCase().dump(1);
+  const auto hashOf = [](const std::string& content) { return parseCase(content, "case.json", ".").value().hash; };
+  const std::string hash = hashOf(text);
+  EXPECT_EQ(hashOf("// a remark\n" + text), hash);
+  json other = test::plainCase();
+  other["seed"] = 2;
+  EXPECT_NE(hashOf(other.dump()), hash);
+}
+
+TEST(Case_Hash, SeesTheFilesTheCaseNames) {
+  const test::TemporaryFolder folder;
+  json document = test::plainCase();
+  document["rocks"][0].erase("make");
+  document["rocks"][0]["mesh"] = "rock.obj";
+  const auto missing = parseCase(document.dump(), "case.json", folder.path());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().message.rfind("case.json: /rocks/0/mesh: ", 0), 0U) << missing.error().message;
+  std::ofstream(folder.path() / "rock.obj") << "v 0 0 0\n";
+  const std::string first = parseCase(document.dump(), "case.json", folder.path()).value().hash;
+  std::ofstream(folder.path() / "rock.obj") << "v 0 0 1\n";
+  EXPECT_NE(parseCase(document.dump(), "case.json", folder.path()).value().hash, first);
+}
+
+/// A change of the plain case, as a JSON patch, and the sentence it is refused with.
+struct Slip {
+  const char* patch;
+  const char* sentence;
+
+  friend std::ostream& operator<<(std::ostream& out, const Slip& slip) { return out << slip.patch; }
+};
+
+class CaseSlips : public ::testing::TestWithParam<Slip> {};
+
+TEST_P(CaseSlips, AreRefusedInOneSentenceWithThePath) {
+  const auto read = test::readJson(test::plainCase().patch(json::parse(GetParam().patch)));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, GetParam().sentence);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Each, CaseSlips,
+    ::testing::Values(
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "air_drag", "coefficent": 1}}])",
+             R"(case.json: /effects/1/coefficent: no such key here (did you mean "coefficient"?))"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "fricton", "default": 1}}])",
+             "case.json: /effects/1/effect: there is no effect \"fricton\" (did you mean \"friction\"?): use friction, "
+             "rolling_resistance, restitution, tangential_restitution, slip_friction, surface_roughness, gyroscopic, "
+             "ccd, sleeping, air_drag, water, forest_drag, trees, soil_scarring, ground_drag, fragmentation, events"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "water"}}])",
+             R"(case.json: /effects/1: "level_m" is missing)"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "water", "level_cm": 50}}])",
+             R"(case.json: /effects/1/level_cm: no such key here: give it as "level_m", the unit is in the name)"},
+        Slip{R"([{"op": "move", "from": "/step_s", "path": "/step_ms"}])",
+             R"(case.json: /step_ms: no such key here: give it as "step_s", the unit is in the name)"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "friction", "default": 1}}])",
+             R"(case.json: /effects/1: the effect "friction" is listed twice)"},
+        Slip{R"([{"op": "replace", "path": "/step_s", "value": 0}])",
+             "case.json: /step_s: 0 is out of range: this must be from 1e-05 to 0.1"},
+        Slip{R"([{"op": "replace", "path": "/duration_s", "value": -1}])",
+             "case.json: /duration_s: -1 is out of range: this must be above 0 and at most 86400"},
+        Slip{R"([{"op": "replace", "path": "/seed", "value": -3}])",
+             "case.json: /seed: -3 is out of range: this must be from 0 to 9007199254740992"},
+        Slip{R"([{"op": "replace", "path": "/seed", "value": 1.5}])", "case.json: /seed: this must be a whole number"},
+        Slip{R"([{"op": "replace", "path": "/step_s", "value": "0.01"}])", "case.json: /step_s: this must be a number"},
+        Slip{R"([{"op": "replace", "path": "/rocks/0/make/concave", "value": 1}])",
+             "case.json: /rocks/0/make/concave: this must be true or false"},
+        Slip{R"([{"op": "replace", "path": "/terrain", "value": []}])",
+             "case.json: /terrain: this must be an object, as in { ... }"},
+        Slip{R"([{"op": "add", "path": "/terrain/raster", "value": "dem.tif"}])",
+             "case.json: /terrain: exactly one of \"generated\", \"raster\" and \"mesh\" must be given"},
+        Slip{
+            R"([{"op": "replace", "path": "/rocks/0/material", "value": "ston"}])",
+            R"(case.json: /rocks/0/material: the material "ston" is not listed under /materials (did you mean "stone"?))"},
+        Slip{R"([{"op": "add", "path": "/materials/-", "value": "soil"}])",
+             R"(case.json: /materials/2: the material "soil" is listed twice)"},
+        Slip{R"([{"op": "add", "path": "/materials/-", "value": "Wet Soil"}])",
+             "case.json: /materials/2: a name is made of at most 64 lower-case letters, digits, - and _, and begins "
+             "with a letter or digit"},
+        Slip{R"([{"op": "add", "path": "/effects/0/pairs/-", "value": {"materials": ["soil", "stone"], "value": 1}}])",
+             "case.json: /effects/0/pairs/1: this pair of materials is listed twice"},
+        Slip{R"([{"op": "replace", "path": "/rocks/0/sieve_m/sizes", "value": [[0.4, 0], [0.8, 0.9]]}])",
+             "case.json: /rocks/0/sieve_m/sizes: the first share must be 0 and the last 1"},
+        Slip{R"([{"op": "replace", "path": "/rocks/0/sieve_m/sizes", "value": [[0.8, 0], [0.4, 1]]}])",
+             "case.json: /rocks/0/sieve_m/sizes/1: sieve sizes must not fall, and shares must rise, from point to "
+             "point"},
+        Slip{R"([{"op": "replace", "path": "/collectors/0/line_m", "value": [[1, 2]]}])",
+             "case.json: /collectors/0/line_m: this list must have 2 elements"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "events"}}])",
+             "case.json: /effects/1: \"dust_impulse_n_s\" or \"sound_impulse_n_s\" must be given"}));
+
+TEST(Case_Text, ThatIsNoJsonIsRefusedWithItsLine) {
+  const auto read = parseCase("{\n  \"case\": \"x\",\n  oops\n}", "case.json", ".");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message.rfind("case.json: this is not JSON: parse error at line 3", 0), 0U)
+      << read.error().message;
+}
+
+TEST(Case_Text, WithAKeyTwiceIsRefusedWithItsPath) {
+  const auto read = parseCase(R"({"rocks": [{}, {"count": 1, "a/b": {"count": 1}, "count": 2}]})", "case.json", ".");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "case.json: /rocks/1/count: this key is given twice");
+}
+
+TEST(Case_Polygon, ContainsWhatIsInsideOnly) {
+  const Polygon corner{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};
+  EXPECT_TRUE(contains(corner, {0.5, 3}));
+  EXPECT_TRUE(contains(corner, {3, 0.5}));
+  EXPECT_FALSE(contains(corner, {3, 3}));
+  EXPECT_FALSE(contains(corner, {-0.1, 0.5}));
+  EXPECT_TRUE(contains({}, {1e6, -1e6})) << "no polygon: everywhere";
+}
+
+}  // namespace
+}  // namespace cairn::rockfall

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "prepared_scene.h"
+#include "rockfall/ensemble/parts.h"
+#include "rockfall/ensemble/run_folder.h"
+#include "rockfall/ensemble/workers.h"
+#include "rockfall/outputs/log_histogram.h"
+#include "scenes/figures/random.h"
+
+namespace cairn::rockfall {
+namespace {
+
+TEST(RunRange_Texts, AreReadOrRefused) {
+  EXPECT_EQ(parseRange("3:10").value(), (RunRange{3, 10}));
+  for (const char* wrong : {"", "5", "5:", ":5", "5:5", "6:5", "-1:5", "1:2:3", "a:b", "0:2000000000", "1 :2"})
+    EXPECT_FALSE(parseRange(wrong)) << wrong;
+  for (const char* wrong : {"", "0/3", "4/3", "3", "1/0", "1/3/5"}) EXPECT_FALSE(partOf({0, 10}, wrong)) << wrong;
+}
+
+TEST(RunRange_Parts, CoverTheWholeOnceAndEvenly) {
+  for (const std::uint64_t count : {1, 7, 100, 1000})
+    for (const int parts : {1, 3, 8}) {
+      std::uint64_t next = 5;
+      for (int part = 1; part <= parts; ++part) {
+        const RunRange range = partOf({5, 5 + count}, std::to_string(part) + "/" + std::to_string(parts)).value();
+        EXPECT_EQ(range.first, next);
+        EXPECT_LE(range.last - range.first, count / static_cast<std::uint64_t>(parts) + 1);
+        next = range.last;
+      }
+      EXPECT_EQ(next, 5 + count);
+    }
+}
+
+TEST(LogHistogram_Quantiles, AreAtMostABinAboveTheSamples) {
+  scenes::Random random(3);
+  std::vector<double> sample;
+  LogHistogram histogram;
+  for (int i = 0; i < 1000; ++i) {
+    sample.push_back(std::exp(random.uniform(-20, 20)));
+    histogram.add(sample.back());
+  }
+  std::ranges::sort(sample);
+  for (const std::uint32_t thousandths : {1U, 250U, 500U, 950U, 999U, 1000U}) {
+    const double exact = sample[thousandths - 1];
+    EXPECT_GE(histogram.quantile(thousandths), exact);
+    // One part in 10^12 for the rounding of the bins' edges.
+    EXPECT_LE(histogram.quantile(thousandths), exact * LogHistogram::kBinRatio * (1 + 1e-12));
+  }
+  EXPECT_EQ(histogram.quantile(1000), histogram.greatest());
+}
+
+TEST(LogHistogram_Zeros, AreBelowEverything) {
+  LogHistogram histogram;
+  for (const double value : {0.0, 0.0, 0.0, 1e-300}) histogram.add(value);
+  EXPECT_EQ(histogram.quantile(750), 0);
+  EXPECT_EQ(histogram.quantile(1000), 1e-300);
+  EXPECT_EQ(LogHistogram().quantile(500), 0);
+}
+
+TEST(Workers_Failing, GiveTheSentenceOfTheFirst) {
+  EXPECT_TRUE(inProcesses(3, [](std::uint32_t) { return Status(); }));
+  const Status failed = inProcesses(3, [](std::uint32_t worker) {
+    return worker == 0 ? Status() : Status(Error{"worker " + std::to_string(worker)});
+  });
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().message, "worker 1");
+  const Status killed = inProcesses(1, [](std::uint32_t) -> Status {
+    raise(SIGKILL);
+    return {};
+  });
+  ASSERT_FALSE(killed);
+  EXPECT_NE(killed.error().message.find("signal 9"), std::string::npos);
+}
+
+/// Folders of runs of the plain case, shortened.
+class RunFolders : public ::testing::Test {
+ protected:
+  RunFolders() : document_(test::plainCase()) {
+    document_["duration_s"] = 0.5;
+    document_["rocks"][0]["tree_depth"] = 1;
+  }
+
+  Result<EnsembleReport> compute(const char* name, const RunRange& runs) {
+    return computeRuns(test::prepared(document_), document_, {runs, folder(name), 1}, {});
+  }
+  std::filesystem::path folder(const char* name) const { return temporary_.path() / name; }
+
+  test::TemporaryFolder temporary_;
+  nlohmann::json document_;
+};
+
+TEST_F(RunFolders, KeepEveryNumberOfARun) {
+  ASSERT_TRUE(compute("a", {4, 5}));
+  const RunFile file = readRunFile(folder("a") / runFileName(4)).value();
+  const RunResult fresh = simulate(test::prepared(document_), 4).value().result;
+  EXPECT_EQ(file.result.stateHash, fresh.stateHash);
+  ASSERT_EQ(file.result.rocks.size(), fresh.rocks.size());
+  for (std::size_t i = 0; i < fresh.rocks.size(); ++i) {
+    EXPECT_EQ(file.result.rocks[i].end, fresh.rocks[i].end);
+    EXPECT_EQ(file.result.rocks[i].maxEnergyJ, fresh.rocks[i].maxEnergyJ);
+    EXPECT_EQ(file.result.trajectories[i].size(), fresh.trajectories[i].size());
+    EXPECT_EQ(file.result.trajectories[i].back().place, fresh.trajectories[i].back().place);
+  }
+  EXPECT_EQ(file.result.cells.size(), fresh.cells.size());
+}
+
+TEST_F(RunFolders, ComputeOnlyWhatIsMissing) {
+  EXPECT_EQ(compute("a", {0, 3}).value().computed, 3U);
+  const EnsembleReport again = compute("a", {1, 5}).value();
+  EXPECT_EQ(again.computed, 2U);
+  EXPECT_EQ(again.kept, 2U);
+  EXPECT_EQ(readManifest(folder("a")).value().runs, (std::vector<RunRange>{{0, 5}}));
+}
+
+TEST_F(RunFolders, OfAnotherCaseAreRefused) {
+  ASSERT_TRUE(compute("a", {0, 1}));
+  document_["seed"] = 2;
+  const auto mixed = compute("a", {0, 1});
+  ASSERT_FALSE(mixed);
+  EXPECT_NE(mixed.error().message.find("is of another case"), std::string::npos) << mixed.error().message;
+  ASSERT_TRUE(compute("b", {0, 1}));
+  const auto parts = Parts::open({folder("a"), folder("b")});
+  ASSERT_FALSE(parts);
+  EXPECT_NE(parts.error().message.find("of another case"), std::string::npos);
+}
+
+TEST_F(RunFolders, WithADamagedRunAreRefusedByItsName) {
+  ASSERT_TRUE(compute("a", {0, 2}));
+  const auto file = folder("a") / runFileName(1);
+  const std::string good = test::contentOf(file);
+  const std::size_t digit = good.find("\"steps\":") + 8;
+  for (const std::string& bad : {good.substr(0, good.size() / 2), std::string(), std::string("[]"),
+                                 good.substr(0, digit) + "9" + good.substr(digit + 1)}) {
+    std::ofstream(file, std::ios::binary) << bad;
+    const auto read = readRunFile(file);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("run-000000001.json is not a run as it was written"), std::string::npos);
+    EXPECT_FALSE(compute("a", {0, 2}));
+  }
+}
+
+TEST_F(RunFolders, WithoutAManifestAreNotFinished) {
+  ASSERT_TRUE(compute("a", {0, 2}));
+  std::filesystem::remove(folder("a") / kManifestName);
+  const auto parts = Parts::open({folder("a")});
+  ASSERT_FALSE(parts);
+  EXPECT_NE(parts.error().message.find("holds no finished runs"), std::string::npos);
+}
+
+TEST_F(RunFolders, MayOverlapButNotDiffer) {
+  ASSERT_TRUE(compute("a", {0, 3}));
+  ASSERT_TRUE(compute("b", {2, 5}));
+  const Parts parts = Parts::open({folder("b"), folder("a")}).value();
+  std::vector<std::uint64_t> order;
+  const auto note = [&](const RunFile& file) {
+    order.push_back(file.result.run);
+    return Status();
+  };
+  ASSERT_TRUE(parts.forEach(note));
+  EXPECT_EQ(order, (std::vector<std::uint64_t>{0, 1, 2, 3, 4}));
+  // A run with another result, whole in itself.
+  FinishedRun other = simulate(test::prepared(document_), 2).value();
+  other.result.steps += 1;
+  ASSERT_TRUE(writeRunFile(folder("b"), parts.manifest().sceneHash, other));
+  const Status differing = Parts::open({folder("a"), folder("b")}).value().forEach(note);
+  ASSERT_FALSE(differing);
+  EXPECT_NE(differing.error().message.find("differ"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cairn::rockfall
