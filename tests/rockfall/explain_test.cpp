@@ -72,9 +72,9 @@ INSTANTIATE_TEST_SUITE_P(
         Outlook{R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 10,
                     "polygon_m": [[100, -5], [110, -5], [110, 5]]})",
                 false},
-        Outlook{R"({"effect": "trees", "kind": "conifer", "stems": [[20, 0, 0.3]]})", true},
-        Outlook{R"({"effect": "trees", "kind": "conifer", "stems": [[200, 0, 0.3]]})", false},
-        Outlook{R"({"effect": "trees", "kind": "conifer", "stems": {"density_per_ha": 0, "diameter_m": [0.1, 0.2]}})",
+        Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[20, 0, 0.3]]})", true},
+        Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[200, 0, 0.3]]})", false},
+        Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": {"density_per_ha": 0, "diameter_m": [0.1, 0.2]}})",
                 false},
         Outlook{R"({"effect": "soil_scarring", "materials":
                     [{"material": "soil", "strength_kpa": 100, "density_kg_per_m3": 1500, "drag_coefficient": 1}]})",

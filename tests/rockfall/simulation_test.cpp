@@ -211,12 +211,38 @@ TEST(Run_Friction, OfThePairDecidesWhetherAnythingSlides) {
   EXPECT_LT(runout(1.5), 5);
 }
 
-TEST(Run_AnEffectThatBulletHasNot, IsRefusedByName) {
+TEST(Run_Effects, AreReportedInTheCasesOrder) {
   json document = test::plainCase();
-  document["effects"].push_back({{"effect", "water"}, {"level_m", 1}});
+  document["effects"].push_back({{"effect", "water"}, {"level_m", -1000}});
+  document["effects"].push_back({{"effect", "air_drag"}});
   const auto run = simulate(test::prepared(document), 0);
-  ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().message.rfind("/effects/1: the effect \"water\" cannot be run", 0), 0U) << run.error().message;
+  ASSERT_TRUE(run) << run.error().message;
+  const std::vector<EffectReport>& effects = run.value().cost.effects;
+  ASSERT_EQ(effects.size(), document["effects"].size());
+  EXPECT_EQ(effects[effects.size() - 2].name, "water");
+  EXPECT_EQ(effects[effects.size() - 2].acted, 0U) << "far below everything";
+  EXPECT_EQ(effects.back().name, "air_drag");
+  EXPECT_GT(effects.back().acted, 0U);
+}
+
+// A blow that breaks: pieces are rocks of their own whose masses add up, and the whole ends there.
+TEST(Run_Fragmentation, PiecesGoOnAsRocks) {
+  json document = test::plainCase();
+  document["rocks"][0]["count"] = 3;
+  document["rocks"][0]["release"]["above_ground_m"] = 15;
+  document["effects"].push_back({{"effect", "fragmentation"}, {"energy_j_per_kg", 20}, {"max_generations", 2}});
+  const auto run = simulate(test::prepared(document), 0);
+  ASSERT_TRUE(run) << run.error().message;
+  const std::vector<RockRecord>& rocks = run.value().result.rocks;
+  ASSERT_GT(rocks.size(), 4U) << "something broke";
+  std::vector<double> pieces(rocks.size());
+  for (const RockRecord& rock : rocks)
+    if (rock.brokenFrom >= 0) pieces[static_cast<std::size_t>(rock.brokenFrom)] += rock.massKg;
+  for (std::size_t i = 0; i < rocks.size(); ++i) {
+    EXPECT_EQ(pieces[i] > 0, rocks[i].ending == RockEnd::broken);
+    if (pieces[i] > 0) EXPECT_NEAR(pieces[i] / rocks[i].massKg, 1, 1e-5);
+    if (rocks[i].brokenFrom >= 0) EXPECT_EQ(rocks[i].start, rocks[static_cast<std::size_t>(rocks[i].brokenFrom)].start);
+  }
 }
 
 }  // namespace

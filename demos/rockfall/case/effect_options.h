@@ -87,7 +87,6 @@ struct ForestDragOptions {
   Polygon polygon;
 };
 
-enum class TreeKind : std::uint8_t { conifer, broadleaf };
 struct Stem {
   MapPoint placeM;
   double diameterM;
@@ -99,7 +98,7 @@ struct StandOfTrees {
 };
 struct TreesOptions {
   static constexpr std::string_view kName = "trees";
-  TreeKind kind = TreeKind::conifer;
+  double energyRatio = 1;  ///< of what a stem can take to what those measured took
   std::variant<std::vector<Stem>, StandOfTrees> stems;
 };
 

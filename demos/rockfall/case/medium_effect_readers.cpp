@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effects of what a body is in: air, water, forest, the layer over the ground.
-#include <array>
-
 #include "rockfall/case/effect_readers.h"
 
 namespace cairn::rockfall {
@@ -59,9 +57,8 @@ EffectOptions readForestDrag(Object& object, const Materials& /*materials*/) {
 }
 
 EffectOptions readTrees(Object& object, const Materials& /*materials*/) {
-  static constexpr std::array<std::string_view, 2> kKinds{"conifer", "broadleaf"};
   TreesOptions options;
-  options.kind = static_cast<TreeKind>(object.at("kind").choice(kKinds, "kind of tree"));
+  options.energyRatio = object.numberOr("energy_ratio", between(0, 100), options.energyRatio);
   const Value stems = object.at("stems");
   if (stems.isArray())
     options.stems = readStems(stems);

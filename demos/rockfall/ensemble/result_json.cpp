@@ -52,8 +52,8 @@ void transfer(Io& io, auto& r) requires requires {
   r.sieveM;
 }
 {
-  each(io, r.group, r.variant, r.sieveM, r.massKg, r.releaseS, r.endS, r.start, r.end, r.ending, r.maxSpeed,
-       r.maxEnergyJ, r.maxHeightM, r.impacts);
+  each(io, r.brokenFrom, r.group, r.variant, r.sieveM, r.massKg, r.releaseS, r.endS, r.start, r.end, r.ending,
+       r.maxSpeed, r.maxEnergyJ, r.maxHeightM, r.impacts);
 }
 template <class Io>
 void transfer(Io& io, auto& r) requires requires {
@@ -132,7 +132,7 @@ RunResult resultFromJson(const Json& json) {
 Json costToJson(const RunCost& cost) {
   Json effects = Json::array();
   for (const EffectReport& effect : cost.effects)
-    effects.push_back({{"effect", effect.name}, {"acted", effect.acted}, {"cpu_us", effect.cpuUs}});
+    effects.push_back({{"effect", effect.name}, {"acted", effect.acted}, {"elapsed_us", effect.elapsedUs}});
   return {{"cpu_s", cost.cpuS},
           {"narrow_phase_p999_us", cost.narrowPhaseP999Us},
           {"narrow_phase_max_us", cost.narrowPhaseMaxUs},
@@ -146,7 +146,7 @@ RunCost costFromJson(const Json& json) {
   json.at("narrow_phase_max_us").get_to(cost.narrowPhaseMaxUs);
   for (const Json& effect : json.at("effects"))
     cost.effects.push_back({effect.at("effect").get<std::string>(), effect.at("acted").get<std::uint64_t>(),
-                            effect.at("cpu_us").get<double>()});
+                            effect.at("elapsed_us").get<double>()});
   return cost;
 }
 

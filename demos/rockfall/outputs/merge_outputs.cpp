@@ -44,7 +44,7 @@ struct Gathered {
     for (std::size_t i = 0; i < cost.effects.size(); ++i) {
       effects[i].name = cost.effects[i].name;
       effects[i].acted += cost.effects[i].acted;
-      effects[i].cpuUs += cost.effects[i].cpuUs;
+      effects[i].elapsedUs += cost.effects[i].elapsedUs;
     }
   }
 

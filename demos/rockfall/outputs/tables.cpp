@@ -10,23 +10,24 @@
 namespace cairn::rockfall {
 
 const char* nameOf(RockEnd ending) {
-  static constexpr std::array kNames{"resting", "moving", "left", "lost"};
+  static constexpr std::array kNames{"resting", "moving", "left", "lost", "broken"};
   return kNames[static_cast<std::size_t>(ending)];
 }
 
 Tables::Tables(const Case& description)
     : description_(description),
       runs_(
-          "run,rocks,resting,moving,left,lost,impacts,crossings,max_energy_j,max_height_m,max_runout_m,steps,"
+          "run,rocks,resting,moving,left,lost,broken,impacts,crossings,max_energy_j,max_height_m,max_runout_m,steps,"
           "operations,max_operations,state_hash\n"),
       rocks_(
-          "run,rock,group,variant,sieve_m,mass_kg,release_s,end_s,ending,start_x_m,start_y_m,start_z_m,end_x_m,"
+          "run,rock,broken_from,group,variant,sieve_m,mass_kg,release_s,end_s,ending,start_x_m,start_y_m,start_z_m,end_"
+          "x_m,"
           "end_y_m,end_z_m,runout_m,max_speed_m_per_s,max_energy_j,max_height_m,impacts\n"),
       impacts_("run,rock,with,material,time_s,x_m,y_m,z_m,energy_before_j,energy_after_j,impulse_n_s\n"),
       crossings_("run,collector,rock,direction,time_s,along_m,height_m,speed_m_per_s,energy_j\n") {}
 
 void Tables::add(const RunResult& result) {
-  std::array<std::uint32_t, 4> endings{};
+  std::array<std::uint32_t, 5> endings{};
   std::uint64_t impacts = 0;
   double energy = 0, height = 0, runout = 0;
   for (std::size_t i = 0; i < result.rocks.size(); ++i) {
@@ -36,12 +37,13 @@ void Tables::add(const RunResult& result) {
     energy = std::max(energy, r.maxEnergyJ);
     height = std::max(height, r.maxHeightM);
     runout = std::max(runout, r.runoutM());
-    fmt::format_to(std::back_inserter(rocks_),
-                   "{},{},{},{},{:.4f},{:.3f},{:.4f},{:.4f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
-                   "{:.6g},{:.4f},{}\n",
-                   result.run, i, r.group, r.variant, r.sieveM, r.massKg, r.releaseS, r.endS, nameOf(r.ending),
-                   r.start.x, r.start.y, r.start.z, r.end.x, r.end.y, r.end.z, r.runoutM(), r.maxSpeed, r.maxEnergyJ,
-                   r.maxHeightM, r.impacts);
+    fmt::format_to(
+        std::back_inserter(rocks_),
+        "{},{},{},{},{},{:.4f},{:.3f},{:.4f},{:.4f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
+        "{:.6g},{:.4f},{}\n",
+        result.run, i, r.brokenFrom < 0 ? "" : fmt::format("{}", r.brokenFrom), r.group, r.variant, r.sieveM, r.massKg,
+        r.releaseS, r.endS, nameOf(r.ending), r.start.x, r.start.y, r.start.z, r.end.x, r.end.y, r.end.z, r.runoutM(),
+        r.maxSpeed, r.maxEnergyJ, r.maxHeightM, r.impacts);
   }
   for (const ImpactRecord& i : result.impacts)
     fmt::format_to(std::back_inserter(impacts_), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.6g},{:.6g},{:.6g}\n",
@@ -52,9 +54,10 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(std::back_inserter(crossings_), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.6g}\n", result.run,
                    description_.collectors[c.collector].name, c.rock, c.direction, c.timeS, c.alongM, c.heightM,
                    c.speed, c.energyJ);
-  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{}\n", result.run,
-                 result.rocks.size(), endings[0], endings[1], endings[2], endings[3], impacts, result.crossings.size(),
-                 energy, height, runout, result.steps, result.operations, result.maxOperations, result.stateHash);
+  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{}\n", result.run,
+                 result.rocks.size(), endings[0], endings[1], endings[2], endings[3], endings[4], impacts,
+                 result.crossings.size(), energy, height, runout, result.steps, result.operations, result.maxOperations,
+                 result.stateHash);
 }
 
 }  // namespace cairn::rockfall

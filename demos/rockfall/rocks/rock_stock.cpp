@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "cairn/builder/fracture.h"
 #include "cairn/builder/import.h"
 #include "cairn/core/tree_file.h"
 #include "rockfall/case/content_hash.h"
@@ -29,6 +30,22 @@ Result<std::vector<builder::TriangleMesh>> meshesOf(const Case& scene, std::size
   scenes::Random seeds(mixBits(scene.seed + kShapeFamily), group);
   for (std::uint32_t i = 0; i < made.variants; ++i) meshes.push_back(makeRock(made.kind, made.concave, seeds.bits()));
   return meshes;
+}
+
+// The pieces' trees are as deep as the whole's.
+Result<std::shared_ptr<const effects::Fragments>> fragmentsOf(const builder::TriangleMesh& mesh, const SphereTree& tree,
+                                                              TreeCache& cache, const builder::BuildOptions& options,
+                                                              const builder::ProgressCallback& progress) {
+  auto fracture = builder::fracture(mesh, tree, progress);
+  if (!fracture) return fracture.error();
+  auto fragments = std::make_shared<effects::Fragments>();
+  for (const builder::TriangleMesh& piece : fracture.value().pieces) {
+    auto pieceTree = cache.obtain(piece, options, progress);
+    if (!pieceTree) return pieceTree.error();
+    fragments->pieces.push_back(std::move(pieceTree).value());
+  }
+  for (const builder::Bond& bond : fracture.value().bonds) fragments->bonds.push_back({bond.first, bond.second});
+  return std::shared_ptr<const effects::Fragments>(std::move(fragments));
 }
 
 }  // namespace
@@ -69,6 +86,10 @@ Result<RockStock> stockRocks(const Case& scene, TreeCache& cache, const builder:
       if (!tree) return tree.error();
       hash.add(encodeTree(*tree.value()));
       shapes.push_back(measureRock(std::move(tree).value()));
+      if (findEffect<FragmentationOptions>(scene.effects) == nullptr) continue;
+      auto fragments = fragmentsOf(mesh, *shapes.back().tree, cache, options, progress);
+      if (!fragments) return fragments.error();
+      shapes.back().fragments = std::move(fragments).value();
     }
   }
   stock.hash = hash.hex();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "cairn/effects/fragments.h"
 #include "rockfall/case/case.h"
 #include "rockfall/rocks/tree_cache.h"
 
@@ -16,6 +17,8 @@ struct RockShape {
   double volume = 0;        ///< m^3
   double reach = 0;         ///< of the farthest point from the centre of mass, m
   double inertiaRatio = 1;  ///< greatest principal moment by the least
+  /// What it breaks into; null unless the case lists fragmentation.
+  std::shared_ptr<const effects::Fragments> fragments;
 };
 
 /// Every shape of every group of a case: `groups[g]` are the variants of group g.

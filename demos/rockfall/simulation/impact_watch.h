@@ -16,6 +16,8 @@ class ImpactWatch {
   /// Both must outlive the watch.
   ImpactWatch(const Scene& scene, RunResult& result) : scene_(scene), result_(result), touched_(result.rocks.size()) {}
 
+  /// One more rock, which the result has already; it touches what the rock touched that it broke off from.
+  void addRock(std::uint32_t brokenFrom) { touched_.push_back(touched_[brokenFrom]); }
   /// After every step, while `watch` still has the moments before it. `rocks` by number, null for those not in the
   /// world.
   void lookAt(const btCollisionDispatcher& dispatcher, const std::vector<btRigidBody*>& rocks, const RockWatch& watch,

@@ -66,6 +66,11 @@ RockWatch::RockWatch(const Scene& scene, RunResult& result)
   if (scene.description.outputs.trajectoriesEveryS) result.trajectories.resize(result.rocks.size());
 }
 
+void RockWatch::addRock() {
+  tracks_.emplace_back();
+  if (scene_.description.outputs.trajectoriesEveryS) result_.trajectories.emplace_back();
+}
+
 void RockWatch::follow(std::uint32_t rock, const RockMoment& moment) {
   Track& track = tracks_[rock];
   RockRecord& record = result_.rocks[rock];

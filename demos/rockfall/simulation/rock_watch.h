@@ -31,6 +31,8 @@ class RockWatch {
   /// Both must outlive the watch. The result's rocks are all there, as released.
   RockWatch(const Scene& scene, RunResult& result);
 
+  /// One more rock, which the result has already.
+  void addRock();
   /// The first moment of a rock, and each after a step.
   void follow(std::uint32_t rock, const RockMoment& moment);
   const RockMoment& last(std::uint32_t rock) const { return tracks_[rock].last; }

@@ -55,6 +55,21 @@ class Running {
     return {};
   }
 
+  // Pieces are rocks from the step in which they came to be.
+  Status breakRocks() {
+    auto broken = world_.breakRocks();
+    if (!broken) return broken.error();
+    for (const RunWorld::Broken& rock : broken.value()) {
+      const auto number = static_cast<std::uint32_t>(rock.number);
+      for (btRigidBody* piece : rock.pieces) addPiece(number, *piece);
+      bodies_[number] = nullptr;
+      gone_[number] = true;
+      result_.rocks[number].ending = RockEnd::broken;
+      result_.rocks[number].endS = time_;
+    }
+    return {};
+  }
+
   void step() {
     world_.step();
     ++result_.steps;
@@ -108,6 +123,27 @@ class Running {
     if (bodies_[rock]->isActive()) watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
   }
 
+  void addPiece(std::uint32_t from, btRigidBody& piece) {
+    const auto number = static_cast<std::uint32_t>(bodies_.size());
+    const RockRecord whole = result_.rocks[from];
+    RockRecord record;
+    record.brokenFrom = static_cast<std::int32_t>(from);
+    record.group = whole.group;
+    record.variant = whole.variant;
+    record.massKg = 1 / static_cast<double>(piece.getInvMass());
+    record.sieveM = whole.sieveM * std::cbrt(record.massKg / whole.massKg);
+    record.releaseS = time_;
+    record.start = whole.start;
+    record.end = scenes::fromBullet(piece.getWorldTransform().getOrigin());
+    result_.rocks.push_back(record);
+    bodies_.push_back(&piece);
+    gone_.push_back(false);
+    piece.setUserIndex(static_cast<int>(number));
+    watch_->addRock();
+    impacts_->addRock(from);
+    follow(number);
+  }
+
   /// Its last place is where it was over the ground.
   void remove(std::uint32_t rock, RockEnd ending) {
     world_.retire(*bodies_[rock]);
@@ -142,6 +178,7 @@ Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, const std::f
   for (std::uint32_t step = 1; step <= scene.description.stepCount(); ++step) {
     if (const Status released = running.releaseDue(); !released) return released.error();
     running.step();
+    if (const Status broken = running.breakRocks(); !broken) return broken.error();
     if (step % stepsASecond == 0) {
       running.addState(hash);
       if (keepGoing && !keepGoing()) return Error{std::string(builder::kCancelled)};

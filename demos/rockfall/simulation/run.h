@@ -14,7 +14,7 @@ struct FinishedRun {
 };
 
 /// Simulates one run to its end: the case's duration, or until all rocks have been released and sleep or are gone. Asks
-/// `keepGoing` once a simulated second and fails with `builder::kCancelled` if it says no; fails as `makeEffects` and
+/// `keepGoing` once a simulated second and fails with `builder::kCancelled` if it says no; fails as the world and
 /// the shapes do.
 Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, const std::function<bool()>& keepGoing = {});
 

@@ -9,34 +9,64 @@
 #include <vector>
 
 #include "cairn/core/result.h"
+#include "cairn/effects/effect_set.h"
+#include "cairn/effects/fragmentation.h"
+#include "cairn/effects/ground_height.h"
 #include "rockfall/simulation/scene.h"
 
 namespace cairn::rockfall {
 
-/// How often a listed effect acted in a run, and what that cost.
+/// How often a listed effect acted in a run, and what that took.
 struct EffectReport {
   std::string name;
   std::uint64_t acted = 0;
-  double cpuUs = 0;
+  double elapsedUs = 0;
 };
 
-/// The effects a case lists, at work in one run's world. Bodies carry their material as Bullet's second user index;
-/// the ground's is -1 and its material depends on the place.
+/// The effects a case lists, at work in one run's world, and nothing else: without friction everything is smooth,
+/// without restitution nothing bounces, without gyroscopic nothing wobbles, without sleeping nothing sleeps.
 class RunEffects {
  public:
-  virtual ~RunEffects() = default;
-  /// For every rock and for the ground, before it enters the world.
-  virtual void prepare(btRigidBody& body) = 0;
-  /// In every step between the narrow phase and the solver.
-  virtual void afterCollision(btDispatcher& dispatcher) = 0;
-  virtual std::vector<EffectReport> report() const = 0;
+  /// `scene` must outlive the effects, which must go before the world; `run` seeds those that draw numbers.
+  static Result<std::unique_ptr<RunEffects>> create(const Scene& scene, btDiscreteDynamicsWorld& world,
+                                                    std::uint64_t run);
+
+  /// For every body before it enters the world: takes away what Bullet does without being asked.
+  static void prepare(btRigidBody& body);
+  /// Once it is in the world. Returns the rock's number among the effects' bodies.
+  std::uint32_t addRock(btRigidBody& rock, MaterialId material, double volume);
+  void addGround(const btRigidBody& ground);
+  /// Before it leaves the world.
+  void removeRock(btRigidBody& rock) { set_->removeBody(rock); }
+
+  /// Null unless listed.
+  effects::Fragmentation* fragmentation() const { return fragmentation_; }
+  std::vector<EffectReport> report() const;
+
+ private:
+  class GroundBelow final : public effects::GroundHeight {
+   public:
+    explicit GroundBelow(const Ground& ground) : ground_(ground) {}
+    std::optional<btScalar> at(btScalar x, btScalar y) const override;
+
+   private:
+    const Ground& ground_;
+  };
+  class Zones final : public effects::MaterialMap {
+   public:
+    explicit Zones(const Ground& ground) : ground_(ground) {}
+    effects::MaterialId at(const btVector3& place) const override;
+
+   private:
+    const Ground& ground_;
+  };
+
+  explicit RunEffects(const Scene& scene) : below_(*scene.ground), zones_(*scene.ground) {}
+
+  GroundBelow below_;
+  Zones zones_;
+  effects::Fragmentation* fragmentation_ = nullptr;
+  std::unique_ptr<effects::EffectSet> set_;  // last, so that it goes first
 };
-
-/// Fails in one sentence for an effect this build cannot simulate: nothing listed is left out silently. `scene` must
-/// outlive the effects; `run` seeds those that draw numbers.
-Result<std::unique_ptr<RunEffects>> makeEffects(const Scene& scene, btDiscreteDynamicsWorld& world, std::uint64_t run);
-
-/// The same question without a world.
-Status checkEffects(const Case& description);
 
 }  // namespace cairn::rockfall

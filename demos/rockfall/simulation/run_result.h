@@ -17,11 +17,13 @@ enum class RockEnd : std::uint8_t {
   moving,   ///< the run's time was over
   left,     ///< it left the ground's edge
   lost,     ///< it fell through the ground
+  broken,   ///< its pieces go on as rocks of their own
 };
 
 /// Energies are kinetic, of translation and rotation. Heights are those of the centre of mass above the ground below
 /// it. Places are centres of mass, world frame. Times since the run's begin. SI units.
 struct RockRecord {
+  std::int32_t brokenFrom = -1;  ///< the rock it is a piece of; `start` is where that one was released
   std::uint32_t group = 0, variant = 0;
   double sieveM = 0, massKg = 0, releaseS = 0, endS = 0;
   Vec3d start, end;

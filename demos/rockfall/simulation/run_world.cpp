@@ -5,12 +5,6 @@
 
 namespace cairn::rockfall {
 
-void RunWorld::Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
-                                                     btDispatcher* dispatcher) {
-  bullet::Dispatcher<>::dispatchAllCollisionPairs(pairs, info, dispatcher);
-  effects->afterCollision(*this);
-}
-
 Result<std::unique_ptr<RunWorld>> RunWorld::create(const Scene& scene, std::uint64_t run) {
   auto world = std::unique_ptr<RunWorld>(new RunWorld(scene));
   if (const Status prepared = world->prepare(run); !prepared) return prepared.error();
@@ -28,10 +22,9 @@ Status RunWorld::prepare(std::uint64_t run) {
   if (budget.operations) stepBudget.operations = static_cast<std::int64_t>(*budget.operations);
   stepBudget.microseconds = budget.microseconds;
   if (const Status set = dispatcher_.setBudget(stepBudget); !set) return set;
-  auto effects = makeEffects(scene_, world_, run);
+  auto effects = RunEffects::create(scene_, world_, run);
   if (!effects) return effects.error();
   effects_ = std::move(effects).value();
-  dispatcher_.effects = effects_.get();
   addGround();
   return {};
 }
@@ -42,37 +35,81 @@ void RunWorld::addGround() {
   bodies_.push_back(std::make_unique<btRigidBody>(info));
   bodies_.back()->setUserIndex(-1);
   bodies_.back()->setUserIndex2(-1);
-  effects_->prepare(*bodies_.back());
+  RunEffects::prepare(*bodies_.back());
   world_.addRigidBody(bodies_.back().get());
+  effects_->addGround(*bodies_.back());
 }
 
 RunWorld::~RunWorld() {
-  for (const auto& body : bodies_) retire(*body);
+  effects_.reset();  // while the bodies it has still live
+  for (const auto& body : bodies_)
+    if (body->isInWorld()) world_.removeRigidBody(body.get());
+}
+
+btRigidBody& RunWorld::addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia,
+                               const btTransform& pose) {
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+  info.m_startWorldTransform = pose;
+  bodies_.push_back(std::make_unique<btRigidBody>(info));
+  RunEffects::prepare(*bodies_.back());
+  world_.addRigidBody(bodies_.back().get());
+  return *bodies_.back();
 }
 
 Result<btRigidBody*> RunWorld::addRock(const ReleasedRock& rock, int number) {
+  const RockGroup& group = scene_.description.rocks[rock.group];
   const RockShape& kind = scene_.stock.groups[rock.group][rock.variant];
-  auto shape = bullet::SphereTreeShape::create(kind.tree, bullet::BodyFrame::principalAxes,
-                                               static_cast<btScalar>(kind.scale * rock.sieveM));
-  if (!shape) return shape.error();
-  shapes_.push_back(std::move(shape).value());
+  auto created = bullet::SphereTreeShape::create(kind.tree, bullet::BodyFrame::principalAxes,
+                                                 static_cast<btScalar>(kind.scale * rock.sieveM));
+  if (!created) return created.error();
+  const bullet::SphereTreeShape& shape = *created.value();
+  const auto mass = static_cast<btScalar>(rock.massKg);
   btVector3 inertia;
-  shapes_.back()->calculateLocalInertia(static_cast<btScalar>(rock.massKg), inertia);
-  btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(rock.massKg), nullptr, shapes_.back().get(),
-                                                inertia);
-  info.m_startWorldTransform = rock.pose;
-  bodies_.push_back(std::make_unique<btRigidBody>(info));
-  btRigidBody& body = *bodies_.back();
+  shape.calculateLocalInertia(mass, inertia);
+  shapes_.push_back(std::move(created).value());
+  btRigidBody& body = addBody(*shapes_.back(), mass, inertia, rock.pose);
   body.setUserIndex(number);
-  body.setUserIndex2(static_cast<int>(scene_.description.rocks[rock.group].material));
+  body.setUserIndex2(static_cast<int>(group.material));
   body.setLinearVelocity(rock.velocity);
-  effects_->prepare(body);
-  world_.addRigidBody(&body);
+  const std::uint32_t id =
+      effects_->addRock(body, group.material, kind.volume * rock.sieveM * rock.sieveM * rock.sieveM);
+  if (effects::Fragmentation* fragmentation = effects_->fragmentation())
+    fragmentation->setBreakable(
+        id, effects::FragmentPart::whole(kind.fragments, shape, static_cast<btScalar>(group.densityKgPerM3)));
   return &body;
 }
 
+btRigidBody& RunWorld::addPiece(effects::FragmentBody piece, MaterialId material, std::uint32_t generation) {
+  btRigidBody& body = addBody(piece.shape(), piece.mass, piece.inertia, piece.pose);
+  for (auto& shape : piece.shapes) shapes_.push_back(std::move(shape));
+  body.setUserIndex2(static_cast<int>(material));
+  body.setLinearVelocity(piece.linearVelocity);
+  body.setAngularVelocity(piece.angularVelocity);
+  const std::uint32_t id = effects_->addRock(body, material, static_cast<double>(piece.volume));
+  effects_->fragmentation()->setBreakable(id, std::move(piece.part), generation);
+  return body;
+}
+
+Result<std::vector<RunWorld::Broken>> RunWorld::breakRocks() {
+  std::vector<Broken> all;
+  effects::Fragmentation* fragmentation = effects_->fragmentation();
+  if (fragmentation == nullptr) return all;
+  for (const effects::Break& broken : fragmentation->takeBreaks()) {
+    auto pieces = effects::breakOff(*broken.body, *fragmentation->partOf(broken.bodyId), broken.piece);
+    if (!pieces) return pieces.error();
+    const auto material = static_cast<MaterialId>(broken.body->getUserIndex2());
+    Broken& rock = all.emplace_back(Broken{broken.body->getUserIndex(), {}});
+    retire(*broken.body);
+    for (effects::FragmentBody& piece : pieces.value())
+      rock.pieces.push_back(&addPiece(std::move(piece), material, broken.generation + 1));
+  }
+  return all;
+}
+
 void RunWorld::retire(btRigidBody& rock) {
-  if (rock.isInWorld()) world_.removeRigidBody(&rock);
+  if (!rock.isInWorld()) return;
+  effects_->removeRock(rock);
+  world_.removeRigidBody(&rock);
 }
 
 void RunWorld::step() {

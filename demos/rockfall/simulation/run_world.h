@@ -17,7 +17,7 @@ namespace cairn::rockfall {
 /// -1 for the ground.
 class RunWorld {
  public:
-  /// Fails as `makeEffects` does. `scene` must outlive the world.
+  /// Fails for a budget the dispatcher refuses. `scene` must outlive the world.
   static Result<std::unique_ptr<RunWorld>> create(const Scene& scene, std::uint64_t run);
   ~RunWorld();
   RunWorld(const RunWorld&) = delete;
@@ -25,6 +25,14 @@ class RunWorld {
 
   /// Fails as the shape does.
   Result<btRigidBody*> addRock(const ReleasedRock& rock, int number);
+  /// A rock that broke in the last step, and the bodies of its pieces, which are in the world in its place and have
+  /// nobody's number yet.
+  struct Broken {
+    int number;
+    std::vector<btRigidBody*> pieces;
+  };
+  /// Fails as the shapes do.
+  Result<std::vector<Broken>> breakRocks();
   /// Takes a rock out; its body stays readable.
   void retire(btRigidBody& rock);
   void step();
@@ -34,26 +42,20 @@ class RunWorld {
   const RunEffects& effects() const { return *effects_; }
 
  private:
-  class Dispatcher final : public bullet::Dispatcher<> {
-   public:
-    using bullet::Dispatcher<>::Dispatcher;
-    void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
-                                   btDispatcher* dispatcher) override;
-    RunEffects* effects = nullptr;
-  };
-
   explicit RunWorld(const Scene& scene);
   Status prepare(std::uint64_t run);
   void addGround();
+  btRigidBody& addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia, const btTransform& pose);
+  btRigidBody& addPiece(effects::FragmentBody piece, MaterialId material, std::uint32_t generation);
 
   const Scene& scene_;
   btDefaultCollisionConfiguration configuration_;
-  Dispatcher dispatcher_;
+  bullet::Dispatcher<> dispatcher_;
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
   std::unique_ptr<RunEffects> effects_;
-  std::vector<std::unique_ptr<bullet::SphereTreeShape>> shapes_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 

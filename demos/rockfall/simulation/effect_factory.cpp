@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/simulation/effect_factory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "cairn/effects/air_drag.h"
+#include "cairn/effects/continuous_collision.h"
+#include "cairn/effects/forest_drag.h"
+#include "cairn/effects/fragmentation.h"
+#include "cairn/effects/friction.h"
+#include "cairn/effects/ground_drag.h"
+#include "cairn/effects/gyroscopic.h"
+#include "cairn/effects/impact_events.h"
+#include "cairn/effects/restitution.h"
+#include "cairn/effects/rolling_resistance.h"
+#include "cairn/effects/single_trees.h"
+#include "cairn/effects/sleeping.h"
+#include "cairn/effects/slip_friction.h"
+#include "cairn/effects/soil_scarring.h"
+#include "cairn/effects/surface_roughness.h"
+#include "cairn/effects/tangential_restitution.h"
+#include "cairn/effects/water.h"
+#include "rockfall/simulation/run_seed.h"
+#include "scenes/figures/random.h"
+
+namespace cairn::rockfall {
+namespace {
+
+btScalar scalar(double value) {
+  return static_cast<btScalar>(value);
+}
+effects::MaterialId material(MaterialId id) {
+  return static_cast<effects::MaterialId>(id);
+}
+
+effects::PairTable<btScalar> tableOf(const PairTable& table) {
+  effects::PairTable<btScalar> result(scalar(table.otherwise));
+  for (const PairTable::Entry& entry : table.entries)
+    result.set(material(entry.pair.first), material(entry.pair.second), scalar(entry.value));
+  return result;
+}
+
+effects::Region regionOf(const Polygon& polygon) {
+  if (polygon.empty()) return {};
+  std::vector<effects::Region::Point> corners;
+  for (const MapPoint& corner : polygon) corners.push_back({scalar(corner[0]), scalar(corner[1])});
+  return effects::Region(std::move(corners));
+}
+
+/// A listed effect as one of the library's, by its options.
+class Factory {
+ public:
+  Factory(const Scene& scene, std::size_t place, std::uint64_t run, const effects::GroundHeight& ground)
+      : scene_(scene), place_(place), run_(run), ground_(ground) {}
+
+  using Made = std::unique_ptr<effects::Effect>;
+
+  Made operator()(const FrictionOptions& o) const {
+    return std::make_unique<effects::Friction>(tableOf(o.coefficient));
+  }
+  Made operator()(const RollingResistanceOptions& o) const {
+    using Lengths = effects::RollingResistance::Lengths;
+    const btScalar spinning = scalar(o.spinningLeverM);
+    effects::PairTable<Lengths> lengths({scalar(o.leverM.otherwise), spinning});
+    for (const PairTable::Entry& entry : o.leverM.entries)
+      lengths.set(material(entry.pair.first), material(entry.pair.second), {scalar(entry.value), spinning});
+    return std::make_unique<effects::RollingResistance>(std::move(lengths));
+  }
+  Made operator()(const RestitutionOptions& o) const {
+    effects::restitution::Law law = effects::restitution::Constant{};
+    if (o.law == RestitutionLaw::pfeiffer) law = effects::restitution::Pfeiffer{scalar(o.halfSpeedMPerS)};
+    if (o.law == RestitutionLaw::bourrier) law = effects::restitution::Bourrier{};
+    return std::make_unique<effects::Restitution>(tableOf(o.value), law);
+  }
+  Made operator()(const TangentialRestitutionOptions& o) const {
+    return std::make_unique<effects::TangentialRestitution>(tableOf(o.coefficient));
+  }
+  Made operator()(const SlipFrictionOptions& o) const {
+    effects::PairTable<bool> applies(o.pairs.empty());
+    for (const auto& [a, b] : o.pairs) applies.set(material(a), material(b), true);
+    const effects::SlipFriction::Options options{.least = scalar(o.min),
+                                                 .most = scalar(o.max),
+                                                 .kappa = scalar(o.kappaPerM),
+                                                 .recovery = scalar(o.recoveryPerS)};
+    return std::make_unique<effects::SlipFriction>(options, std::move(applies));
+  }
+  Made operator()(const SurfaceRoughnessOptions& o) const {
+    std::vector<btScalar> heights(scene_.description.materials.size());
+    for (const auto& entry : o.entries) heights[entry.material] = scalar(entry.roughnessM);
+    return std::make_unique<effects::SurfaceRoughness>(std::move(heights), seed(run_));
+  }
+  Made operator()(const GyroscopicOptions& o) const {
+    return std::make_unique<effects::Gyroscopic>(effects::Gyroscopic::Options{scalar(o.minInertiaRatio)});
+  }
+  Made operator()(const CcdOptions& o) const {
+    return std::make_unique<effects::ContinuousCollision>(
+        effects::ContinuousCollision::Options{scalar(o.radiiPerStep)});
+  }
+  Made operator()(const SleepingOptions& o) const {
+    return std::make_unique<effects::Sleeping>(
+        effects::Sleeping::Options{scalar(o.linearMPerS), scalar(o.angularRadPerS), scalar(o.afterS)});
+  }
+  Made operator()(const AirDragOptions& o) const {
+    return std::make_unique<effects::AirDrag>(
+        effects::AirDrag::Options{.density = scalar(o.densityKgPerM3), .coefficient = scalar(o.coefficient)});
+  }
+  Made operator()(const WaterOptions& o) const {
+    return std::make_unique<effects::Water>(effects::Water::Options{scalar(o.levelM), scalar(o.densityKgPerM3),
+                                                                    scalar(o.coefficient), regionOf(o.polygon)});
+  }
+  Made operator()(const ForestDragOptions& o) const {
+    return std::make_unique<effects::ForestDrag>(
+        effects::ForestDrag::Options{scalar(o.heightM), scalar(o.coefficientKgPerS), regionOf(o.polygon)}, ground_);
+  }
+  Made operator()(const TreesOptions& o) const {
+    std::vector<effects::SingleTrees::Stem> stems;
+    if (const auto* stand = std::get_if<StandOfTrees>(&o.stems))
+      stems = stemsOf(*stand);
+    else
+      for (const Stem& stem : std::get<std::vector<Stem>>(o.stems))
+        stems.push_back({scalar(stem.placeM[0]), scalar(stem.placeM[1]), scalar(stem.diameterM)});
+    return std::make_unique<effects::SingleTrees>(std::move(stems), ground_,
+                                                  effects::SingleTrees::Options{.energyRatio = scalar(o.energyRatio)});
+  }
+  Made operator()(const SoilScarringOptions& o) const {
+    std::vector<effects::SoilScarring::Soil> soils(scene_.description.materials.size());
+    for (const auto& entry : o.entries)
+      soils[entry.material] = {scalar(entry.strengthKpa), scalar(entry.densityKgPerM3), scalar(entry.dragCoefficient)};
+    return std::make_unique<effects::SoilScarring>(std::move(soils));
+  }
+  Made operator()(const GroundDragOptions& o) const {
+    return std::make_unique<effects::GroundDrag>(
+        effects::GroundDrag::Options{scalar(o.belowMPerS), scalar(o.withinM), scalar(o.decelerationMPerS2)}, ground_);
+  }
+  Made operator()(const FragmentationOptions& o) const {
+    return std::make_unique<effects::Fragmentation>(
+        effects::Fragmentation::Options{scalar(o.energyJPerKg), o.maxGenerations});
+  }
+  Made operator()(const EventsOptions& o) const {
+    const auto threshold = [](double impulse) {
+      return impulse > 0 ? scalar(impulse) : std::numeric_limits<btScalar>::infinity();
+    };
+    return std::make_unique<effects::ImpactEvents>(effects::ImpactEvents::Options{
+        .dustImpulse = threshold(o.dustImpulseNS), .soundImpulse = threshold(o.soundImpulseNS)});
+  }
+
+ private:
+  std::uint64_t seed(std::uint64_t run) const {
+    return seedOf(scene_.description.seed, scene_.description.name, run, Variable::effects) + place_;
+  }
+
+  // Spread evenly over the stand, or over all of the ground. The same in every run: a forest belongs to the scene.
+  std::vector<effects::SingleTrees::Stem> stemsOf(const StandOfTrees& stand) const {
+    const Vec3d lower = scene_.ground->lower(), upper = scene_.ground->upper();
+    MapPoint low{lower.x, lower.y}, high{upper.x, upper.y};
+    for (std::size_t axis = 0; axis < 2 && !stand.polygon.empty(); ++axis) {
+      const auto [least, greatest] = std::ranges::minmax(stand.polygon, {}, [&](const MapPoint& p) { return p[axis]; });
+      low[axis] = std::max(low[axis], least[axis]);
+      high[axis] = std::min(high[axis], greatest[axis]);
+    }
+    constexpr double kSquareMetresPerHa = 1e4;
+    const double area = std::max(0.0, high[0] - low[0]) * std::max(0.0, high[1] - low[1]);
+    const auto count = static_cast<std::uint64_t>(std::llround(stand.densityPerHa * area / kSquareMetresPerHa));
+    scenes::Random random(seed(0));
+    std::vector<effects::SingleTrees::Stem> stems;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const MapPoint place{random.uniform(low[0], high[0]), random.uniform(low[1], high[1])};
+      const double diameter = random.uniform(stand.diameterM[0], stand.diameterM[1]);
+      if (contains(stand.polygon, place)) stems.push_back({scalar(place[0]), scalar(place[1]), scalar(diameter)});
+    }
+    return stems;
+  }
+
+  const Scene& scene_;
+  std::size_t place_;
+  std::uint64_t run_;
+  const effects::GroundHeight& ground_;
+};
+
+}  // namespace
+
+std::unique_ptr<effects::Effect> makeEffect(const Scene& scene, std::size_t place, std::uint64_t run,
+                                            const effects::GroundHeight& ground) {
+  return std::visit(Factory(scene, place, run, ground), scene.description.effects[place]);
+}
+
+}  // namespace cairn::rockfall
