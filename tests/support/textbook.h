@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cairn/effects/friction.h"
+#include "cairn/effects/gyroscopic.h"
 #include "cairn/effects/restitution.h"
 #include "cairn/effects/rolling_resistance.h"
 #include "effect_worlds.h"
@@ -231,11 +232,29 @@ inline TextbookResult twoBalls(const TextbookShapes& shapes) {
   return {"R11", "thrown back at, m/s", exact, bench.speedOf(first), kSpeed, bench.microsecondsPerStep()};
 }
 
+/// A box that spins about its middle axis, nothing else acts: what is left of its angular momentum after 10 s.
+inline TextbookResult spins(const TextbookShapes& shapes) {
+  Bench bench(0, 0);
+  bench.world.add<effects::Gyroscopic>(effects::Gyroscopic::Options{});
+  bench.world.bullet.world.setGravity(btVector3(0, 0, 0));
+  const btVector3 size(btScalar(0.2), btScalar(0.5), 1), inertia = boxInertia(size);
+  btRigidBody& body = bench.put(shapes.tower, inertia, 5);
+  body.setGravity(btVector3(0, 0, 0));
+  body.setAngularVelocity(btVector3(btScalar(0.01), 5, btScalar(0.01)));
+  const auto momentum = [&] {
+    const btVector3 spin = body.getWorldTransform().getBasis().transpose() * body.getAngularVelocity();
+    return double((spin * inertia).length());
+  };
+  const double before = momentum();
+  bench.run(10);
+  return {"R12", "angular momentum left", 1, momentum() / before, 1, bench.microsecondsPerStep()};
+}
+
 inline std::vector<std::function<TextbookResult(const TextbookShapes&)>> experiments() {
   const auto grips = [](const TextbookShapes& s) { return obliqueBlow(s, 0.6, "grips, then goes at, m/s"); };
   const auto slips = [](const TextbookShapes& s) { return obliqueBlow(s, 0.05, "slips, then goes at, m/s"); };
-  return {freeFall,    slides,  sticks, stops, rolls,     beginsToRoll,
-          rollsToRest, bounces, grips,  slips, onIncline, twoBalls};
+  return {freeFall, slides, sticks, stops,     rolls,    beginsToRoll, rollsToRest,
+          bounces,  grips,  slips,  onIncline, twoBalls, spins};
 }
 
 }  // namespace textbook
