@@ -15,12 +15,13 @@ namespace cairn::rockfall {
 enum class RockEnd : std::uint8_t {
   resting,  ///< asleep
   moving,   ///< the run's time was over
-  left,     ///< it left the ground's edge
-  lost,     ///< it fell through the ground
+  left,     ///< it left the ground, over its edge or a hole
+  lost,     ///< all of it was below the ground
 };
 
 /// Energies are kinetic, of translation and rotation. Heights are those of the centre of mass above the ground below
-/// it. Places are centres of mass, world frame. Times since the run's begin. SI units.
+/// it. Places are centres of mass, in the map's
+/// coordinates once a run has ended. Times since the run's begin. SI units.
 struct RockRecord {
   std::uint32_t group = 0, variant = 0;
   double sieveM = 0, massKg = 0, releaseS = 0, endS = 0;
@@ -38,7 +39,7 @@ struct ImpactRecord {
   std::int32_t other = -1;  ///< another rock, or -1: the ground
   MaterialId material = 0;  ///< of the other
   double timeS = 0;
-  Vec3d place;  ///< a contact point
+  Vec3d place;  ///< a contact point, in the same frame
   double energyBeforeJ = 0, energyAfterJ = 0, impulseNS = 0;
 };
 
@@ -51,7 +52,8 @@ struct CrossingRecord {
 /// What one rock did in one cell of the raster, or at one distance from its release.
 struct VisitRecord {
   std::uint32_t rock = 0;
-  std::int32_t column = 0, row = 0;  ///< cell [column, column + 1) times the cell's size; rows count along y
+  /// Cell [column, column + 1) times the cell's size, from the map's origin; rows count along y.
+  std::int32_t column = 0, row = 0;
   double maxEnergyJ = 0, maxHeightM = 0;
 };
 
