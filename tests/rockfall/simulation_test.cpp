@@ -196,6 +196,20 @@ TEST(Run_OffTheEdge, EndsAsLeftAndNothingIsLost) {
   EXPECT_LT(result.steps, 1200U) << "it ends when no rock is left";
 }
 
+TEST(Run_IntoTheGround, ARockThatDivesWithItsCentreComesUpAgain) {
+  json document = throwCase();
+  document["outputs"]["trajectories_every_s"] = 0.01;
+  document["rocks"][0]["sieve_m"]["sizes"] = {{0.5, 0}, {0.5, 1}};
+  // 0.8 m in the first step, from where a ball around it would be 0.3 m above the ground.
+  document["rocks"][0]["release"] = {
+      {"box_m", {{30, 0}, {30, 0}}}, {"above_ground_m", 0.3}, {"velocity_m_per_s", {0, 0, -80}}};
+  const RunResult result = simulate(test::prepared(document), 0).value().result;
+  ASSERT_GE(result.trajectories[0].size(), 2U);
+  EXPECT_LT(result.trajectories[0][1].heightM, 0);
+  EXPECT_EQ(result.rocks[0].ending, RockEnd::moving);
+  EXPECT_GT(result.trajectories[0].back().heightM, 0);
+}
+
 TEST(Run_Friction, OfThePairDecidesWhetherAnythingSlides) {
   json document = test::plainCase();
   document["terrain"]["slope_deg"] = 20;
