@@ -7,7 +7,8 @@ namespace cairn::test {
 
 std::vector<std::filesystem::path> exampleFiles() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(CAIRN_ROCKFALL_EXAMPLES)) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(CAIRN_ROCKFALL_EXAMPLES))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -32,7 +33,7 @@ nlohmann::json plainCase() {
 }
 
 Result<rockfall::Case> readJson(const nlohmann::json& document) {
-  return rockfall::parseCase(document.dump(), "case.json", ".");
+  return rockfall::parseCase(document.dump(), "case.json", CAIRN_ROCKFALL_EXAMPLES);
 }
 
 }  // namespace cairn::test

@@ -17,7 +17,7 @@ std::filesystem::path exampleFile(const std::string& name);
 /// A small case that is read without complaint, to change things in.
 nlohmann::json plainCase();
 
-/// Reads it as the file "case.json".
+/// Reads it as the file "case.json" beside the examples.
 Result<rockfall::Case> readJson(const nlohmann::json& document);
 
 }  // namespace cairn::test

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "case_documents.h"
+#include "random_tree.h"
 #include "run_program.h"
 
 namespace cairn::rockfall {
@@ -147,6 +148,10 @@ INSTANTIATE_TEST_SUITE_P(
              "point"},
         Slip{R"([{"op": "replace", "path": "/collectors/0/line_m", "value": [[1, 2]]}])",
              "case.json: /collectors/0/line_m: this list must have 2 elements"},
+        Slip{R"([{"op": "add", "path": "/outputs/geotiff", "value": "yes"}])",
+             "case.json: /outputs/geotiff: this must be true or false"},
+        Slip{R"([{"op": "replace", "path": "/outputs", "value": {"geotiff": true}}])",
+             "case.json: /outputs: \"raster_cell_m\" is missing"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "events"}}])",
              "case.json: /effects/1: \"dust_impulse_n_s\" or \"sound_impulse_n_s\" must be given"}));
 
@@ -170,6 +175,34 @@ TEST(Case_Polygon, ContainsWhatIsInsideOnly) {
   EXPECT_FALSE(contains(corner, {3, 3}));
   EXPECT_FALSE(contains(corner, {-0.1, 0.5}));
   EXPECT_TRUE(contains({}, {1e6, -1e6})) << "no polygon: everywhere";
+}
+
+// A square cut along a random line: every point belongs to exactly one part.
+TEST(Case_Polygon, SharesItsBorderWithNoOther) {
+  std::mt19937_64 engine(71);
+  const auto uniform = [&](double from, double to) { return test::uniform(engine, from, to); };
+  for (int trial = 0; trial < 200; ++trial) {
+    const double low = uniform(1, 9), high = uniform(1, 9);
+    const Polygon left{{0, 0}, {low, 0}, {high, 10}, {0, 10}}, right{{high, 10}, {low, 0}, {10, 0}, {10, 10}};
+    for (int point = 0; point < 200; ++point) {
+      const double y = uniform(0, 10);
+      const double x = point % 2 == 0 ? low + y / 10 * (high - low) : uniform(0, 10);
+      ASSERT_NE(contains(left, {x, y}), contains(right, {x, y}));
+    }
+  }
+}
+
+TEST(Case_Zones, TheLastOverAPointCounts) {
+  TerrainSection terrain;
+  terrain.material = 7;
+  terrain.zones = {makeZone(1, {{103, -45}, {111, -45}, {111, -39}, {103, -39}}),
+                   makeZone(2, {{105, -45}, {125, -45}, {105, -25}})};
+  for (double x = 100.5; x < 130; ++x)
+    for (double y = -49.5; y < -20; ++y) {
+      const bool inSecond = x >= 105 && y >= -45 && x + y < 80;
+      const bool inFirst = x >= 103 && x < 111 && y >= -45 && y < -39;
+      EXPECT_EQ(terrain.materialAt({x, y}), inSecond ? 2U : inFirst ? 1U : 7U) << x << " " << y;
+    }
 }
 
 }  // namespace

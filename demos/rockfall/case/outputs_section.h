@@ -11,6 +11,7 @@ namespace cairn::rockfall {
 struct OutputsSection {
   std::optional<double> trajectoriesEveryS;  ///< rounded to whole steps, at least one
   std::optional<double> rasterCellM;
+  bool geotiff = false;                 ///< rasters as GeoTIFF too
   std::optional<double> impactsAboveJ;  ///< impacts of at least that kinetic energy
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/case/plane_geometry.h"
 
+#include <algorithm>
+
 namespace cairn::rockfall {
 namespace {
 
@@ -27,13 +29,15 @@ Polygon readRegion(Object& object) {
 
 bool contains(const Polygon& polygon, const MapPoint& point) {
   if (polygon.empty()) return true;
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const auto [xi, yi] = polygon[i];
-    const auto [xj, yj] = polygon[j];
-    if ((yi > point[1]) != (yj > point[1]) && point[0] < (xj - xi) * (point[1] - yi) / (yj - yi) + xi) inside = !inside;
+  bool isInside = false;
+  for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
+    // From the lower to the upper corner, so that both neighbours of a border round alike.
+    const auto& [a, b] =
+        std::minmax(polygon[last], polygon[i], [](const MapPoint& p, const MapPoint& q) { return p[1] < q[1]; });
+    if (a[1] <= point[1] && point[1] < b[1] && point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+      isInside = !isInside;
   }
-  return inside;
+  return isInside;
 }
 
 }  // namespace cairn::rockfall

@@ -18,8 +18,8 @@ Polygon readPolygon(const Value& value);
 /// The key polygon_m, or everywhere.
 Polygon readRegion(Object& object);
 
-/// By the parity of crossings; points on the edge belong to one of the two areas they divide. Everything is in an empty
-/// polygon. Linear in the corners.
+/// By the even-odd rule: the polygon may cross itself. Of a border shared by two polygons every point belongs to
+/// exactly one. Everything is in an empty polygon. Linear in the corners.
 bool contains(const Polygon& polygon, const MapPoint& point);
 
 }  // namespace cairn::rockfall

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/case/terrain_section.h"
 
+#include <algorithm>
 #include <array>
+#include <ranges>
+#include <utility>
 
 namespace cairn::rockfall {
 namespace {
@@ -74,11 +77,25 @@ TerrainSource readSource(Object& object) {
 
 }  // namespace
 
+Zone makeZone(MaterialId material, Polygon polygon) {
+  Zone zone{material, std::move(polygon)};
+  if (zone.polygon.empty()) return zone;
+  zone.lower = zone.upper = zone.polygon.front();
+  for (const MapPoint& corner : zone.polygon)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      zone.lower[axis] = std::min(zone.lower[axis], corner[axis]);
+      zone.upper[axis] = std::max(zone.upper[axis], corner[axis]);
+    }
+  return zone;
+}
+
 MaterialId TerrainSection::materialAt(const MapPoint& point) const {
-  MaterialId found = material;
-  for (const Zone& zone : zones)
-    if (contains(zone.polygon, point)) found = zone.material;
-  return found;
+  for (const Zone& zone : zones | std::views::reverse) {
+    const bool isInBox = point[0] >= zone.lower[0] && point[0] <= zone.upper[0] && point[1] >= zone.lower[1] &&
+                         point[1] <= zone.upper[1];
+    if (isInBox && contains(zone.polygon, point)) return zone.material;
+  }
+  return material;
 }
 
 TerrainSection readTerrain(const Value& value, const Materials& materials) {
@@ -90,7 +107,7 @@ TerrainSection readTerrain(const Value& value, const Materials& materials) {
     for (const Value& item : zones->items(0, kMostZones)) {
       Object zone(item);
       const MaterialId material = readMaterial(zone.at("material"), materials);
-      terrain.zones.push_back({material, readPolygon(zone.at("polygon_m"))});
+      terrain.zones.push_back(makeZone(material, readPolygon(zone.at("polygon_m"))));
     }
   return terrain;
 }

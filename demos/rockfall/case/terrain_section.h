@@ -65,7 +65,9 @@ using TerrainSource =
 struct Zone {
   MaterialId material = 0;
   Polygon polygon;
+  MapPoint lower{}, upper{};  ///< of the box around it: most points are outside, and that is soon told
 };
+Zone makeZone(MaterialId material, Polygon polygon);
 
 struct TerrainSection {
   TerrainSource source;

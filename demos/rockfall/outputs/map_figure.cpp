@@ -12,9 +12,9 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr double kLongSide = 1000, kLeft = 70, kTop = 50, kRight = 110, kBottom = 60;  // pixels
-constexpr int kSamples = 320;  // of the relief along the longer side
-constexpr int kGreys = 24;
+constexpr double kLongSide = 1000, kLeft = 95, kTop = 50, kRight = 110, kBottom = 60;  // pixels
+constexpr int kSamples = 320;             // of the relief along the longer side
+constexpr int kGreys = 24, kNoGrey = -1;  // the latter over holes
 constexpr std::size_t kMostTrajectories = 400, kMostStops = 5000;
 
 /// From slow to fast: dark blue, violet, red, yellow.
@@ -50,6 +50,7 @@ void drawRelief(Svg& svg, const Frame& frame, const Ground& ground) {
   const auto greyAt = [&](int column, int row) {
     const MapPoint middle{std::min(frame.lower.x + (column + 0.5) * cell, std::nextafter(frame.upper.x, frame.lower.x)),
                           std::min(frame.lower.y + (row + 0.5) * cell, std::nextafter(frame.upper.y, frame.lower.y))};
+    if (!ground.covers(middle)) return kNoGrey;
     return std::min(kGreys - 1, static_cast<int>(shade(ground.normalAt(middle)) * kGreys));
   };
   const double side = cell * frame.scale;
@@ -57,6 +58,7 @@ void drawRelief(Svg& svg, const Frame& frame, const Ground& ground) {
     for (int column = 0, begin = 0; column < columns; begin = column) {
       const int grey = greyAt(begin, row);
       while (column < columns && greyAt(column, row) == grey) ++column;
+      if (grey == kNoGrey) continue;
       // Half a pixel over, so that no seams show.
       fmt::format_to(std::back_inserter(paths[static_cast<std::size_t>(grey)]), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z",
                      kLeft + begin * side, kTop + frame.height - (row + 1) * side, (column - begin) * side + 0.5,
@@ -104,12 +106,12 @@ void drawAxes(Svg& svg, const Frame& frame) {
   const double step = stepOver(frame.upper.x - frame.lower.x, frame.width);
   for (double x = std::ceil(frame.lower.x / step) * step; x <= frame.upper.x; x += step) {
     svg.line(frame.x(x), kTop + frame.height, frame.x(x), kTop + frame.height + 5, "stroke:#444");
-    svg.text(frame.x(x), kTop + frame.height + 19, fmt::format("{:g}", x + 0.0), 12, Svg::Anchor::middle);
+    svg.text(frame.x(x), kTop + frame.height + 19, fmt::format("{:.10g}", x + 0.0), 12, Svg::Anchor::middle);
   }
   const double yStep = stepOver(frame.upper.y - frame.lower.y, frame.height);
   for (double y = std::ceil(frame.lower.y / yStep) * yStep; y <= frame.upper.y; y += yStep) {
     svg.line(kLeft - 5, frame.y(y), kLeft, frame.y(y), "stroke:#444");
-    svg.text(kLeft - 8, frame.y(y) + 4, fmt::format("{:g}", y + 0.0), 12, Svg::Anchor::end);
+    svg.text(kLeft - 8, frame.y(y) + 4, fmt::format("{:.10g}", y + 0.0), 12, Svg::Anchor::end);
   }
   svg.text(kLeft + frame.width / 2, kTop + frame.height + 42, "x (m)", 13, Svg::Anchor::middle);
   svg.uprightText(22, kTop + frame.height / 2, "y (m)", 13);

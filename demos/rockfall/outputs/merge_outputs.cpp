@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +14,8 @@
 #include "rockfall/outputs/raster.h"
 #include "rockfall/outputs/svg.h"
 #include "rockfall/outputs/tables.h"
+#include "rockfall/terrain/ascii_grid.h"
+#include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
 namespace {
@@ -88,17 +91,36 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
 /// A file's name and its content.
 using File = std::pair<std::string, std::string>;
 
-void addRasters(std::vector<File>& files, const Ground& ground, const MergedRuns& merged, double cellM) {
-  const RasterFrame frame = rasterFrame(ground, cellM);
-  const auto add = [&](const char* name, double (*value)(const CellSummary&)) {
-    files.emplace_back(name, esriAscii(frame, merged, value));
-  };
-  add("reach.asc", [](const CellSummary& c) { return static_cast<double>(c.passages()); });
-  add("stops.asc", [](const CellSummary& c) { return static_cast<double>(c.stops); });
-  add("energy_max_j.asc", [](const CellSummary& c) { return c.energyJ.greatest(); });
-  add("energy_p95_j.asc", [](const CellSummary& c) { return c.energyJ.quantile(950); });
-  add("height_max_m.asc", [](const CellSummary& c) { return c.heightM.greatest(); });
-  add("height_p95_m.asc", [](const CellSummary& c) { return c.heightM.quantile(950); });
+struct RasterKind {
+  const char* name;
+  double (*value)(const CellSummary&);
+};
+constexpr std::array kRasters{
+    RasterKind{"reach", [](const CellSummary& c) { return static_cast<double>(c.passages()); }},
+    RasterKind{"stops", [](const CellSummary& c) { return static_cast<double>(c.stops); }},
+    RasterKind{"energy_max_j", [](const CellSummary& c) { return c.energyJ.greatest(); }},
+    RasterKind{"energy_p95_j", [](const CellSummary& c) { return c.energyJ.quantile(950); }},
+    RasterKind{"height_max_m", [](const CellSummary& c) { return c.heightM.greatest(); }},
+    RasterKind{"height_p95_m", [](const CellSummary& c) { return c.heightM.quantile(950); }}};
+
+void addRasters(std::vector<File>& files, const RasterFrame& frame, const MergedRuns& merged) {
+  for (const RasterKind& kind : kRasters)
+    files.emplace_back(std::string(kind.name) + ".asc", asciiGrid(rasterOf(frame, merged, kind.value)));
+}
+
+/// The same as GeoTIFF, where the case asks for it. They have no part in the merged hash, because their bytes depend on
+/// GDAL's version and their values are those of the other files.
+Status writeGeoTiffs(const fs::path& folder, const Case& description, const Ground& ground, const MergedRuns& merged) {
+  const OutputsSection& outputs = description.outputs;
+  if (!outputs.geotiff || !outputs.rasterCellM) return {};
+  const RasterFrame frame = rasterFrame(ground, *outputs.rasterCellM);
+  for (const RasterKind& kind : kRasters) {
+    Raster raster = rasterOf(frame, merged, kind.value);
+    raster.projection = ground.projection();
+    if (const Status written = writeGeoTiff(folder / (std::string(kind.name) + ".tif"), raster); !written)
+      return written;
+  }
+  return {};
 }
 
 std::vector<File> filesOf(const Case& description, const Ground& ground, const Gathered& gathered) {
@@ -108,7 +130,7 @@ std::vector<File> filesOf(const Case& description, const Ground& ground, const G
                           {"summary.json", summaryText(description, gathered.merged)}};
   if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", gathered.tables.impacts());
   if (!description.collectors.empty()) files.emplace_back("collectors.csv", gathered.tables.crossings());
-  if (outputs.rasterCellM) addRasters(files, ground, gathered.merged, *outputs.rasterCellM);
+  if (outputs.rasterCellM) addRasters(files, rasterFrame(ground, *outputs.rasterCellM), gathered.merged);
   if (outputs.trajectoriesEveryS) files.emplace_back("trajectories.vtk", vtkPolydata(gathered.trajectories));
   files.emplace_back("map.svg", mapFigure(description, ground, gathered.trajectories, gathered.stops));
   if (outputs.rasterCellM && !gathered.merged.distances.empty())
@@ -187,6 +209,8 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   });
   if (!read) return read.error();
   const auto files = filesOf(description.value(), *ground.value(), gathered);
+  if (const Status tiffs = writeGeoTiffs(options.folder, description.value(), *ground.value(), gathered.merged); !tiffs)
+    return tiffs.error();
   auto hash = write(files, parts.value(), options.folder);
   if (!hash) return hash.error();
   if (options.png)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/outputs/raster.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace cairn::rockfall {
 
@@ -17,21 +16,22 @@ RasterFrame rasterFrame(const Ground& ground, double cellM) {
   return frame;
 }
 
-std::string esriAscii(const RasterFrame& frame, const MergedRuns& merged,
-                      const std::function<double(const CellSummary&)>& value) {
-  std::string text =
-      fmt::format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value -9999\n", frame.columns,
-                  frame.rows, frame.firstColumn * frame.cellM, frame.firstRow * frame.cellM, frame.cellM);
-  for (std::int32_t row = frame.rows - 1; row >= 0; --row)
-    for (std::int32_t column = 0; column < frame.columns; ++column) {
-      const auto cell = merged.cells.find({frame.firstRow + row, frame.firstColumn + column});
-      if (cell == merged.cells.end())
-        text += "-9999";
-      else
-        fmt::format_to(std::back_inserter(text), "{:.6g}", value(cell->second));
-      text += column + 1 < frame.columns ? ' ' : '\n';
-    }
-  return text;
+Raster rasterOf(const RasterFrame& frame, const MergedRuns& merged,
+                const std::function<double(const CellSummary&)>& value) {
+  Raster raster{static_cast<std::uint32_t>(frame.columns),
+                static_cast<std::uint32_t>(frame.rows),
+                frame.cellM,
+                (frame.firstColumn + 0.5) * frame.cellM,
+                (frame.firstRow + 0.5) * frame.cellM,
+                {},
+                {}};
+  raster.values.assign(std::size_t(raster.columns) * raster.rows, std::numeric_limits<double>::quiet_NaN());
+  for (const auto& [place, cell] : merged.cells) {
+    const auto [row, column] = std::pair(place.first - frame.firstRow, place.second - frame.firstColumn);
+    if (row >= 0 && row < frame.rows && column >= 0 && column < frame.columns)
+      raster.at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)) = value(cell);
+  }
+  return raster;
 }
 
 }  // namespace cairn::rockfall

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "rockfall/outputs/merged.h"
 #include "rockfall/simulation/ground.h"
+#include "rockfall/terrain/raster.h"
 
 namespace cairn::rockfall {
 
@@ -16,10 +16,11 @@ struct RasterFrame {
   std::int32_t columns = 0, rows = 0;
 };
 
+/// Precondition: the ground is in the map's coordinates.
 RasterFrame rasterFrame(const Ground& ground, double cellM);
 
-/// An ESRI ASCII grid, north row first, -9999 where no rock has been. `value` of a cell that some rock passed.
-std::string esriAscii(const RasterFrame& frame, const MergedRuns& merged,
-                      const std::function<double(const CellSummary&)>& value);
+/// `value` of the cells that some rock passed, NaN where none has been.
+Raster rasterOf(const RasterFrame& frame, const MergedRuns& merged,
+                const std::function<double(const CellSummary&)>& value);
 
 }  // namespace cairn::rockfall

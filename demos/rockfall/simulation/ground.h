@@ -5,22 +5,26 @@
 #include <LinearMath/btTransform.h>
 
 #include <memory>
+#include <string>
 
 #include "cairn/core/result.h"
 #include "cairn/core/vec3.h"
 #include "rockfall/case/case.h"
+#include "rockfall/terrain/map_terrain.h"
 
 namespace cairn::rockfall {
 
-/// The ground of a scene: one height over each point of the map it covers. World frame, metres.
+/// The ground of a scene: one height over each point it covers. All coordinates are in the frame of the terrain and the
+/// zones it was made of, metres: a scene's ground in the world's, that of a case in the map's.
 class Ground {
  public:
   virtual ~Ground() = default;
 
   virtual btCollisionShape& shape() = 0;
-  /// Where the shape's body stands.
+  /// Where the shape's body stands. To be used of a scene's ground only: the map's coordinates may be too large.
   virtual btTransform place() const = 0;
 
+  /// Not over holes of a raster.
   virtual bool covers(const MapPoint& point) const = 0;
   /// Of the surface that bodies collide with. Precondition: `covers(point)`.
   virtual double heightAt(const MapPoint& point) const = 0;
@@ -30,9 +34,13 @@ class Ground {
   /// Corners of the box around the surface.
   virtual Vec3d lower() const = 0;
   virtual Vec3d upper() const = 0;
+  /// Of the map, as WKT; empty where it is not known.
+  virtual const std::string& projection() const = 0;
 };
 
-/// Fails for terrain that cannot be had: too many grid points, a source this build cannot read.
+/// Fails as `TerrainShape::create` does, with the path in the case.
+Result<std::unique_ptr<Ground>> makeGround(MapTerrain terrain, const TerrainSection& section);
+/// The ground of a case, in the map's coordinates. Fails as `terrainOf` does too.
 Result<std::unique_ptr<Ground>> makeGround(const Case& scene);
 
 }  // namespace cairn::rockfall

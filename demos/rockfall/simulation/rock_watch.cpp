@@ -93,7 +93,8 @@ void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
     peak.maxEnergyJ = std::max(peak.maxEnergyJ, moment.energyJ);
     peak.maxHeightM = std::max(peak.maxHeightM, moment.heightM);
   };
-  note(tracks_[rock].cells, cellOf(moment.place.x, cell), cellOf(moment.place.y, cell));
+  const auto& [x, y] = scene_.worldOrigin;
+  note(tracks_[rock].cells, cellOf(x + moment.place.x, cell), cellOf(y + moment.place.y, cell));
   note(tracks_[rock].distances, cellOf(result_.rocks[rock].runoutM(), cell), 0);
 }
 

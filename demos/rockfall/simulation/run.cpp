@@ -10,6 +10,7 @@
 #include "cairn/core/state_hash.h"
 #include "rockfall/simulation/impact_watch.h"
 #include "rockfall/simulation/run_world.h"
+#include "rockfall/simulation/world_origin.h"
 #include "scenes/bodies/model.h"
 #include "scenes/figures/cpu_clock.h"
 #include "scenes/figures/quantiles.h"
@@ -108,6 +109,7 @@ class Running {
       result_.rocks[rock].ending = bodies_[rock] && !bodies_[rock]->isActive() ? RockEnd::resting : RockEnd::moving;
     }
     watch_->finish();
+    moveToMap(result_, scene_.worldOrigin);
     result_.stateHash = hash.hex();
     const scenes::Quantiles times = scenes::quantilesOf(std::move(narrowPhaseUs_));
     return {std::move(result_), {cpuUs / 1e6, times.p999, times.max, world_.effects().report()}};
@@ -119,7 +121,9 @@ class Running {
     const MapPoint point{center.x, center.y};
     if (!isFinite(center) || !scene_.ground->covers(point))
       return remove(rock, isFinite(center) ? RockEnd::left : RockEnd::lost);
-    if (center.z < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
+    // The ground lifts again what has dived into it; from all of a rock below it nothing can be told.
+    const auto reach = static_cast<double>(bodies_[rock]->getCollisionShape()->getAngularMotionDisc());
+    if (center.z + reach < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
     if (bodies_[rock]->isActive()) watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
   }
 

@@ -15,13 +15,14 @@ namespace cairn::rockfall {
 enum class RockEnd : std::uint8_t {
   resting,  ///< asleep
   moving,   ///< the run's time was over
-  left,     ///< it left the ground's edge
-  lost,     ///< it fell through the ground
+  left,     ///< it left the ground, over its edge or a hole
+  lost,     ///< all of it was below the ground
   broken,   ///< its pieces go on as rocks of their own
 };
 
 /// Energies are kinetic, of translation and rotation. Heights are those of the centre of mass above the ground below
-/// it. Places are centres of mass, world frame. Times since the run's begin. SI units.
+/// it. Places are centres of mass, in the map's coordinates once a run has ended. Times since the run's begin. SI
+/// units.
 struct RockRecord {
   std::int32_t brokenFrom = -1;  ///< the rock it is a piece of; `start` is where that one was released
   std::uint32_t group = 0, variant = 0;
@@ -40,7 +41,7 @@ struct ImpactRecord {
   std::int32_t other = -1;  ///< another rock, or -1: the ground
   MaterialId material = 0;  ///< of the other
   double timeS = 0;
-  Vec3d place;  ///< a contact point
+  Vec3d place;  ///< a contact point, in the same frame
   double energyBeforeJ = 0, energyAfterJ = 0, impulseNS = 0;
 };
 
@@ -53,7 +54,8 @@ struct CrossingRecord {
 /// What one rock did in one cell of the raster, or at one distance from its release.
 struct VisitRecord {
   std::uint32_t rock = 0;
-  std::int32_t column = 0, row = 0;  ///< cell [column, column + 1) times the cell's size; rows count along y
+  /// Cell [column, column + 1) times the cell's size, from the map's origin; rows count along y.
+  std::int32_t column = 0, row = 0;
   double maxEnergyJ = 0, maxHeightM = 0;
 };
 

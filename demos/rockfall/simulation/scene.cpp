@@ -3,22 +3,33 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
 #include <utility>
 
 #include "rockfall/case/content_hash.h"
+#include "rockfall/simulation/world_origin.h"
+#include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
 namespace {
 
-Status checkReleases(const Case& description, const Ground& ground) {
+bool isWithin(const Ground& ground, const MapPoint& point) {
+  return point[0] >= ground.lower().x && point[0] < ground.upper().x && point[1] >= ground.lower().y &&
+         point[1] < ground.upper().y;
+}
+
+Status checkReleases(const Case& description, const Ground& ground, const MapPoint& origin) {
   for (std::size_t group = 0; group < description.rocks.size(); ++group) {
     const auto& [a, b] = description.rocks[group].release.boxM;
     for (const MapPoint& corner : {a, b, MapPoint{a[0], b[1]}, MapPoint{b[0], a[1]}})
       if (!ground.covers(corner))
-        return Error{fmt::format(
-            "/rocks/{}/release/box_m: the corner ({:g}, {:g}) is not over the ground, which covers "
-            "x from {:g} to {:g} and y from {:g} to {:g}",
-            group, corner[0], corner[1], ground.lower().x, ground.upper().x, ground.lower().y, ground.upper().y)};
+        return Error{
+            fmt::format("/rocks/{}/release/box_m: the corner ({:.10g}, {:.10g}) is not over the ground, which covers "
+                        "x from {:.10g} to {:.10g} and y from {:.10g} to {:.10g}{}",
+                        group, origin[0] + corner[0], origin[1] + corner[1], origin[0] + ground.lower().x,
+                        origin[0] + ground.upper().x, origin[1] + ground.lower().y, origin[1] + ground.upper().y,
+                        isWithin(ground, corner) ? " but for holes" : "")};
   }
   return {};
 }
@@ -27,6 +38,10 @@ Status checkReleases(const Case& description, const Ground& ground) {
 Status checkRaster(const Case& description, const Ground& ground) {
   constexpr double kMostCells = 64e6;
   if (!description.outputs.rasterCellM) return {};
+  if (description.outputs.geotiff && !hasGdal())
+    return Error{
+        "/outputs/geotiff: this program was built without GDAL, which GeoTIFF needs: install libgdal-dev and build "
+        "again, or do without"};
   const double cell = *description.outputs.rasterCellM;
   const double cells = (ground.upper().x - ground.lower().x) / cell * ((ground.upper().y - ground.lower().y) / cell);
   if (cells <= kMostCells) return {};
@@ -36,19 +51,36 @@ Status checkRaster(const Case& description, const Ground& ground) {
                   cells / 1e6, kMostCells / 1e6)};
 }
 
+/// What was read, beside what the case's files hold: a raster may lean on others.
+void add(ContentHash& hash, const bullet::TerrainGrid& grid) {
+  const std::array<double, 6> frame{double(grid.columns), double(grid.rows), grid.cell,
+                                    grid.origin.x,        grid.origin.y,     grid.origin.z};
+  hash.add(std::as_bytes(std::span(frame)));
+  hash.add(std::as_bytes(std::span(grid.heights)));
+}
+
 }  // namespace
 
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress) {
-  auto ground = makeGround(description);
+  auto terrain = terrainOf(description);
+  if (!terrain) return terrain.error();
+  bullet::TerrainGrid& grid = terrain.value().grid;
+  const auto worldOrigin = worldOriginOf(grid);
+  if (!worldOrigin) return worldOrigin.error();
+  const MapPoint& origin = worldOrigin.value();
+  ContentHash hash;
+  hash.add(description.hash);
+  add(hash, grid);
+  moveToWorld(description, origin);
+  grid.origin = grid.origin - Vec3d(origin[0], origin[1], 0);
+  auto ground = makeGround(std::move(terrain).value(), description.terrain);
   if (!ground) return ground.error();
-  if (const Status checked = checkReleases(description, *ground.value()); !checked) return checked.error();
+  if (const Status checked = checkReleases(description, *ground.value(), origin); !checked) return checked.error();
   if (const Status checked = checkRaster(description, *ground.value()); !checked) return checked.error();
   auto stock = stockRocks(description, cache, progress);
   if (!stock) return stock.error();
-  ContentHash hash;
-  hash.add(description.hash);
   hash.add(stock.value().hash);
-  return Scene{std::move(description), std::move(ground).value(), std::move(stock).value(), hash.hex()};
+  return Scene{std::move(description), origin, std::move(ground).value(), std::move(stock).value(), hash.hex()};
 }
 
 }  // namespace cairn::rockfall

@@ -169,13 +169,18 @@ void append(std::string& text, double number) {
   text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
 }
 
-// Programs know corners better, but adding half a cell again may not give the same number.
-void appendPlace(std::string& text, const std::string& axis, double place, double cell) {
-  const double corner = place - 0.5 * cell;
-  const bool isExact = corner + 0.5 * cell == place;
-  text += axis + (isExact ? "llcorner " : "llcenter ");
-  append(text, isExact ? corner : place);
-  text += '\n';
+// Programs know corners better, but adding half a cell again may not give the same number. One of each is what some
+// cannot read.
+void appendPlace(std::string& text, const Raster& raster) {
+  const double half = 0.5 * raster.cell;
+  const auto isExact = [&](double place) { return place - half + half == place; };
+  const bool isCorner = isExact(raster.x) && isExact(raster.y);
+  for (const auto& [axis, place] : {std::pair{'x', raster.x}, std::pair{'y', raster.y}}) {
+    text += axis;
+    text += isCorner ? "llcorner " : "llcenter ";
+    append(text, isCorner ? place - half : place);
+    text += '\n';
+  }
 }
 
 double unusedNumber(const std::vector<double>& values) {
@@ -199,8 +204,7 @@ Result<Raster> readAsciiGrid(const std::filesystem::path& path) {
 
 std::string asciiGrid(const Raster& raster) {
   std::string text = "ncols " + std::to_string(raster.columns) + "\nnrows " + std::to_string(raster.rows) + "\n";
-  appendPlace(text, "x", raster.x, raster.cell);
-  appendPlace(text, "y", raster.y, raster.cell);
+  appendPlace(text, raster);
   text += "cellsize ";
   append(text, raster.cell);
   const double noData = unusedNumber(raster.values);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/terrain/map_terrain.h"
+
+#include <utility>
+
+#include "rockfall/terrain/generated.h"
+#include "rockfall/terrain/geo_raster.h"
+#include "rockfall/terrain/mesh_raster.h"
+
+namespace cairn::rockfall {
+
+namespace {
+
+Result<MapTerrain> terrainFrom(const Result<Raster>& raster, const char* key, const std::filesystem::path& file) {
+  if (!raster) return Error{std::string("/terrain/") + key + ": " + raster.error().message};
+  const Raster& values = raster.value();
+  const auto refused = [&](const std::string& why) {
+    return Error{std::string("/terrain/") + key + ": " + file.string() + " " + why};
+  };
+  if (values.columns < 2 || values.rows < 2)
+    return refused("has " + std::to_string(values.columns) + " x " + std::to_string(values.rows) +
+                   " values: a terrain needs at least two a side");
+  auto grid = terrainGridOf(values);
+  if (!grid) return refused(grid.error().message);
+  return MapTerrain{std::move(grid).value(), values.projection};
+}
+
+struct Source {
+  const Case& scene;
+
+  Result<MapTerrain> operator()(const RasterTerrain& raster) const {
+    const std::filesystem::path file = scene.pathOf(raster.file);
+    return terrainFrom(readRaster(file), "raster", file);
+  }
+  Result<MapTerrain> operator()(const MeshTerrain& mesh) const {
+    const std::filesystem::path file = scene.pathOf(mesh.file);
+    return terrainFrom(readMeshRaster(file, mesh.cellM), "mesh", file);
+  }
+  Result<MapTerrain> operator()(const auto& generated) const {
+    auto grid = generateTerrain(generated, scene.seed);
+    if (!grid) return grid.error();
+    return MapTerrain{std::move(grid).value(), {}};
+  }
+};
+
+}  // namespace
+
+Result<MapTerrain> terrainOf(const Case& scene) {
+  return std::visit(Source{scene}, scene.terrain.source);
+}
+
+}  // namespace cairn::rockfall
