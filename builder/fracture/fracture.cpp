@@ -110,8 +110,9 @@ Status checkVolume(const TriangleMesh& mesh, Fracture& fracture) {
   for (const TriangleMesh& piece : fracture.pieces) sum += signedVolume(piece);
   fracture.volumeError = std::abs(sum - whole) / whole;
   if (fracture.volumeError <= kMostVolumeError) return {};
-  return Error{fmt::format("the pieces' volumes add up to {:.3g} of the solid's; turn or jitter the mesh a little",
-                           sum / whole)};
+  return Error{
+      fmt::format("the pieces' volumes differ from the solid's by {:.1e} of it; turn or jitter the mesh a little",
+                  fracture.volumeError)};
 }
 
 Result<Fracture> fractureOnce(const TriangleMesh& mesh, const SphereTree& tree, std::uint64_t attempt,
@@ -124,6 +125,7 @@ Result<Fracture> fractureOnce(const TriangleMesh& mesh, const SphereTree& tree, 
     if (progress && !progress("cutting", done)) return Error{std::string(kCancelled)};
     if (const Status added = breaking.addBranch(i, fracture); !added) return added.error();
   }
+  if (fracture.pieces.size() < 2) return Error{"one branch holds all of the solid, so nothing can break off; use more"};
   if (const Status whole = checkVolume(mesh, fracture); !whole) return whole.error();
   breaking.addBonds(fracture);
   return fracture;

@@ -94,7 +94,7 @@ Status execute(const SchemaCommand&) {
 }  // namespace
 }  // namespace cairn::rockfall
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace cairn;
   const auto parsed = rockfall::parseOptions(argc, argv);
   if (const int* code = std::get_if<int>(&parsed)) return *code;
@@ -102,4 +102,6 @@ int main(int argc, char** argv) {
   const Status status =
       std::visit([](const auto& command) { return rockfall::execute(command); }, std::get<rockfall::Command>(parsed));
   return status ? scenes::kExitDone : scenes::refuse("rockfall", status.error());
+} catch (const std::exception& e) {
+  return cairn::scenes::refuse("rockfall", {fmt::format("stopped by an unexpected failure ({})", e.what())});
 }

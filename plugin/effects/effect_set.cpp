@@ -65,7 +65,7 @@ class EffectSet::Impl final : public SolveListener {
 
   void forget(const btCollisionObject& object) {
     book_.strike(object);
-    contacts_.forgetBlows();
+    contacts_.forgetBlowsOf(object);
   }
 
   std::vector<EffectReport> report() const {

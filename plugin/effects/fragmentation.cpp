@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/effects/fragmentation.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
@@ -11,6 +12,33 @@ namespace cairn::effects {
 void Fragmentation::dismiss(Body& body) {
   breakable_.erase(body.id);
   std::erase_if(breaks_, [&](const Break& b) { return b.bodyId == body.id; });
+  std::erase_if(siblings_, [&](const Siblings& s) { return s.ids[0] == body.id || s.ids[1] == body.id; });
+}
+
+void Fragmentation::setSiblings(std::span<const std::uint32_t> bodyIds) {
+  for (std::size_t i = 0; i < bodyIds.size(); ++i)
+    for (std::size_t j = i + 1; j < bodyIds.size(); ++j)
+      siblings_.push_back({{std::min(bodyIds[i], bodyIds[j]), std::max(bodyIds[i], bodyIds[j])}});
+}
+
+// The solver is told depth zero: it stops what closes, and pushes nothing out.
+bool Fragmentation::holdApart(Contact& contact) {
+  if (contact.sides[0].body == nullptr || contact.sides[1].body == nullptr) return false;
+  const auto [low, high] = std::minmax(contact.sides[0].body->id, contact.sides[1].body->id);
+  const auto found =
+      std::ranges::find_if(siblings_, [&](const Siblings& s) { return s.ids[0] == low && s.ids[1] == high; });
+  if (found == siblings_.end()) return false;
+  found->touch = true;
+  contact.point->m_distance1 = std::max(contact.point->m_distance1, btScalar(0));
+  return true;
+}
+
+std::uint32_t Fragmentation::changeContacts(std::span<Contact> contacts, const Step& /*step*/) {
+  if (siblings_.empty()) return 0;
+  for (Siblings& siblings : siblings_) siblings.touch = false;
+  for (Contact& contact : contacts) holdApart(contact);
+  std::erase_if(siblings_, [](const Siblings& s) { return !s.touch; });
+  return 0;  // breaks count
 }
 
 void Fragmentation::setBreakable(std::uint32_t bodyId, FragmentPart part, std::uint32_t generation) {

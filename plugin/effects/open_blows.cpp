@@ -44,6 +44,12 @@ void OpenBlows::inherit(std::span<Impact> pending) {
   }
 }
 
+void OpenBlows::drop(const btCollisionObject& object) {
+  std::erase_if(open_, [&](const Blow& blow) {
+    return blow.impact.sides[0].object == &object || blow.impact.sides[1].object == &object;
+  });
+}
+
 std::span<const Impact> OpenBlows::settle(std::span<const Impact> pending) {
   over_.clear();
   next_.clear();

@@ -20,8 +20,8 @@ class OpenBlows {
   /// left out. The span holds until the next call.
   std::span<const Impact> settle(std::span<const Impact> pending);
 
-  /// Objects are leaving: nothing goes on.
-  void drop() { open_.clear(); }
+  /// An object is leaving: its blows do not go on.
+  void drop(const btCollisionObject& object);
 
  private:
   struct Blow {

@@ -45,8 +45,8 @@ class StepContacts {
   std::span<Contact> contacts() { return contacts_; }
   /// After the solver: the impacts that are over, with their impulses.
   std::span<const Impact> finish();
-  /// Objects are leaving.
-  void forgetBlows() { blows_.drop(); }
+  /// An object is leaving.
+  void forgetBlowsOf(const btCollisionObject& object) { blows_.drop(object); }
 
  private:
   // A manifold's contacts, listed or left until it is known that its pair is fast.

@@ -10,13 +10,12 @@
 #include "cairn/effects/friction.h"
 #include "cairn/effects/restitution.h"
 #include "cairn/effects/surface_roughness.h"
+#include "effect_worlds.h"
 
 namespace cairn::test {
 namespace {
 
 using effects::EffectSet;
-
-constexpr effects::MaterialId kRock = 0, kSoil = 1;
 
 /// A ball of a sphere-tree and a box fall onto a ground that leans.
 struct Scene {
@@ -179,6 +178,25 @@ TEST(EffectSet, AnImpactIsWhatTheFallSays) {
   EXPECT_EQ(impact.sides[1 - moving].material, kSoil);
   EXPECT_NEAR(impact.place.x(), 1, 1e-4);
   EXPECT_NEAR(impact.linearBefore[moving].z(), -speed, tolerance);
+}
+
+/// What leaves elsewhere while a blow goes on changes nothing of it.
+TEST(EffectSet, ABlowGoesOnWhenOthersLeave) {
+  const auto blow = [](int leaves) {
+    EffectWorld world(0, 120);
+    const Witness& witness = world.add<Witness>();
+    // No restitution: Bullet takes two steps to stop it.
+    world.addBody(std::make_shared<btSphereShape>(btScalar(0.5)), 3, btVector3(0, 0, 3));
+    btRigidBody& other = world.addBody(std::make_shared<btSphereShape>(btScalar(0.5)), 3, btVector3(100, 0, 50));
+    for (int step = 0; step < 120; ++step) {
+      world.runStep();
+      if (step == leaves) world.set().removeBody(other);
+    }
+    EXPECT_EQ(witness.impacts.size(), 1U) << "left after step " << leaves;
+    return witness.impacts.empty() ? btScalar(0) : witness.impacts.front().closingSpeed;
+  };
+  const btScalar undisturbed = blow(-1);
+  for (int leaves = 70; leaves < 95; ++leaves) EXPECT_EQ(blow(leaves), undisturbed) << leaves;
 }
 
 TEST(EffectSet, BodiesAsleepAndStrangersAreLeftOut) {

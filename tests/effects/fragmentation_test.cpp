@@ -184,6 +184,7 @@ void replaceBroken(Barred& barred, std::vector<FragmentBody>& made, std::vector<
     barred.world.set().removeBody(*broken.body);
     std::erase(bodies, broken.body);
     barred.world.bullet.remove(*broken.body);
+    std::vector<std::uint32_t> siblings;
     for (FragmentBody& b : parts.value()) {
       btRigidBody& body = barred.world.bullet.add(
           std::shared_ptr<btCollisionShape>(&b.shape(), [](btCollisionShape*) {}), b.mass, b.pose.getOrigin());
@@ -196,7 +197,9 @@ void replaceBroken(Barred& barred, std::vector<FragmentBody>& made, std::vector<
       barred.effect->setBreakable(id, b.part, broken.generation + 1);
       bodies.push_back(&body);
       made.push_back(std::move(b));
+      siblings.push_back(id);
     }
+    barred.effect->setSiblings(siblings);
   }
 }
 

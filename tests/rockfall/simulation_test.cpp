@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "prepared_scene.h"
@@ -258,6 +259,46 @@ TEST(Run_Fragmentation, PiecesGoOnAsRocks) {
     EXPECT_EQ(pieces[i] > 0, rocks[i].ending == RockEnd::broken);
     if (pieces[i] > 0) EXPECT_NEAR(pieces[i] / rocks[i].massKg, 1, 1e-5);
     if (rocks[i].brokenFrom >= 0) EXPECT_EQ(rocks[i].start, rocks[static_cast<std::size_t>(rocks[i].brokenFrom)].start);
+  }
+}
+
+// Pieces of concave rocks touch along uneven cuts. Nothing but their own contacts could give them energy here.
+TEST(Run_Fragmentation, GivesNoEnergyHoweverShortTheStep) {
+  for (const double step : {1.0 / 120, 1.0 / 1000}) {
+    json document = test::plainCase();
+    document["step_s"] = step;
+    document["duration_s"] = 0.6;
+    document["gravity_m_per_s2"] = 0;
+    document["terrain"] =
+        json::parse(R"({"generated": "plane", "length_m": 40, "width_m": 20, "slope_deg": 0, "material": "soil"})");
+    document["rocks"][0]["count"] = 1;
+    document["rocks"][0]["release"]["velocity_m_per_s"] = {0, 0, -10};
+    document["effects"] = json::parse(R"([{"effect": "fragmentation", "energy_j_per_kg": 5, "max_generations": 1}])");
+    document["outputs"]["trajectories_every_s"] = step;
+    const Scene scene = test::prepared(document);
+    int broken = 0;
+    for (std::uint64_t number = 0; number < 12; ++number) {
+      const auto run = simulate(scene, number);
+      ASSERT_TRUE(run) << run.error().message;
+      const RunResult& result = run.value().result;
+      // Energy of all rocks there are, by sample.
+      std::map<long, double> energy;
+      double brokenAt = -1;
+      for (std::size_t rock = 0; rock < result.rocks.size(); ++rock) {
+        if (result.rocks[rock].ending == RockEnd::broken) brokenAt = result.rocks[rock].endS;
+        for (const TrajectorySample& sample : result.trajectories[rock])
+          energy[std::lround(sample.timeS / step)] += sample.energyJ;
+      }
+      if (brokenAt < 0) continue;
+      ++broken;
+      double least = 0;
+      for (const auto& [sample, sum] : energy) {
+        if (static_cast<double>(sample) * step < brokenAt + 1.5 * step) least = sum;
+        EXPECT_LE(sum, std::max(least, 1.0) + 0.005 * energy.begin()->second) << "step " << step << ", run " << number;
+        least = std::min(least, sum);
+      }
+    }
+    EXPECT_GT(broken, 6);
   }
 }
 

@@ -26,7 +26,10 @@ Case readSections(const Value& value) {
   scene.name = object.at("case").name();
   scene.seed = object.at("seed").whole(0, std::uint64_t{1} << 53);
   scene.stepS = object.at("step_s").number({1e-5, 0.1});
-  scene.durationS = object.at("duration_s").number({0, 86400, true});
+  const Value duration = object.at("duration_s");
+  scene.durationS = duration.number({0, 86400, true});
+  if (constexpr double kMostSteps = 1e8; scene.durationS > kMostSteps * scene.stepS)
+    duration.refuse("that would be more than a hundred million steps: use longer steps or a shorter time");
   scene.gravityMPerS2 = object.numberOr("gravity_m_per_s2", between(0, 1000), scene.gravityMPerS2);
   if (const auto budget = object.find("budget")) scene.budget = readBudget(*budget);
   scene.materials = readMaterials(object.at("materials"));

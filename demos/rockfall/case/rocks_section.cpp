@@ -62,7 +62,7 @@ RockGroup readGroup(const Value& value, const Materials& materials) {
   group.source = readSource(object);
   group.sieve = readSieve(object.at("sieve_m"));
   if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
-  group.densityKgPerM3 = object.at("density_kg_per_m3").number({0, 20000, true});
+  group.densityKgPerM3 = object.at("density_kg_per_m3").number({1, 20000});
   group.material = readMaterial(object.at("material"), materials);
   group.release = readRelease(object.at("release"));
   return group;

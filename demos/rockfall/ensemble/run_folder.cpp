@@ -90,8 +90,9 @@ Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, con
   };
   const Status computed = jobs > 1 ? inProcesses(jobs, work) : jobs == 1 ? work(0) : Status();
   if (!computed) return computed.error();
+  // The folder of a case named without one is empty.
   const Manifest manifest{document,
-                          fs::absolute(scene.description.folder).lexically_normal().string(),
+                          (fs::current_path() / scene.description.folder).lexically_normal().string(),
                           scene.description.hash,
                           scene.hash,
                           versionsOfThisProgram(),

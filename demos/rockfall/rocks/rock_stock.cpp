@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/rocks/rock_stock.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -76,6 +78,7 @@ Result<RockStock> stockRocks(const Case& scene, TreeCache& cache, const builder:
   RockStock stock;
   ContentHash hash;
   for (std::size_t group = 0; group < scene.rocks.size(); ++group) {
+    const auto inGroup = [&](const Error& error) { return Error{fmt::format("/rocks/{}: {}", group, error.message)}; };
     const auto meshes = meshesOf(scene, group);
     if (!meshes) return meshes.error();
     builder::BuildOptions options;
@@ -88,7 +91,7 @@ Result<RockStock> stockRocks(const Case& scene, TreeCache& cache, const builder:
       shapes.push_back(measureRock(std::move(tree).value()));
       if (findEffect<FragmentationOptions>(scene.effects) == nullptr) continue;
       auto fragments = fragmentsOf(mesh, *shapes.back().tree, cache, options, progress);
-      if (!fragments) return fragments.error();
+      if (!fragments) return inGroup(fragments.error());
       shapes.back().fragments = std::move(fragments).value();
     }
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/simulation/effect_factory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -48,6 +51,24 @@ effects::Region regionOf(const Polygon& polygon) {
   std::vector<effects::Region::Point> corners;
   for (const MapPoint& corner : polygon) corners.push_back({scalar(corner[0]), scalar(corner[1])});
   return effects::Region(std::move(corners));
+}
+
+/// What the stand has of the ground, but for its polygon's corners.
+std::array<MapPoint, 2> boxOf(const StandOfTrees& stand, const Ground& ground) {
+  MapPoint low{ground.lower().x, ground.lower().y}, high{ground.upper().x, ground.upper().y};
+  for (std::size_t axis = 0; axis < 2 && !stand.polygon.empty(); ++axis) {
+    const auto [least, greatest] = std::ranges::minmax(stand.polygon, {}, [&](const MapPoint& p) { return p[axis]; });
+    low[axis] = std::max(low[axis], least[axis]);
+    high[axis] = std::min(high[axis], greatest[axis]);
+  }
+  return {low, high};
+}
+
+/// In that box.
+double stemCount(const StandOfTrees& stand, const Ground& ground) {
+  constexpr double kSquareMetresPerHa = 1e4;
+  const auto [low, high] = boxOf(stand, ground);
+  return stand.densityPerHa * std::max(0.0, high[0] - low[0]) * std::max(0.0, high[1] - low[1]) / kSquareMetresPerHa;
 }
 
 /// A listed effect as one of the library's, by its options.
@@ -154,16 +175,8 @@ class Factory {
 
   // Spread evenly over the stand, or over all of the ground. The same in every run: a forest belongs to the scene.
   std::vector<effects::SingleTrees::Stem> stemsOf(const StandOfTrees& stand) const {
-    const Vec3d lower = scene_.ground->lower(), upper = scene_.ground->upper();
-    MapPoint low{lower.x, lower.y}, high{upper.x, upper.y};
-    for (std::size_t axis = 0; axis < 2 && !stand.polygon.empty(); ++axis) {
-      const auto [least, greatest] = std::ranges::minmax(stand.polygon, {}, [&](const MapPoint& p) { return p[axis]; });
-      low[axis] = std::max(low[axis], least[axis]);
-      high[axis] = std::min(high[axis], greatest[axis]);
-    }
-    constexpr double kSquareMetresPerHa = 1e4;
-    const double area = std::max(0.0, high[0] - low[0]) * std::max(0.0, high[1] - low[1]);
-    const auto count = static_cast<std::uint64_t>(std::llround(stand.densityPerHa * area / kSquareMetresPerHa));
+    const auto [low, high] = boxOf(stand, *scene_.ground);
+    const auto count = static_cast<std::uint64_t>(std::llround(stemCount(stand, *scene_.ground)));
     scenes::Random random(seed(0));
     std::vector<effects::SingleTrees::Stem> stems;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -185,6 +198,20 @@ class Factory {
 std::unique_ptr<effects::Effect> makeEffect(const Scene& scene, std::size_t place, std::uint64_t run,
                                             const effects::GroundHeight& ground) {
   return std::visit(Factory(scene, place, run, ground), scene.description.effects[place]);
+}
+
+Status checkStands(const Case& description, const Ground& ground) {
+  constexpr double kMostStems = 2e6;
+  for (std::size_t i = 0; i < description.effects.size(); ++i) {
+    const auto* trees = std::get_if<TreesOptions>(&description.effects[i]);
+    const auto* stand = trees != nullptr ? std::get_if<StandOfTrees>(&trees->stems) : nullptr;
+    if (stand == nullptr || stemCount(*stand, ground) <= kMostStems) continue;
+    return Error{
+        fmt::format("/effects/{}/stems: there would be {:.3g} million stems, more than {:.0f} million: use a "
+                    "smaller density or polygon, or forest_drag",
+                    i, stemCount(*stand, ground) / 1e6, kMostStems / 1e6)};
+  }
+  return {};
 }
 
 }  // namespace cairn::rockfall

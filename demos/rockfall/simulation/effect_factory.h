@@ -15,4 +15,7 @@ namespace cairn::rockfall {
 std::unique_ptr<effects::Effect> makeEffect(const Scene& scene, std::size_t place, std::uint64_t run,
                                             const effects::GroundHeight& ground);
 
+/// Whether every stand of trees has a number of stems that can be kept; else one sentence with its path.
+Status checkStands(const Case& description, const Ground& ground);
+
 }  // namespace cairn::rockfall

@@ -41,10 +41,14 @@ class Releaser {
     return scenes::Random(seedOf(scene_.description.seed, scene_.description.name, run_, variable), rocks_.size());
   }
 
-  Vec3d freePlace(const Release& release, const ReleasedRock& rock) const {
+  // A full level is not looked at again by the rocks of its group that follow, nor are those below it.
+  Vec3d freePlace(const Release& release, const ReleasedRock& rock) {
     scenes::Random places = random(Variable::place);
     const auto& [a, b] = release.boxM;
-    for (int draw = 0;; ++draw) {
+    if (rock.group != fullGroup_) fullLevels_ = 0;
+    fullGroup_ = rock.group;
+    for (int draw = fullLevels_ * kDrawsPerLevel;; ++draw) {
+      fullLevels_ = std::max(fullLevels_, draw / kDrawsPerLevel - 1);
       const MapPoint point{places.uniform(a[0], b[0]), places.uniform(a[1], b[1])};
       const double onGround =
           scene_.ground->heightAt(point) + rock.reachM / std::max(kLeastUpward, scene_.ground->normalAt(point).z);
@@ -64,6 +68,8 @@ class Releaser {
   const Scene& scene_;
   std::uint64_t run_;
   std::vector<ReleasedRock> rocks_;
+  std::uint32_t fullGroup_ = 0;
+  int fullLevels_ = 0;
 };
 
 }  // namespace

@@ -79,7 +79,8 @@ Result<btRigidBody*> RunWorld::addRock(const ReleasedRock& rock, int number) {
   return &body;
 }
 
-btRigidBody& RunWorld::addPiece(effects::FragmentBody piece, MaterialId material, std::uint32_t generation) {
+std::pair<btRigidBody*, std::uint32_t> RunWorld::addPiece(effects::FragmentBody piece, MaterialId material,
+                                                          std::uint32_t generation) {
   btRigidBody& body = addBody(piece.shape(), piece.mass, piece.inertia, piece.pose);
   for (auto& shape : piece.shapes) shapes_.push_back(std::move(shape));
   body.setUserIndex2(static_cast<int>(material));
@@ -87,7 +88,7 @@ btRigidBody& RunWorld::addPiece(effects::FragmentBody piece, MaterialId material
   body.setAngularVelocity(piece.angularVelocity);
   const std::uint32_t id = effects_->addRock(body, material, static_cast<double>(piece.volume));
   effects_->fragmentation()->setBreakable(id, std::move(piece.part), generation);
-  return body;
+  return {&body, id};
 }
 
 Result<std::vector<RunWorld::Broken>> RunWorld::breakRocks() {
@@ -100,8 +101,13 @@ Result<std::vector<RunWorld::Broken>> RunWorld::breakRocks() {
     const auto material = static_cast<MaterialId>(broken.body->getUserIndex2());
     Broken& rock = all.emplace_back(Broken{broken.body->getUserIndex(), {}});
     retire(*broken.body);
-    for (effects::FragmentBody& piece : pieces.value())
-      rock.pieces.push_back(&addPiece(std::move(piece), material, broken.generation + 1));
+    std::vector<std::uint32_t> siblings;
+    for (effects::FragmentBody& piece : pieces.value()) {
+      const auto [body, id] = addPiece(std::move(piece), material, broken.generation + 1);
+      rock.pieces.push_back(body);
+      siblings.push_back(id);
+    }
+    fragmentation->setSiblings(siblings);
   }
   return all;
 }

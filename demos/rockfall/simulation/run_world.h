@@ -3,7 +3,9 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "cairn/bullet/dispatcher.h"
@@ -46,7 +48,9 @@ class RunWorld {
   Status prepare(std::uint64_t run);
   void addGround();
   btRigidBody& addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia, const btTransform& pose);
-  btRigidBody& addPiece(effects::FragmentBody piece, MaterialId material, std::uint32_t generation);
+  /// Its number among the effects' bodies beside it.
+  std::pair<btRigidBody*, std::uint32_t> addPiece(effects::FragmentBody piece, MaterialId material,
+                                                  std::uint32_t generation);
 
   const Scene& scene_;
   btDefaultCollisionConfiguration configuration_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rockfall/case/content_hash.h"
+#include "rockfall/simulation/effect_factory.h"
 #include "rockfall/simulation/world_origin.h"
 #include "rockfall/terrain/geo_raster.h"
 
@@ -77,6 +78,7 @@ Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::Pr
   if (!ground) return ground.error();
   if (const Status checked = checkReleases(description, *ground.value(), origin); !checked) return checked.error();
   if (const Status checked = checkRaster(description, *ground.value()); !checked) return checked.error();
+  if (const Status checked = checkStands(description, *ground.value()); !checked) return checked.error();
   auto stock = stockRocks(description, cache, progress);
   if (!stock) return stock.error();
   hash.add(stock.value().hash);

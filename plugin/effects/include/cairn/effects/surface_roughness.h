@@ -9,8 +9,8 @@ namespace cairn::effects {
 
 /// Roughness below what the terrain's mesh shows: in a blow the surface's normal is tilted in a random direction by an
 /// angle uniform in [0, atan(roughness / R)], R the radius of the ball of the body's volume (as in PlatRock). The same
-/// for all contacts of a blow; contacts at rest are left alone. A tilt that would turn the blow into a parting is not
-/// made.
+/// for all contacts of a blow in a step; contacts at rest are left alone. A tilt that would turn the blow into a
+/// parting is not made.
 ///
 /// Counter-based: a tilt is a pure function of the seed, the body's id and the step's number, so neither threads nor
 /// other bodies change it.
