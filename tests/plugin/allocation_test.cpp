@@ -3,62 +3,12 @@
 // `new`.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "counting_new.h"
 #include "front_ends.h"
 #include "priorities.h"
 
 // The address sanitizer has to own `new` itself.
 #ifndef __SANITIZE_ADDRESS__
-
-namespace {
-std::size_t gAllocations = 0;
-
-void* allocate(std::size_t size, std::size_t alignment) {
-  ++gAllocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  if (void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size, alignof(std::max_align_t));
-}
-void* operator new[](std::size_t size) {
-  return allocate(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t a) {
-  return allocate(size, static_cast<std::size_t>(a));
-}
-void* operator new[](std::size_t size, std::align_val_t a) {
-  return allocate(size, static_cast<std::size_t>(a));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace cairn::test {
 namespace {
@@ -83,10 +33,10 @@ TEST_P(Allocation, IsNoneAfterWarmUp) {
     }
     // Long enough for every two that will meet to have met: a pair's lists are made when its spheres first touch.
     w.step(2000);
-    const std::size_t before = gAllocations;
+    const std::size_t before = allocations();
     w.step(1000);
     EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
-    EXPECT_EQ(gAllocations - before, 0U);
+    EXPECT_EQ(allocations() - before, 0U);
   });
 }
 
