@@ -12,6 +12,7 @@ usage() {
 run.sh [OPTIONS] FOLDER|ARCHIVE.tar.gz... [-- BUILD OPTIONS]
   --tool PROGRAM   the cairn program (default build/release/bin/cairn)
   --seconds N      for each attempt (default 120)
+  --memory KB      of address space for each attempt, or unlimited, which address sanitizers need (default 8388608)
   --modes LIST     of plain, repair and wrap, in order, separated by commas (default plain,repair,wrap)
   --largest BYTES  pass over files larger than this
   --table FILE     also write the list there, separated by tabs: outcome, way, seconds, file, message
@@ -20,12 +21,13 @@ Build options default to --no-evaluate.
 END
 }
 
-tool=build/release/bin/cairn seconds=120 modes=plain,repair,wrap largest='' table='' strict='' sources=()
+tool=build/release/bin/cairn seconds=120 memory=8388608 modes=plain,repair,wrap largest='' table='' strict='' sources=()
 build_options=(--no-evaluate)
 while (($#)); do
   case $1 in
     --tool) tool=$2; shift 2 ;;
     --seconds) seconds=$2; shift 2 ;;
+    --memory) memory=$2; shift 2 ;;
     --modes) modes=$2; shift 2 ;;
     --largest) largest=$2; shift 2 ;;
     --table) table=$2; shift 2 ;;
@@ -49,7 +51,7 @@ attempt() {
   rm -f "$work/tree.cairn"
   # No mesh of these needs as much memory; a runaway must not take the machine with it. In the foreground, so that Ctrl-C
   # reaches the program too.
-  (ulimit -v 8388608; exec timeout --foreground -k 5 "$seconds" "$tool" build "$file" -o "$work/tree.cairn" \
+  (ulimit -v "$memory"; exec timeout --foreground -k 5 "$seconds" "$tool" build "$file" -o "$work/tree.cairn" \
     "${option[@]}" "${build_options[@]}") > "$work/out" 2> "$work/err" < /dev/null || code=$?
   message=$(grep -v ': left out ' "$work/err" | tail -n 1 | tr -cd '[:print:]' || true)
   case $code in
