@@ -16,6 +16,17 @@ namespace {
 constexpr int kSteps = 360;
 
 class EveryEffect : public testing::TestWithParam<EffectRow> {};
+/// Those whose strength can be zero; those there may be nothing to act on for; those that only take energy.
+class EffectOfAStrength : public EveryEffect {};
+class EffectWithACriterion : public EveryEffect {};
+class DissipativeEffect : public EveryEffect {};
+
+template <class Wanted>
+std::vector<EffectRow> effectsThat(const Wanted& wanted) {
+  std::vector<EffectRow> rows = everyEffect();
+  std::erase_if(rows, [&](const EffectRow& row) { return !wanted(row); });
+  return rows;
+}
 
 std::string nameOf(const testing::TestParamInfo<EffectRow>& info) {
   return info.param.name;
@@ -55,13 +66,11 @@ TEST_P(EveryEffect, ActsWhereItsCriterionIsMet) {
   EXPECT_EQ(hash != hashWithoutSet(), GetParam().changesMotion);
 }
 
-TEST_P(EveryEffect, OfNoStrengthIsOff) {
-  if (!GetParam().zero) GTEST_SKIP() << "has no strength that could be zero";
+TEST_P(EffectOfAStrength, OfNoneIsOff) {
   EXPECT_EQ(hashWith(GetParam().zero), hashWithoutSet());
 }
 
-TEST_P(EveryEffect, WithNothingToActOnIsOff) {
-  if (!GetParam().idle) GTEST_SKIP() << "acts on every contact";
+TEST_P(EffectWithACriterion, MetByNothingIsOff) {
   RockSlope scene({});
   scene.set->add(GetParam().idle());
   EXPECT_EQ(scene.runAndHash(kSteps), hashWithoutSet());
@@ -74,8 +83,7 @@ TEST_P(EveryEffect, IsTheSameTwiceAndWithStrangersFarAway) {
   EXPECT_EQ(hashWith(GetParam().active, {.hasStrangers = true}), once);
 }
 
-TEST_P(EveryEffect, NeverGivesEnergy) {
-  if (!GetParam().dissipates) GTEST_SKIP() << "may give energy";
+TEST_P(DissipativeEffect, NeverGivesEnergy) {
   RockSlope scene({});
   scene.set->add(GetParam().active());
   // Bullet pushes bodies out of each other, which lifts them, and a body that turns in the air has its energy rounded:
@@ -101,6 +109,12 @@ TEST_P(EveryEffect, AllocatesNothingOnceItRuns) {
 #endif
 
 INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(everyEffect()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Effects, EffectOfAStrength,
+                         testing::ValuesIn(effectsThat([](const EffectRow& row) { return bool(row.zero); })), nameOf);
+INSTANTIATE_TEST_SUITE_P(Effects, EffectWithACriterion,
+                         testing::ValuesIn(effectsThat([](const EffectRow& row) { return bool(row.idle); })), nameOf);
+INSTANTIATE_TEST_SUITE_P(Effects, DissipativeEffect,
+                         testing::ValuesIn(effectsThat([](const EffectRow& row) { return row.dissipates; })), nameOf);
 
 }  // namespace
 }  // namespace cairn::test

@@ -12,35 +12,10 @@
 
 #include "bullet_world.h"
 #include "casts.h"
+#include "ray_hits.h"
 
 namespace cairn::test {
 namespace {
-
-struct Hit {
-  btScalar fraction;
-  int part, triangle;
-  btVector3 normal;
-
-  auto key() const { return std::tuple(triangle, part, fraction, normal.x(), normal.y(), normal.z()); }
-  bool operator==(const Hit& other) const { return key() == other.key(); }
-  bool operator<(const Hit& other) const { return key() < other.key(); }
-};
-
-struct Collect final : btTriangleRaycastCallback {
-  Collect(const Way& way, unsigned int flags, bool wantsAll)
-      : btTriangleRaycastCallback(way.from, way.to, flags), all(wantsAll) {}
-  btScalar reportHit(const btVector3& normal, btScalar fraction, int part, int triangle) override {
-    hits.push_back({fraction, part, triangle, normal});
-    return all ? m_hitFraction : fraction;
-  }
-  void processTriangle(btVector3* triangle, int part, int index) override {
-    ++asked;
-    btTriangleRaycastCallback::processTriangle(triangle, part, index);
-  }
-  const bool all;
-  std::vector<Hit> hits;
-  std::size_t asked = 0;
-};
 
 using Flags = btTriangleRaycastCallback::EFlags;
 constexpr unsigned int kEveryFlags[] = {Flags::kF_None, Flags::kF_FilterBackfaces, Flags::kF_KeepUnflippedNormal,
@@ -52,37 +27,10 @@ std::vector<std::shared_ptr<bullet::SphereTreeShape>> everyShape() {
           treeShape(plainTree(cuboid({1, 1, 1}, 1), 1), btScalar(30))};
 }
 
-struct Totals {
-  std::size_t rays = 0, hits = 0, asked = 0, triangles = 0;
-};
-
-// Compares one ray's hits with the oracle's, all or the closest one.
-void expectSameHits(const bullet::SphereTreeShape& shape, const Way& way, unsigned int flags, bool all,
-                    Totals& totals) {
-  Collect fast(way, flags, all), slow(way, flags, all);
-  btVector3 lower = way.from, upper = way.from;
-  lower.setMin(way.to);
-  upper.setMax(way.to);
-  shape.processAllTriangles(&fast, lower, upper);
-  castOverAll(shape, slow);
-  ++totals.rays;
-  totals.hits += slow.hits.empty() ? 0 : 1;
-  totals.asked += fast.asked;
-  totals.triangles += slow.asked;
-  if (all) {
-    std::sort(fast.hits.begin(), fast.hits.end());
-    std::sort(slow.hits.begin(), slow.hits.end());
-    ASSERT_TRUE(fast.hits == slow.hits) << fast.hits.size() << " hits instead of " << slow.hits.size();
-    return;
-  }
-  ASSERT_EQ(fast.hits.empty(), slow.hits.empty());
-  if (!fast.hits.empty()) ASSERT_EQ(fast.hits.back().fraction, slow.hits.back().fraction);
-}
-
 TEST(Ray, FindsWhatAllTrianglesGiveWhateverIsAskedFor) {
   constexpr std::uint64_t kSeed = 20;
   std::mt19937_64 engine(kSeed);
-  Totals totals;
+  RayTotals totals;
   for (const auto& shape : everyShape())
     for (int trial = 0; trial < 4000; ++trial) {
       // From within the body to three hundred of its sizes away.
@@ -101,7 +49,7 @@ TEST(Ray, FindsWhatAllTrianglesGiveWhateverIsAskedFor) {
 TEST(Ray, AlongEdgesAndFacesFindsWhatAllTrianglesGive) {
   constexpr std::uint64_t kSeed = 21;
   std::mt19937_64 engine(kSeed);
-  Totals totals;
+  RayTotals totals;
   for (const double scale : {1.0, 0.3}) {
     const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 4), 2), btScalar(scale));
     const auto onGrid = [&] { return scale * (static_cast<double>(engine() % 9) / 8 - 0.5); };
@@ -125,7 +73,7 @@ TEST(Ray, AsksFewOfManyTriangles) {
     const Solid solid = torus(1, 0.4, segments);
     // As many leaves each time: what is saved inside them counts as well.
     const auto shape = treeShape(plainTree(solid, static_cast<std::uint32_t>(solid.triangles.size() / 64)));
-    Totals totals;
+    RayTotals totals;
     for (int trial = 0; trial < 200; ++trial)
       expectSameHits(*shape, randomWay(engine, double(shape->size()), 2), 0, true, totals);
     const double asked = double(totals.asked) / double(totals.rays);
@@ -176,11 +124,11 @@ TEST(Ray, ThatHasNoLengthOrNoEndIsAnswered) {
   const auto shape = treeShape(plainTree(ball(1, 6), 4));
   const btScalar end = std::numeric_limits<btScalar>::infinity(), none = std::numeric_limits<btScalar>::quiet_NaN();
   for (const btVector3& to : {btVector3(0, 0, 0), btVector3(end, 0, 0), btVector3(none, 0, 0)}) {
-    Collect all({btVector3(0, 0, 0), to}, 0, true);
+    RayHits all({btVector3(0, 0, 0), to}, 0, true);
     shape->processAllTriangles(&all, btVector3(0, 0, 0), to);
     EXPECT_TRUE(all.hits.empty());
   }
-  Collect far({btVector3(btScalar(0.1), btScalar(0.2), -3), btVector3(btScalar(0.1), btScalar(0.2), btScalar(1e6))}, 0,
+  RayHits far({btVector3(btScalar(0.1), btScalar(0.2), -3), btVector3(btScalar(0.1), btScalar(0.2), btScalar(1e6))}, 0,
               true);
   shape->processAllTriangles(&far, far.m_from, far.m_to);
   EXPECT_EQ(far.hits.size(), 2U);
@@ -289,7 +237,7 @@ TEST(Ray, AtSpheresEntersEveryLeafsBall) {
     for (int trial = 0; trial < 500; ++trial) {
       shape->setMargin(trial % 2 == 0 ? btScalar(0) : shape->size() / 20);
       const Way way = randomWay(engine, double(shape->size()), 2);
-      Collect all(way, 0, true), closest(way, 0, false);
+      RayHits all(way, 0, true), closest(way, 0, false);
       shape->processAllTriangles(&all, way.from, way.to);
       shape->processAllTriangles(&closest, way.from, way.to);
       const std::vector<double> expected = entriesOfAllLeaves(*shape, way);

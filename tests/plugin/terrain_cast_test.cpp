@@ -10,6 +10,7 @@
 
 #include "bullet_world.h"
 #include "casts.h"
+#include "ray_hits.h"
 #include "terrains.h"
 
 namespace cairn::test {
@@ -17,56 +18,6 @@ namespace {
 
 using bullet::TerrainGrid;
 using bullet::TerrainShape;
-
-struct Hit {
-  btScalar fraction;
-  int part, triangle;
-
-  auto key() const { return std::tuple(triangle, part, fraction); }
-  bool operator==(const Hit& other) const { return key() == other.key(); }
-  bool operator<(const Hit& other) const { return key() < other.key(); }
-};
-
-struct RayHits final : btTriangleRaycastCallback {
-  RayHits(const Way& way, unsigned int flags, bool wantsAll)
-      : btTriangleRaycastCallback(way.from, way.to, flags), all(wantsAll) {}
-  btScalar reportHit(const btVector3&, btScalar fraction, int part, int triangle) override {
-    hits.push_back({fraction, part, triangle});
-    return all ? m_hitFraction : fraction;
-  }
-  void processTriangle(btVector3* triangle, int part, int index) override {
-    ++asked;
-    btTriangleRaycastCallback::processTriangle(triangle, part, index);
-  }
-  const bool all;
-  std::vector<Hit> hits;
-  std::size_t asked = 0;
-};
-
-struct Totals {
-  std::size_t rays = 0, hits = 0, asked = 0, triangles = 0;
-};
-
-void expectSameHits(const TerrainShape& shape, const Way& way, unsigned int flags, bool all, Totals& totals) {
-  RayHits fast(way, flags, all), slow(way, flags, all);
-  btVector3 lower = way.from, upper = way.from;
-  lower.setMin(way.to);
-  upper.setMax(way.to);
-  shape.processAllTriangles(&fast, lower, upper);
-  castOverAll(shape, slow);
-  ++totals.rays;
-  totals.hits += slow.hits.empty() ? 0 : 1;
-  totals.asked += fast.asked;
-  totals.triangles += slow.asked;
-  if (all) {
-    std::sort(fast.hits.begin(), fast.hits.end());
-    std::sort(slow.hits.begin(), slow.hits.end());
-    ASSERT_TRUE(fast.hits == slow.hits) << fast.hits.size() << " hits instead of " << slow.hits.size();
-    return;
-  }
-  ASSERT_EQ(fast.hits.empty(), slow.hits.empty());
-  if (!fast.hits.empty()) ASSERT_EQ(fast.hits.back().fraction, slow.hits.back().fraction);
-}
 
 // Above, through and beside the terrain; some from two hundred of its sizes away.
 Way randomWayAt(std::mt19937_64& engine, const TerrainShape& shape) {
@@ -89,7 +40,7 @@ Way wayOnGrid(std::mt19937_64& engine, const TerrainShape& shape) {
 TEST(TerrainRay, FindsWhatAllTrianglesGive) {
   constexpr std::uint64_t kSeed = 40;
   std::mt19937_64 engine(kSeed);
-  Totals totals;
+  RayTotals totals;
   for (int terrain = 0; terrain < 12; ++terrain) {
     TerrainGrid grid = randomTerrain(
         engine, {40 + static_cast<std::uint32_t>(engine() % 20), 50, std::pow(10, uniform(engine, -1, 1))},
@@ -117,7 +68,7 @@ TEST(TerrainRay, AsksNoMoreThanTheCellsOnItsWay) {
   for (const std::uint32_t points : {64U, 256U, 1024U}) {
     const auto shape =
         terrainOf(terrainGrid({points, points, 1}, [&](double, double) { return uniform(engine, -1, 1); }));
-    Totals totals;
+    RayTotals totals;
     for (int trial = 0; trial < 20; ++trial) {
       const double half = 0.6 * points;
       const Way way{btVector3(btScalar(-half), btScalar(uniform(engine, -half, half)), 0),
@@ -155,8 +106,8 @@ TEST(TerrainRay, WorksThroughAWorld) {
 
 struct SweepHits final : btTriangleConvexcastCallback {
   using btTriangleConvexcastCallback::btTriangleConvexcastCallback;
-  btScalar reportHit(const btVector3&, const btVector3&, btScalar fraction, int part, int triangle) override {
-    hits.push_back({fraction, part, triangle});
+  btScalar reportHit(const btVector3& normal, const btVector3&, btScalar fraction, int part, int triangle) override {
+    hits.push_back({fraction, part, triangle, normal});
     return 1;  // wants them all
   }
   void processTriangle(btVector3* triangle, int part, int index) override {

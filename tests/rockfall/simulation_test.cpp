@@ -262,8 +262,11 @@ TEST(Run_Fragmentation, PiecesGoOnAsRocks) {
   }
 }
 
-// Pieces of concave rocks touch along uneven cuts. Nothing but their own contacts could give them energy here.
+// Pieces of concave rocks touch along uneven cuts. Besides their own contacts only the ground could give them energy:
+// Bullet pushes out what has dived in by a step's way at a fifth of that way a step, so with at most a fifth of the
+// speed squared.
 TEST(Run_Fragmentation, GivesNoEnergyHoweverShortTheStep) {
+  constexpr double kPushedOut = 0.04;
   for (const double step : {1.0 / 120, 1.0 / 1000}) {
     json document = test::plainCase();
     document["step_s"] = step;
@@ -294,7 +297,7 @@ TEST(Run_Fragmentation, GivesNoEnergyHoweverShortTheStep) {
       double least = 0;
       for (const auto& [sample, sum] : energy) {
         if (static_cast<double>(sample) * step < brokenAt + 1.5 * step) least = sum;
-        EXPECT_LE(sum, std::max(least, 1.0) + 0.005 * energy.begin()->second) << "step " << step << ", run " << number;
+        EXPECT_LE(sum, least + kPushedOut * energy.begin()->second) << "step " << step << ", run " << number;
         least = std::min(least, sum);
       }
     }

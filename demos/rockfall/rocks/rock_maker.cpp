@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scenes/bodies/icosphere.h"
-#include "scenes/bodies/lattice_noise.h"
+#include "scenes/bodies/worn_surface.h"
 #include "scenes/figures/random.h"
 
 namespace cairn::rockfall {
@@ -89,61 +89,26 @@ TriangleMesh convexRock(RockKind kind, std::uint64_t seed) {
   return hullOf(points);
 }
 
-/// How far the surface of a concave rock is from its centre along a direction, as a share of its ellipsoid's.
-class ConcaveProfile {
- public:
-  ConcaveProfile(RockKind kind, std::uint64_t seed) : noise_(mixBits(seed)), isRounded_(kind == RockKind::rounded) {
-    Random dents(seed, kDentStream), cuts(seed, kCutStream);
-    if (!isRounded_) addCuts(cuts);
-    addDents(dents);
+/// What wear leaves of a concave rock, as a share of its ellipsoid.
+scenes::WornSurface wornRock(RockKind kind, std::uint64_t seed) {
+  scenes::WornSurface worn(mixBits(seed));
+  Random dents(seed, kDentStream), cuts(seed, kCutStream);
+  if (kind != RockKind::rounded)
+    for (const Vec3d& normal : strewnDirections(cuts, 9 + cuts.bits() % 5)) worn.cut(normal, cuts.uniform(0.68, 0.85));
+  // Strewn apart, because two that overlap would merely flatten the rock.
+  for (const Vec3d& direction : strewnDirections(dents, 2 + dents.bits() % 3)) {
+    const double width = dents.uniform(0.5, 0.75);
+    worn.dent(direction, width, dents.uniform(0.3, 0.45));
   }
-
-  double share(const Vec3d& direction) const {
-    double share = 1;
-    for (const Cut& cut : cuts_) {
-      const double facing = dot(direction, cut.normal);
-      if (facing > 0) share = std::min(share, cut.distance / facing);
-    }
-    for (const Dent& dent : dents_) {
-      const double t = 1 - lengthSq(direction - dent.direction) / (dent.width * dent.width);
-      if (t > 0) share *= 1 - dent.depth * t * t * (3 - 2 * t);
-    }
-    const double roughness = isRounded_ ? 0.25 : 1;
-    return share * (1 + roughness * (0.05 * noise_(direction * 2.5) + 0.02 * noise_(direction * 7)));
-  }
-
- private:
-  struct Cut {
-    Vec3d normal;
-    double distance;
-  };
-  struct Dent {
-    Vec3d direction;
-    double width, depth;  // width is a chord of the unit sphere; depth a share of the distance
-  };
-
-  void addCuts(Random& random) {
-    const std::size_t count = 9 + random.bits() % 5;
-    for (const Vec3d& normal : strewnDirections(random, count)) cuts_.push_back({normal, random.uniform(0.68, 0.85)});
-  }
-  /// Apart, because two that overlap would merely flatten the rock.
-  void addDents(Random& random) {
-    const std::size_t count = 2 + random.bits() % 3;
-    for (const Vec3d& direction : strewnDirections(random, count))
-      dents_.push_back({direction, random.uniform(0.5, 0.75), random.uniform(0.3, 0.45)});
-  }
-
-  scenes::LatticeNoise noise_;
-  bool isRounded_;
-  std::vector<Cut> cuts_;
-  std::vector<Dent> dents_;
-};
+  return worn;
+}
 
 TriangleMesh concaveRock(RockKind kind, std::uint64_t seed) {
   const Vec3d axes = halfAxes(kind, seed);
-  const ConcaveProfile profile(kind, seed);
+  const scenes::WornSurface worn = wornRock(kind, seed);
+  const double roughness = kind == RockKind::rounded ? 0.25 : 1;
   TriangleMesh mesh = scenes::icosphere(kConcaveSubdivisions);
-  for (Vec3d& v : mesh.vertices) v = scaled(v * profile.share(v), axes);
+  for (Vec3d& v : mesh.vertices) v = scaled(v * worn.radius(v, roughness), axes);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #include "rockfall/simulation/impact_watch.h"
 
 #include "scenes/bodies/model.h"
+#include "scenes/world/world.h"
 
 namespace cairn::rockfall {
 namespace {
@@ -52,7 +53,8 @@ void ImpactWatch::lookAt(const btCollisionDispatcher& dispatcher, const std::vec
     const double before = watch.last(rock).energyJ;
     if (!threshold || before < *threshold) continue;
     result_.impacts.push_back({rock, touch.other->getUserIndex(), materialOf(touch), timeS,
-                               scenes::fromBullet(touch.place), before, kineticEnergy(*rocks[rock]), touch.impulseNS});
+                               scenes::fromBullet(touch.place), before, scenes::kineticEnergy(*rocks[rock]),
+                               touch.impulseNS});
   }
 }
 

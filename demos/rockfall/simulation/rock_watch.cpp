@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "scenes/bodies/model.h"
+#include "scenes/world/world.h"
 
 namespace cairn::rockfall {
 namespace {
@@ -42,22 +43,13 @@ double RockRecord::runoutM() const {
   return std::hypot(end.x - start.x, end.y - start.y);
 }
 
-double kineticEnergy(const btRigidBody& rock) {
-  const btVector3 spin = rock.getWorldTransform().getBasis().transpose() * rock.getAngularVelocity();
-  const btVector3& inverse = rock.getInvInertiaDiagLocal();
-  double twice = static_cast<double>(rock.getLinearVelocity().length2()) / static_cast<double>(rock.getInvMass());
-  for (int axis = 0; axis < 3; ++axis)
-    twice += static_cast<double>(spin[axis]) * static_cast<double>(spin[axis]) / static_cast<double>(inverse[axis]);
-  return twice / 2;
-}
-
 RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS) {
   RockMoment moment;
   moment.timeS = timeS;
   moment.place = scenes::fromBullet(rock.getWorldTransform().getOrigin());
   moment.heightM = moment.place.z - ground.heightAt({moment.place.x, moment.place.y});
   moment.speed = static_cast<double>(rock.getLinearVelocity().length());
-  moment.energyJ = kineticEnergy(rock);
+  moment.energyJ = scenes::kineticEnergy(rock);
   return moment;
 }
 

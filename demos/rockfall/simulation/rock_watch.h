@@ -22,9 +22,6 @@ struct RockMoment {
 /// Precondition: the rock is over the ground.
 RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS);
 
-/// Kinetic energy of translation and rotation, J.
-double kineticEnergy(const btRigidBody& rock);
-
 /// Writes down where the rocks of one run go: greatest values, cells, distances, collectors, trajectories.
 class RockWatch {
  public:

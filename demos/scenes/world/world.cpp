@@ -149,13 +149,18 @@ double fastestSpeed(std::span<btRigidBody* const> bodies) {
   return fastest;
 }
 
+double kineticEnergy(const btRigidBody& body) {
+  const btVector3 spin = body.getWorldTransform().getBasis().transpose() * body.getAngularVelocity();
+  const btVector3& inverse = body.getInvInertiaDiagLocal();
+  double twice = static_cast<double>(body.getLinearVelocity().length2()) / static_cast<double>(body.getInvMass());
+  for (int axis = 0; axis < 3; ++axis)
+    twice += static_cast<double>(spin[axis]) * static_cast<double>(spin[axis]) / static_cast<double>(inverse[axis]);
+  return twice / 2;
+}
+
 double meanKineticEnergy(std::span<btRigidBody* const> bodies) {
   double sum = 0;
-  for (const btRigidBody* body : bodies) {
-    const btVector3 spin = body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity();
-    const btVector3 angularMomentum = spin / body->getInvInertiaDiagLocal();
-    sum += 0.5 * body->getLinearVelocity().length2() + 0.5 * spin.dot(angularMomentum) * body->getInvMass();
-  }
+  for (const btRigidBody* body : bodies) sum += kineticEnergy(*body) * static_cast<double>(body->getInvMass());
   return bodies.empty() ? 0 : sum / static_cast<double>(bodies.size());
 }
 

@@ -114,6 +114,8 @@ class World {
 
 /// Greatest speed among bodies, m/s.
 double fastestSpeed(std::span<btRigidBody* const> bodies);
+/// Of translation and rotation, J. Precondition: a body that moves and turns.
+double kineticEnergy(const btRigidBody& body);
 /// Kinetic energy per unit of mass, mean over bodies, J/kg.
 double meanKineticEnergy(std::span<btRigidBody* const> bodies);
 std::uint32_t countAsleep(std::span<btRigidBody* const> bodies);
