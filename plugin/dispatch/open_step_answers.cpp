@@ -104,9 +104,9 @@ void NarrowPhase::Impl::beginOpenStep() {
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);
-  const bool alsoFromPlanes = mayBeInterrupted();
+  const bool alsoFromGround = mayBeInterrupted();
   const auto near = std::ranges::count_if(collected_, [&](TreePair* pair) {
-    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromPlanes, sweptTime_);
+    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, sweptTime_);
   });
   const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/bullet/terrain_shape.h"
+#include "pairs/coarse_ground.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -62,6 +64,10 @@ bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjec
     const SphereTreeShape &a = *asSphereTree(body0.getCollisionShape()), &b = *asSphereTree(body1.getCollisionShape());
     return roots->areApart(btScalar(kSpeculativeFraction) * std::min(a.size(), b.size()) + travel);
   }
+  if (asTerrain(body0.getCollisionShape()))
+    return asSphereTree(body1.getCollisionShape()) && isClearOfGround(body1, body0, travel);
+  if (asTerrain(body1.getCollisionShape()))
+    return asSphereTree(body0.getCollisionShape()) && isClearOfGround(body0, body1, travel);
   if (isPlane(body0)) return asSphereTree(body1.getCollisionShape()) && isClearOf(body0, body1, travel);
   return isPlane(body1) && asSphereTree(body0.getCollisionShape()) && isClearOf(body1, body0, travel);
 }

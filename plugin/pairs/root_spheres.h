@@ -28,10 +28,9 @@ struct RootSpheres {
   Contact contact() const;
 };
 
-/// Whether the spheres around two whole trees, or one such sphere and a static plane, are certainly too far apart for
-/// any contact, the speculative distance and `travel` (world length) included: then nothing else has to be looked at.
-/// `roots`: those of two trees.
-/// Precondition: one of the shapes is a sphere-tree.
+/// Whether the spheres around two whole trees, or one such sphere and a static plane or a terrain, are certainly too
+/// far apart for any contact, the speculative distance and `travel` (world length) included: then nothing else has to
+/// be looked at. `roots`: those of two trees. Precondition: one of the shapes is a sphere-tree.
 bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                    const std::optional<RootSpheres>& roots, btScalar travel);
 

@@ -69,12 +69,12 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                           bool alsoFromPlanes, btScalar sweptTime) {
+                           bool alsoFromGround, btScalar sweptTime) {
   const float travel = fastTravel(body0, body1, sweptTime);
   isFast_ = travel > 0 || (sweep_ && sweep_->isAnchored());
   if (!stillApart(body0, body1, travel)) {
     roots_ = rootSpheres(body0, body1);
-    if ((!roots_ && !alsoFromPlanes) || !areRootsApart(body0, body1, roots_, btScalar(travel))) return false;
+    if ((!roots_ && !alsoFromGround) || !areRootsApart(body0, body1, roots_, btScalar(travel))) return false;
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
@@ -290,6 +290,19 @@ void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
 
 void TreePair::setMotion(const SphereTreeShape& shape, const btCollisionObjectWrapper& treeBody,
                          const btCollisionObjectWrapper& otherBody, btScalar timeStep) {
+  setVelocities(treeBody, otherBody, timeStep);
+  const btCollisionObject& tree = *treeBody.getCollisionObject();
+  const btCollisionObject& other = *otherBody.getCollisionObject();
+  const float disc = static_cast<float>(shape.getAngularMotionDisc());
+  closingSpeed_ = closingSpeed(tree, other, disc);
+  reducedMass_ = reducedMass(tree, other);
+  motion_.smallerSize = smallerSize_;
+  motion_.reach = reach_;
+  motion_.placement = relativePlacement(shape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+}
+
+void TreePair::setVelocities(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                             btScalar timeStep) {
   const btCollisionObject& tree = *treeBody.getCollisionObject();
   const btCollisionObject& other = *otherBody.getCollisionObject();
   motion_.treeLinear = linearVelocity(tree);
@@ -298,13 +311,7 @@ void TreePair::setMotion(const SphereTreeShape& shape, const btCollisionObjectWr
   motion_.otherLinear = linearVelocity(other);
   motion_.otherAngular = angularVelocity(other);
   motion_.otherCenter = toVec3(other.getWorldTransform().getOrigin() - origin_);
-  const float disc = static_cast<float>(shape.getAngularMotionDisc());
-  closingSpeed_ = closingSpeed(tree, other, disc);
-  reducedMass_ = reducedMass(tree, other);
   motion_.timeStep = static_cast<float>(timeStep);
-  motion_.smallerSize = smallerSize_;
-  motion_.reach = reach_;
-  motion_.placement = relativePlacement(shape, treeBody.getWorldTransform(), otherBody.getWorldTransform());
 }
 
 void TreePair::fetchState() const {

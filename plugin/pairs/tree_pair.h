@@ -65,10 +65,10 @@ class alignas(64) TreePair {
 
   /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
   /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
-  /// `alsoFromPlanes`: whether the sphere of a body above a plane is looked at as well. Where nothing is interrupted a
-  /// traversal says it once for many steps, and pairs keep the order they always had.
-  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
-  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromPlanes,
+  /// `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where nothing is
+  /// interrupted a traversal says it once for many steps, and pairs keep the order they always had. `sweptTime`:
+  /// seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
+  bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromGround,
                    btScalar sweptTime);
   /// Whether `settleApart` said so for the copies last taken.
   bool isSettled() const { return isSettled_.load(std::memory_order_relaxed); }
@@ -112,9 +112,9 @@ class alignas(64) TreePair {
   PairNeed survey(std::uint64_t usualOperations);
   /// What a priority is told before anything is done for the pair. Precondition: as for `survey`.
   ScheduledPair described() const;
-  /// Instead of all the above: the manifolds' points follow the bodies, and the spheres of whole bodies, which may not
-  /// approach further, stand in where the last answer no longer counts. Precondition: `survey` said it can be, or
-  /// `isBetterHeld`.
+  /// Instead of all the above: the manifolds' points follow the bodies, and where the last answer no longer counts the
+  /// spheres of whole bodies, which may not approach further, stand in, or on a terrain a few of the body's points.
+  /// Precondition: `survey` said it can be, or `isBetterHeld`.
   PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep);
   /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
   ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
@@ -187,13 +187,17 @@ class alignas(64) TreePair {
   void beginHeld();
   void countStepAsWaited();
   void lookForJump(btScalar timeStep);
+  bool hasStandIn() const;
+  void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
+  void standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
+  Contact aheadOf(Contact contact) const;
   void chooseForWhole();
   void dropFollowed();
   void carryPoints(bool dropsParted, bool writesWhole);
   void surviveRefresh();
-  void writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result);
+  void writeStandIn(std::span<Contact> contacts, btDispatcher& dispatcher, btManifoldResult& result);
   PairReport reportHeld(bool isWhole) const;
-  double rootErrorFraction() const;
+  double standInErrorFraction() const;
   static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
                                              const btTransform& other);
   // How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
@@ -213,6 +217,8 @@ class alignas(64) TreePair {
   Vec3d smallerCenter(const PairPlacement& placement) const;
   void setMotion(const SphereTreeShape& shape, const btCollisionObjectWrapper& treeBody,
                  const btCollisionObjectWrapper& otherBody, btScalar timeStep);
+  void setVelocities(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
+                     btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   btScalar breakingThreshold() const;
   std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "contacts/manifold_writer.h"
+#include "contacts/reduction.h"
 #include "pairs/body_motion.h"
+#include "pairs/coarse_ground.h"
 #include "pairs/tree_pair.h"
 #include "placement/bullet_math.h"
 
@@ -20,6 +22,8 @@ constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
 constexpr double kUnknownError = 1;
 // How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
 constexpr float kMostFollowed = 0.04F;
+// Bullet takes points for one that are no farther apart than contacts are looked for.
+constexpr float kSeparationFactor = 1.5F;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
 // point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
@@ -49,22 +53,21 @@ bool TreePair::follow() {
 }
 
 PairNeed TreePair::survey(std::uint64_t usualOperations) {
-  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
-  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
-  const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
-  const btCollisionShape& other = *otherBody.getCollisionShape();
-  const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
   if (isSettled()) return {};
-  const bool hasWhole = roots_ && roots_->areAlike();
-  if (!isSame || !isPlaced_) {
-    const bool isNew = isSame || !subject_.tree;
-    return {kUnknownError * (1 + waited_), usualOperations, hasWhole && isNew && !isFast_, true};
-  }
+  const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
+  const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
+  const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
+  const btCollisionShape& other = *otherBody.getCollisionShape();
+  treeIsBody0_ = first != nullptr;
+  if (!subject_.tree) adopt(tree, other);
+  const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
+  const bool canStandIn = isSame && hasStandIn() && (!isFast_ || kind_ == CounterpartKind::terrain);
+  if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   moved_ = static_cast<float>(now.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
-  return {error * (1 + waited_), expectedOperations(now, usualOperations), !isFast_ && (isHoldingStill_ || hasWhole),
+  return {error * (1 + waited_), expectedOperations(now, usualOperations), canStandIn || (isHoldingStill_ && !isFast_),
           !isHoldingStill_ || !isDone()};
 }
 
@@ -109,13 +112,45 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
     countStepAsWaited();
   else
     lookForJump(timeStep);
-  const bool needsWhole = isNew || !isHoldingStill_;
-  if (needsWhole) chooseForWhole();
-  if (needsWhole && moved_ > kMostFollowed * smallerSize_) dropFollowed();
-  carryPoints(needsWhole || contacts_.isAnsweredWithin(moved_, smallerSize_), needsWhole);
-  if (needsWhole) writeWhole(contacts_.holdWhole(roots_->contact()), dispatcher, result);
+  const bool needsStandIn = isNew || !isHoldingStill_;
+  if (needsStandIn) chooseForWhole();
+  if (needsStandIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
+  carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
+  if (needsStandIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
-  return reportHeld(needsWhole);
+  return reportHeld(needsStandIn);
+}
+
+// Of two trees their whole spheres, of trees of like size; on a terrain points of the body.
+bool TreePair::hasStandIn() const {
+  return kind_ == CounterpartKind::terrain || (roots_ && roots_->areAlike());
+}
+
+void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result) {
+  if (kind_ == CounterpartKind::terrain) return standOnGround(timeStep, dispatcher, result);
+  std::array<Contact, 1> whole{contacts_.holdWhole(roots_->contact())};
+  writeStandIn(whole, dispatcher, result);
+}
+
+// A body that asks for continuous collision is stopped at the ground below those points.
+void TreePair::standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result) {
+  const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &ground = treeIsBody0_ ? body1() : body0();
+  setVelocities(tree, ground, timeStep);
+  const btScalar travel = isFast_ ? btScalar(motion_.greatestSpeed()) * timeStep : btScalar(0);
+  CoarseGround coarse(tree, ground, btScalar(speculative_) + travel);
+  for (Contact& contact : coarse.contacts())
+    if (contact.gap >= speculative_) contact = aheadOf(contact);
+  dropFollowed();
+  writeStandIn(coarse.contacts(), dispatcher, result);
+}
+
+// Where its point stops, if it goes on.
+Contact TreePair::aheadOf(Contact contact) const {
+  contact.isAhead = contact.ofSpheres = true;
+  contact.apart = contact.normal * contact.gap;
+  contact.position -= contact.normal * (0.5F * contact.gap);
+  contact.gap -= motion_.closingSpeed(contact) * motion_.timeStep;
+  return contact;
 }
 
 void TreePair::lookForJump(btScalar timeStep) {
@@ -134,22 +169,24 @@ void TreePair::countStepAsWaited() {
 
 // Nothing is traversed yet.
 void TreePair::beginHeld() {
-  treeIsBody0_ = true;
-  const SphereTreeShape& tree = *asSphereTree(body0().getCollisionShape());
-  adopt(&tree, *body1().getCollisionShape());
+  const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
+  const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
+  const SphereTreeShape& tree = *asSphereTree(treeBody.getCollisionShape());
+  adopt(&tree, *otherBody.getCollisionShape());
   objects_[0] = object0();
   objects_[1] = object1();
-  setSizes(tree, *body1().getCollisionShape(), 0);
-  motion_.placement = relativePlacement(tree, body0().getWorldTransform(), body1().getWorldTransform());
+  setSizes(tree, *otherBody.getCollisionShape(), 0);
+  motion_.placement = relativePlacement(tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   seenAt_ = motion_.placement;
   isPlaced_ = true;
   moved_ = 0;
 }
 
-// A manifold of its own, if one is free.
+// A manifold of its own, if one is free; on a terrain, where all others end, the one that says most.
 void TreePair::chooseForWhole() {
   if (wholeAt_ >= 0) return;
-  const auto points = [](const btPersistentManifold* m) { return m ? m->getNumContacts() : 0; };
+  const int sign = kind_ == CounterpartKind::terrain ? -1 : 1;
+  const auto points = [&](const btPersistentManifold* m) { return m ? sign * m->getNumContacts() : 0; };
   wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
 }
 
@@ -178,12 +215,13 @@ void TreePair::surviveRefresh() {
     if (m) m->setContactBreakingThreshold(btScalar(kMostFollowed * smallerSize_));
 }
 
-void TreePair::writeWhole(const Contact& whole, btDispatcher& dispatcher, btManifoldResult& result) {
+void TreePair::writeStandIn(std::span<Contact> contacts, btDispatcher& dispatcher, btManifoldResult& result) {
+  if (contacts.empty() && !manifolds_[static_cast<std::size_t>(wholeAt_)]) return;
   btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
   if (!m) return;
   ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_, motion_);
-  const std::array<Contact, 1> contacts{whole};
-  writer.write(*m, contacts, {.index = {0}, .count = 1});
+  const HeldContacts held = writer.held(*m);
+  writer.write(*m, contacts, chooseContacts(contacts, held.span(), kSeparationFactor * speculative_, speculative_));
 }
 
 PairReport TreePair::reportHeld(bool isWhole) const {
@@ -191,7 +229,7 @@ PairReport TreePair::reportHeld(bool isWhole) const {
   report.isUnresolved = true;
   const bool isFollowed = moved_ <= kMostFollowed * smallerSize_;
   if (isFollowed) report.errorFraction = heldError_ + double(moved_ / smallerSize_);
-  if (isWhole) report.errorFraction = std::max(report.errorFraction, rootErrorFraction());
+  if (isWhole) report.errorFraction = std::max(report.errorFraction, standInErrorFraction());
   for (const btPersistentManifold* m : manifolds_) {
     if (!m || m->getNumContacts() == 0) continue;
     report.contacts += static_cast<std::uint32_t>(m->getNumContacts());
@@ -200,8 +238,12 @@ PairReport TreePair::reportHeld(bool isWhole) const {
   return report;
 }
 
-double TreePair::rootErrorFraction() const {
-  const float errors = subject_.tree->error(kRootNode) * static_cast<float>(subject_.treeScale) +
+// Of spheres, how far they stand out; of points, all of the body may be in the ground beside them.
+double TreePair::standInErrorFraction() const {
+  const auto scale = static_cast<float>(subject_.treeScale);
+  if (kind_ == CounterpartKind::terrain)
+    return double(2 * subject_.tree->sphere(kRootNode).radius * scale / smallerSize_);
+  const float errors = subject_.tree->error(kRootNode) * scale +
                        subject_.otherTree->error(kRootNode) * static_cast<float>(subject_.otherScale);
   return double(errors / smallerSize_);
 }
