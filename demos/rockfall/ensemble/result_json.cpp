@@ -110,6 +110,8 @@ Json resultToJson(const RunResult& result) {
           {"steps", result.steps},
           {"operations", result.operations},
           {"max_operations", result.maxOperations},
+          {"released_energy_j", result.releasedEnergyJ},
+          {"energy_rise_j", result.energyRiseJ},
           {"state_hash", result.stateHash}};
 }
 
@@ -125,6 +127,8 @@ RunResult resultFromJson(const Json& json) {
   json.at("steps").get_to(result.steps);
   json.at("operations").get_to(result.operations);
   json.at("max_operations").get_to(result.maxOperations);
+  json.at("released_energy_j").get_to(result.releasedEnergyJ);
+  json.at("energy_rise_j").get_to(result.energyRiseJ);
   json.at("state_hash").get_to(result.stateHash);
   return result;
 }

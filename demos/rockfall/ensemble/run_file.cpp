@@ -10,12 +10,13 @@
 #include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
 #include "rockfall/case/content_hash.h"
+#include "rockfall/ensemble/program_hash.h"
 #include "rockfall/ensemble/result_json.h"
 
 namespace cairn::rockfall {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 std::string hashOf(const Json& result) {
   ContentHash hash;
@@ -27,6 +28,7 @@ std::string hashOf(const Json& result) {
 
 Json versionsOfThisProgram() {
   return {{"cairn", CAIRN_VERSION},
+          {"program_sha256", programHash()},
           {"tree_file", kTreeFileVersion},
           {"bullet", btGetVersion()},
           {"scalar_bytes", sizeof(btScalar)}};

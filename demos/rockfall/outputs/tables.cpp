@@ -18,7 +18,7 @@ Tables::Tables(const Case& description)
     : description_(description),
       runs_(
           "run,rocks,resting,moving,left,lost,broken,impacts,crossings,max_energy_j,max_height_m,max_runout_m,steps,"
-          "operations,max_operations,state_hash\n"),
+          "operations,max_operations,released_energy_j,energy_rise_j,state_hash\n"),
       rocks_(
           "run,rock,broken_from,group,variant,sieve_m,mass_kg,release_s,end_s,ending,start_x_m,start_y_m,start_z_m,end_"
           "x_m,"
@@ -54,10 +54,11 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(std::back_inserter(crossings_), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.6g}\n", result.run,
                    description_.collectors[c.collector].name, c.rock, c.direction, c.timeS, c.alongM, c.heightM,
                    c.speed, c.energyJ);
-  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{}\n", result.run,
+  fmt::format_to(std::back_inserter(runs_),
+                 "{},{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n", result.run,
                  result.rocks.size(), endings[0], endings[1], endings[2], endings[3], endings[4], impacts,
                  result.crossings.size(), energy, height, runout, result.steps, result.operations, result.maxOperations,
-                 result.stateHash);
+                 result.releasedEnergyJ, result.energyRiseJ, result.stateHash);
 }
 
 }  // namespace cairn::rockfall

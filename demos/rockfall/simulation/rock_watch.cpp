@@ -80,14 +80,17 @@ void RockWatch::follow(std::uint32_t rock, const RockMoment& moment) {
 void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
   if (!scene_.description.outputs.rasterCellM) return;
   const double cell = *scene_.description.outputs.rasterCellM;
-  const auto note = [&](Peaks& peaks, std::int32_t column, std::int32_t row) {
-    VisitRecord& peak = peaks.try_emplace({row, column}, VisitRecord{rock, column, row, 0, 0}).first->second;
-    peak.maxEnergyJ = std::max(peak.maxEnergyJ, moment.energyJ);
-    peak.maxHeightM = std::max(peak.maxHeightM, moment.heightM);
+  // A rock stays in a cell for many steps.
+  const auto note = [&](Peaks& peaks, VisitRecord*& last, std::int32_t column, std::int32_t row) {
+    if (last == nullptr || last->column != column || last->row != row)
+      last = &peaks.try_emplace({row, column}, VisitRecord{rock, column, row, 0, 0}).first->second;
+    last->maxEnergyJ = std::max(last->maxEnergyJ, moment.energyJ);
+    last->maxHeightM = std::max(last->maxHeightM, moment.heightM);
   };
+  Track& track = tracks_[rock];
   const auto& [x, y] = scene_.worldOrigin;
-  note(tracks_[rock].cells, cellOf(x + moment.place.x, cell), cellOf(y + moment.place.y, cell));
-  note(tracks_[rock].distances, cellOf(result_.rocks[rock].runoutM(), cell), 0);
+  note(track.cells, track.cell, cellOf(x + moment.place.x, cell), cellOf(y + moment.place.y, cell));
+  note(track.distances, track.distance, cellOf(result_.rocks[rock].runoutM(), cell), 0);
 }
 
 void RockWatch::sample(std::uint32_t rock, const RockMoment& moment) {

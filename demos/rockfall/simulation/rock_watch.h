@@ -43,6 +43,7 @@ class RockWatch {
     RockMoment last;
     std::uint64_t samples = 0;
     Peaks cells, distances;
+    VisitRecord *cell = nullptr, *distance = nullptr;  // the last of them
   };
 
   void visit(std::uint32_t rock, const RockMoment& moment);

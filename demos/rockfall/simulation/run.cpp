@@ -8,6 +8,7 @@
 
 #include "cairn/builder/progress.h"
 #include "cairn/core/state_hash.h"
+#include "rockfall/simulation/energy_watch.h"
 #include "rockfall/simulation/impact_watch.h"
 #include "rockfall/simulation/run_world.h"
 #include "rockfall/simulation/world_origin.h"
@@ -26,7 +27,8 @@ class Running {
         world_(world),
         releases_(releaseRocks(scene, run)),
         bodies_(releases_.size()),
-        gone_(releases_.size()) {
+        gone_(releases_.size()),
+        energies_(scene.description.gravityMPerS2, scene.ground->lower().z) {
     result_.run = run;
     for (const ReleasedRock& rock : releases_) {
       RockRecord record;
@@ -51,6 +53,7 @@ class Running {
       if (!body) return body.error();
       bodies_[rock] = body.value();
       ++released_;
+      energies_.enter(rock, *bodies_[rock]);
       watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
     }
     return {};
@@ -63,6 +66,7 @@ class Running {
     for (const RunWorld::Broken& rock : broken.value()) {
       const auto number = static_cast<std::uint32_t>(rock.number);
       for (btRigidBody* piece : rock.pieces) addPiece(number, *piece);
+      energies_.handOn(number);
       bodies_[number] = nullptr;
       gone_[number] = true;
       result_.rocks[number].ending = RockEnd::broken;
@@ -82,6 +86,7 @@ class Running {
     impacts_->lookAt(world_.dispatcher(), bodies_, *watch_, time_);
     for (std::uint32_t rock = 0; rock < bodies_.size(); ++rock)
       if (bodies_[rock]) follow(rock);
+    energies_.endStep();
   }
 
   bool isOver() const {
@@ -111,6 +116,8 @@ class Running {
     watch_->finish();
     moveToMap(result_, scene_.worldOrigin);
     result_.stateHash = hash.hex();
+    result_.releasedEnergyJ = energies_.broughtJ();
+    result_.energyRiseJ = energies_.greatestRiseJ();
     const scenes::Quantiles times = scenes::quantilesOf(std::move(narrowPhaseUs_));
     return {std::move(result_), {cpuUs / 1e6, times.p999, times.max, world_.effects().report()}};
   }
@@ -124,6 +131,7 @@ class Running {
     // The ground lifts again what has dived into it; from all of a rock below it nothing can be told.
     const auto reach = static_cast<double>(bodies_[rock]->getCollisionShape()->getAngularMotionDisc());
     if (center.z + reach < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
+    energies_.follow(rock, *bodies_[rock]);
     if (bodies_[rock]->isActive()) watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
   }
 
@@ -151,6 +159,7 @@ class Running {
   /// Its last place is where it was over the ground.
   void remove(std::uint32_t rock, RockEnd ending) {
     world_.retire(*bodies_[rock]);
+    energies_.leave(rock);
     bodies_[rock] = nullptr;
     gone_[rock] = true;
     result_.rocks[rock].ending = ending;
@@ -166,6 +175,7 @@ class Running {
   RunResult result_;
   std::optional<RockWatch> watch_;
   std::optional<ImpactWatch> impacts_;
+  EnergyWatch energies_;
   std::vector<double> narrowPhaseUs_;
   double time_ = 0;
 };

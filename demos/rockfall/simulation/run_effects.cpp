@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/simulation/run_effects.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "rockfall/simulation/effect_factory.h"
@@ -24,6 +25,10 @@ Result<std::unique_ptr<RunEffects>> RunEffects::create(const Scene& scene, btDis
   auto set = effects::EffectSet::create(world);
   if (!set) return set.error();
   all->set_ = std::move(set).value();
+  // Else Bullet makes every body's box twice, to look ahead for bodies that never ask for it.
+  world.getDispatchInfo().m_useContinuous =
+      std::ranges::any_of(scene.description.effects,
+                          [](const EffectOptions& options) { return std::holds_alternative<CcdOptions>(options); });
   for (std::size_t i = 0; i < scene.description.effects.size(); ++i) {
     auto effect = makeEffect(scene, i, run, all->below_);
     if (auto* fragmentation = dynamic_cast<effects::Fragmentation*>(effect.get())) all->fragmentation_ = fragmentation;

@@ -75,6 +75,9 @@ struct RunResult {
   std::vector<VisitRecord> distances;                       ///< `column` counts cells of distance, `row` is 0
   std::vector<std::vector<TrajectorySample>> trajectories;  ///< by rock
   std::uint64_t steps = 0, operations = 0, maxOperations = 0;
+  /// Of all rocks as released, and the most by which the energy of all together rose above what it had been: potential
+  /// (from the ground's lowest point) and kinetic. Nothing gives them any, so a rise is an error.
+  double releasedEnergyJ = 0, energyRiseJ = 0;
   std::string stateHash;  ///< over all poses and velocities, once a simulated second
 };
 

@@ -13,6 +13,7 @@ Result<std::unique_ptr<RunWorld>> RunWorld::create(const Scene& scene, std::uint
 
 RunWorld::RunWorld(const Scene& scene)
     : scene_(scene), dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+  world_.setForceUpdateAllAabbs(false);  // what sleeps has the box it had
   world_.setGravity({0, 0, -static_cast<btScalar>(scene.description.gravityMPerS2)});
 }
 
