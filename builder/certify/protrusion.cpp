@@ -121,12 +121,13 @@ class BranchAndBound {
     const SignedDistance::Answer answer = query(point, piece.triangle);
     piece.triangle = answer.nearest.triangle;
     offer(point, -answer.depth);
-    piece.upper = std::min(piece.upper, boundOnHull(piece, point, answer));
+    piece.upper = boundOnHull(piece, point, answer);
     if (piece.upper <= best_) return;
     pieces_.push_back(piece);
     std::push_heap(pieces_.begin(), pieces_.end());
   }
 
+  /// What is known of the piece already, or less.
   double boundOnHull(const Piece& piece, const Vec3d& point, const SignedDistance::Answer& answer) const {
     const auto& [a, b, c] = piece.directions;
     // The plane through a, b, c passes the centre at `cosine`: a unit direction between them is a combination of
@@ -134,16 +135,20 @@ class BranchAndBound {
     // outer / cosine.
     const double cosine = dot(a, normalized(cross(b - a, c - a)));
     const double outer = piece.outer / std::abs(cosine);
-    double toTriangle = 0, toPointSq = 0;
-    for (const Vec3d& direction : piece.directions) {
+    double toPointSq = 0;
+    for (const Vec3d& direction : piece.directions)
+      for (const double r : {piece.inner, outer})
+        toPointSq = std::max(toPointSq, lengthSq(center_ + direction * r - point));
+    // The 1-Lipschitz bound; it is the better one where the piece lies inside the solid.
+    const double toPoint = std::min(piece.upper, std::sqrt(toPointSq) - answer.depth);
+    if (toPoint <= best_) return toPoint;
+    double toTriangle = 0;
+    for (const Vec3d& direction : piece.directions)
       for (const double r : {piece.inner, outer}) {
-        const Vec3d corner = center_ + direction * r;
-        toTriangle = std::max(toTriangle, solid_.distanceToTriangle(answer.nearest.triangle, corner));
-        toPointSq = std::max(toPointSq, lengthSq(corner - point));
+        toTriangle = std::max(toTriangle, solid_.distanceToTriangle(answer.nearest.triangle, center_ + direction * r));
+        if (toTriangle >= toPoint) return toPoint;
       }
-    }
-    // The second is the 1-Lipschitz bound; it is the better one where the piece lies inside the solid.
-    return std::min(toTriangle, std::sqrt(toPointSq) - answer.depth);
+    return toTriangle;
   }
 
   static constexpr double kMostHeightToWidth = 2;  // from 0.5 to 8 the cost is the same within noise

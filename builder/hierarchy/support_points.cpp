@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "spheres/farthest_sample.h"
+#include "spheres/point_set.h"
 
 namespace cairn::builder {
 
@@ -22,17 +23,9 @@ struct Direction {
   double shortfall = std::numeric_limits<double>::infinity();
 };
 
-Direction extremeIn(const Vec3d& unit, std::span<const Vec3d> points) {
-  Direction d{unit};
-  d.reach = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double reach = dot(points[i], unit);
-    if (reach > d.reach) {
-      d.reach = reach;
-      d.extreme = i;
-    }
-  }
-  return d;
+Direction extremeIn(const Vec3d& unit, const PointSet& points) {
+  const std::size_t extreme = points.farthestAlong(unit);
+  return {unit, extreme, dot(points[extreme], unit)};
 }
 
 std::vector<Vec3d> facingDirections(std::span<const FacingArea> areas) {
@@ -58,10 +51,11 @@ std::vector<Vec3d> evenDirections() {
 std::vector<Vec3d> chooseSupportPoints(std::span<const Vec3d> points, std::span<const FacingArea> areas,
                                        std::size_t most, double negligible) {
   assert(!points.empty());
+  const PointSet all(points);
   std::vector<Vec3d> chosen;
   for (const std::vector<Vec3d>& units : {facingDirections(areas), evenDirections()}) {
     std::vector<Direction> directions;
-    for (const Vec3d& unit : units) directions.push_back(extremeIn(unit, points));
+    for (const Vec3d& unit : units) directions.push_back(extremeIn(unit, all));
     for (const Vec3d& point : chosen)
       for (Direction& d : directions) d.shortfall = std::min(d.shortfall, d.reach - dot(point, d.unit));
     while (chosen.size() < most) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "spheres/enclosing_ball.h"
@@ -28,6 +29,8 @@ class Bundle {
   void restart(const Vec3d& gradient) {
     size_ = 0;
     add(gradient);
+    way_[0] = {gradient, kInfinity};
+    end_ = 0;
   }
   bool full() const { return size_ == kMost; }
   void add(const Vec3d& gradient) {
@@ -37,21 +40,34 @@ class Bundle {
     ++size_;
   }
 
-  /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction.
-  Vec3d shortest() const {
-    Vec3d v = at(0);
-    if (size_ == 1) return v;
-    for (int round = 0; round < 12; ++round) {
-      const Vec3d edge = at(lowestAlong(v)) - v;
+  /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction. To be
+  /// asked after each `add`: it goes the way of the time before, up to where the gradient added leads elsewhere.
+  Vec3d shortest() {
+    std::size_t round = 0;
+    for (const Vec3d added = at(size_ - 1); !(dot(way_[round].v, added) < way_[round].lowest); ++round)
+      if (round == end_) return way_[end_].v;
+    if (size_ == 1) return way_[0].v;
+    for (;; ++round) {
+      const Vec3d v = way_[round].v;
+      end_ = round;
+      if (round == kRounds) return v;
+      const Vec3d lowest = at(lowestAlong(v)), edge = lowest - v;
+      way_[round].lowest = dot(v, lowest);
       const double gain = -dot(v, edge), edgeSq = lengthSq(edge);
-      if (gain <= 1e-12 || edgeSq == 0) break;
-      v += edge * std::min(1.0, gain / edgeSq);
+      if (gain <= 1e-12 || edgeSq == 0) return v;
+      way_[round + 1] = {v + edge * std::min(1.0, gain / edgeSq), -kInfinity};
     }
-    return v;
   }
 
  private:
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMost = 8, kRounds = 12;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  /// A vector of the hull on the way to the shortest, and the least dot product of a gradient with it.
+  struct Stop {
+    Vec3d v;
+    double lowest = 0;
+  };
 
   Vec3d at(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
 
@@ -59,13 +75,18 @@ class Bundle {
     std::array<double, kMost> along;
     for (std::size_t i = 0; i < kMost; ++i) along[i] = x_[i] * v.x + y_[i] * v.y + z_[i] * v.z;
     std::size_t lowest = 0;
-    for (std::size_t i = 1; i < size_; ++i)
-      if (along[i] < along[lowest]) lowest = i;
+    double least = along[0];
+    for (std::size_t i = 1; i < size_; ++i) {
+      lowest = along[i] < least ? i : lowest;
+      least = std::min(least, along[i]);
+    }
     return lowest;
   }
 
   std::array<double, kMost> x_{}, y_{}, z_{};
   std::size_t size_ = 0;
+  std::array<Stop, kRounds + 1> way_;  // up to `end_`; beyond the last round no gradient leads elsewhere
+  std::size_t end_ = 0;
 };
 
 }  // namespace
@@ -74,9 +95,10 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
   return {center, points.farthest(center).distance, solid.depth(center)};
 }
 
-Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest) {
+Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest,
+             StandOffMemory& memory) {
   assert(start.depth == solid.depth(start.center) && finest > 0);
-  StandOff standOff(points, solid);
+  StandOff standOff(points, solid, memory);
   StandOff::Value best = standOff.at(start.center, start.depth);
   Bundle bundle;
   bundle.restart(best.gradient);
@@ -114,7 +136,8 @@ Ball fitBall(const Vec3d& center, const PointSet& points, const DepthField& soli
   const Ball around = ballAround(center, points, solid);
   const Ball& start = smallest.standOff() < around.standOff() ? smallest : around;
   if (start.radius == 0) return start;  // around a single point, which no step improves
-  return descend(start, points, solid, 0.2 * start.radius, 1e-4 * start.radius);
+  StandOffMemory memory;
+  return descend(start, points, solid, 0.2 * start.radius, 1e-4 * start.radius, memory);
 }
 
 }  // namespace cairn::builder

@@ -4,6 +4,7 @@
 #include "spheres/ball.h"
 #include "spheres/depth_field.h"
 #include "spheres/point_set.h"
+#include "spheres/stand_off.h"
 
 namespace cairn::builder {
 
@@ -17,7 +18,9 @@ Ball ballAround(const Vec3d& center, const PointSet& points, const DepthField& s
 /// goes along the shortest vector of the hull of the gradients seen near the current centre, which is a descent
 /// direction of all of them (bundle method; Lemarechal 1975). Typically 20 to 60 evaluations of one distance query and
 /// one pass over the points each. Preconditions: `start.depth` is that of its centre; 0 < `finest` <= `coarsest`.
-Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest);
+/// `memory` is kept from one descent to the next.
+Ball descend(const Ball& start, const PointSet& points, const DepthField& solid, double coarsest, double finest,
+             StandOffMemory& memory);
 
 /// The tightest of the ball around `center` and the smallest enclosing ball (thesis 5.3.2), then `descend`.
 Ball fitBall(const Vec3d& center, const PointSet& points, const DepthField& solid);

@@ -60,15 +60,18 @@ class OffsetSampling {
   std::vector<Vec3d> run() {
     double halfEdge = 0.5 * spacing_;
     while (halfEdge < reach_) halfEdge *= 2;
-    visit(center_, halfEdge, std::numeric_limits<double>::infinity());
+    visit(center_, halfEdge, solid_.closest(center_).triangle);
     return std::move(samples_);
   }
 
  private:
-  /// The centre is within `atMost` of the surface.
-  void visit(const Vec3d& center, double halfEdge, double atMost) {
+  /// `known`: a triangle that may be near.
+  void visit(const Vec3d& center, double halfEdge, std::uint32_t known) {
     const double reach = std::numbers::sqrt3 * halfEdge;
     if (distance(center, center_) > reach_ + reach) return;
+    const double atMost = solid_.distanceToTriangle(known, center);
+    // So near that all of the cell is nearer than the offset surface, both distances' rounding included.
+    if (atMost + 4 * solid_.roundingBound(center) + reach < scale_) return;
     const SignedDistance::Answer answer = solid_.query(center, atMost);
     const double height = -answer.depth;
     const bool last = halfEdge <= 0.75 * spacing_;
@@ -81,7 +84,7 @@ class OffsetSampling {
     const double half = 0.5 * halfEdge;
     for (int i = 0; i < 8; ++i)
       visit(center + Vec3d((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half), half,
-            answer.nearest.distance + 0.5 * reach);
+            answer.nearest.triangle);
   }
 
   const SignedDistance& solid_;

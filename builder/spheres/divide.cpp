@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 
+#include "spheres/piece_costs.h"
+
 namespace cairn::builder {
 
 namespace {
@@ -15,11 +17,11 @@ struct Owner {
   double biased = std::numeric_limits<double>::infinity();
 };
 
-/// The cheapest ball, bias counted, of those that hold the piece within `standOff`; the cheapest of all when none does.
-Owner ownerOf(const Piece& piece, std::span<const Ball> balls, std::span<const double> bias, double standOff) {
+/// The cheapest ball, bias counted, of those that hold a piece within `standOff`; the cheapest of all when none does.
+Owner ownerOf(std::span<const double> costs, std::span<const double> bias, double standOff) {
   Owner owner;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const double cost = costOf(balls[i], piece);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const double cost = costs[i];
     const Owner candidate{i, cost, cost + bias[i]};
     const bool holds = cost <= standOff, held = owner.cost <= standOff;
     if (holds && held ? candidate.biased < owner.biased : cost < owner.cost) owner = candidate;
@@ -32,11 +34,12 @@ Owner ownerOf(const Piece& piece, std::span<const Ball> balls, std::span<const d
 std::vector<Pieces> divide(Pieces pieces, std::span<const Ball> balls, std::span<const double> bias, double standOff,
                            double finest) {
   assert(!balls.empty() && bias.size() == balls.size() && finest > 0);
+  PieceCosts costs(balls);
   std::vector<Pieces> parts(balls.size());
   while (!pieces.empty()) {
     const Piece piece = pieces.back();
     pieces.pop_back();
-    const Owner owner = ownerOf(piece, balls, bias, standOff);
+    const Owner owner = ownerOf(costs.of(piece), bias, standOff);
     if (owner.cost <= standOff || longestEdgeSq(piece) <= finest * finest) {
       parts[owner.ball].push_back(piece);
     } else {

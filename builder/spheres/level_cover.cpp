@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "spheres/ball_fit.h"
+#include "spheres/holders.h"
 
 namespace cairn::builder {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
 constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
 constexpr int kSweepsPerRound = 3;
@@ -49,35 +49,6 @@ class Places {
  private:
   std::vector<std::size_t> begin_;
   std::vector<Place> places_;
-};
-
-/// The two cheapest balls for a point, of those that may hold it.
-struct Holder {
-  std::uint32_t ball = kNobody, second = kNobody;
-  double cost = kInfinity, secondCost = kInfinity;
-
-  /// Without branches, of which half would be mispredicted.
-  void offer(std::uint32_t other, double otherCost) {
-    const bool first = otherCost < cost, next = otherCost < secondCost;
-    second = first ? ball : next ? other : second;
-    secondCost = first ? cost : next ? otherCost : secondCost;
-    ball = first ? other : ball;
-    cost = first ? otherCost : cost;
-  }
-  /// Ball `i` costs `changed` now. False when a third ball may be among the two cheapest, so that all have to be
-  /// offered.
-  bool update(std::uint32_t i, double changed) {
-    if (changed >= secondCost && (ball == i || second == i)) return false;
-    if (second == i && changed >= cost)
-      secondCost = changed;
-    else if (ball == i)
-      cost = changed;
-    else
-      offer(i, changed);
-    return true;
-  }
-  /// What the cheapest ball but `i` costs.
-  double without(std::uint32_t i) const { return ball == i ? secondCost : cost; }
 };
 
 /// Where a ball was left by a descent that found nothing lower, which it would not find again either.
@@ -119,7 +90,7 @@ class LevelOptimisation {
 
   double worstCost() const {
     double worst = -kInfinity;
-    for (const Holder& holder : holders_) worst = std::max(worst, holder.cost);
+    for (const double cost : holders_.costs()) worst = std::max(worst, cost);
     return worst;
   }
 
@@ -128,20 +99,14 @@ class LevelOptimisation {
     double request = kFirstRequest;
     for (int round = 0; round < kMaxRounds && request >= problem_.worthARound && worst > problem_.enough; ++round) {
       if (!problem_.goesOn()) return;
-      auto saved = balls_;
-      auto savedCosts = costs_;
-      auto savedHolders = holders_;
+      save();
       const double goal = std::max(problem_.enough, worst * (1 - request));
       double reached = worst;
       for (int s = 0; s < kSweepsPerRound && reached > goal && problem_.goesOn(); ++s) {
         if (!sweep(goal)) break;
         reached = worstCost();
       }
-      if (reached >= worst) {
-        balls_ = std::move(saved);
-        costs_ = std::move(savedCosts);
-        holders_ = std::move(savedHolders);
-      }
+      if (reached >= worst) restore();
       if (reached > goal) request *= 0.5;
       worst = std::min(worst, reached);
     }
@@ -165,19 +130,37 @@ class LevelOptimisation {
     const std::uint32_t parent = balls_[i].parent;
     family_[parent].push_back(i);
     costs_.resize(balls_.size());
+    savedCosts_.resize(balls_.size());
+    changed_.resize(balls_.size(), 0);
     stuck_.resize(balls_.size());
     costs_[i].assign(problem_.reach[parent].size(), kInfinity);
+  }
+
+  /// Remembers where all balls are. What they cost is remembered when it changes.
+  void save() {
+    savedBalls_ = balls_;
+    savedHolders_ = holders_;
+    std::fill(changed_.begin(), changed_.end(), char{0});
+  }
+
+  void restore() {
+    std::swap(balls_, savedBalls_);
+    std::swap(holders_, savedHolders_);
+    for (std::size_t i = 0; i < costs_.size(); ++i)
+      if (changed_[i] != 0) std::swap(costs_[i], savedCosts_[i]);
   }
 
   void updateCosts(std::uint32_t i) {
     const Ball& ball = balls_[i].ball;
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
-    const std::span<double> costs = costs_[i];
-    reachPoints_[balls_[i].parent].distances(ball.center, ball.depth, costs);
-    for (std::size_t slot = 0; slot < reach.size(); ++slot) {
-      Holder& holder = holders_[reach[slot]];
-      if (!holder.update(i, costs[slot])) holder = holderOf(reach[slot]);
+    if (changed_[i] == 0) {
+      std::swap(costs_[i], savedCosts_[i]);
+      costs_[i].resize(reach.size());
+      changed_[i] = 1;
     }
+    reachPoints_[balls_[i].parent].distances(ball.center, ball.depth, costs_[i]);
+    holders_.update(i, reach, costs_[i], open_);
+    for (const std::uint32_t slot : open_) holders_.set(reach[slot], holderOf(reach[slot]));
   }
 
   Holder holderOf(std::size_t point) const {
@@ -187,23 +170,12 @@ class LevelOptimisation {
     return holder;
   }
 
-  /// Slots of the ball's reach with points that no other ball holds at the stand-off `goal`, or more cheaply.
-  std::vector<std::uint32_t> dutiesOf(std::uint32_t i, double goal) const {
-    const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
-    const std::span<const double> costs = costs_[i];
-    std::vector<std::uint32_t> duties;
-    for (std::uint32_t slot = 0; slot < reach.size(); ++slot) {
-      const double others = holders_[reach[slot]].without(i);
-      if (others > goal && others >= costs[slot]) duties.push_back(slot);
-    }
-    return duties;
-  }
-
   /// By ball: the most any point costs it that it holds most cheaply; minus infinity without any.
   std::vector<double> loads() const {
     std::vector<double> load(balls_.size(), -kInfinity);
-    for (const Holder& holder : holders_)
-      if (holder.ball != kNobody) load[holder.ball] = std::max(load[holder.ball], holder.cost);
+    for (std::size_t p = 0; p < holders_.size(); ++p)
+      if (const std::uint32_t ball = holders_.balls()[p]; ball != Holder::kNobody)
+        load[ball] = std::max(load[ball], holders_.costs()[p]);
     return load;
   }
 
@@ -220,20 +192,20 @@ class LevelOptimisation {
 
   /// False when the ball stays.
   bool move(std::uint32_t i, double goal) {
-    std::vector<std::uint32_t> duties = dutiesOf(i, goal);
-    if (duties.empty()) {
+    // Slots of the ball's reach with points that no other ball holds at the stand-off `goal`, or more cheaply.
+    holders_.duties(i, problem_.reach[balls_[i].parent], costs_[i], goal, duties_);
+    if (duties_.empty()) {
       joinWorst(i);
       return true;
     }
     Ball& ball = balls_[i].ball;
-    if (stuck_[i].at(ball.center, goal, duties)) return false;
-    PointSet points;
-    points.assign(reachPoints_[balls_[i].parent], duties);
-    const Ball needed{ball.center, points.farthest(ball.center).distance, ball.depth};
+    if (stuck_[i].at(ball.center, goal, duties_)) return false;
+    dutyPoints_.assign(reachPoints_[balls_[i].parent], duties_);
+    const Ball needed{ball.center, dutyPoints_.farthest(ball.center).distance, ball.depth};
     if (needed.standOff() <= kEase * goal) return false;
-    const Ball lowest = descend(needed, points, problem_.solid, kCoarsestStep * goal, kFinestStep * goal);
+    const Ball lowest = descend(needed, dutyPoints_, problem_.solid, kCoarsestStep * goal, kFinestStep * goal, memory_);
     if (lowest.center == ball.center && lowest.depth == ball.depth) {
-      stuck_[i] = {ball.center, goal, std::move(duties)};
+      stuck_[i] = {ball.center, goal, duties_};
       return false;
     }
     ball = lowest;
@@ -245,11 +217,12 @@ class LevelOptimisation {
   void joinWorst(std::uint32_t i) {
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
     std::uint32_t worst = reach.front();
+    const std::span<const double> costs = holders_.costs();
     for (const std::uint32_t p : reach)
-      if (holders_[p].cost > holders_[worst].cost) worst = p;
-    const std::uint32_t owner = holders_[worst].ball;
+      if (costs[p] > costs[worst]) worst = p;
+    const std::uint32_t owner = holders_.balls()[worst];
     Vec3d center = problem_.points[worst];
-    if (owner != kNobody) center = (center + balls_[owner].ball.center) * 0.5;
+    if (owner != Holder::kNobody) center = (center + balls_[owner].ball.center) * 0.5;
     balls_[i].ball = {center, 0, problem_.solid.depth(center)};
     updateCosts(i);
   }
@@ -260,8 +233,17 @@ class LevelOptimisation {
   std::vector<PointSet> reachPoints_;               // by parent
   std::vector<std::vector<std::uint32_t>> family_;  // by parent: its balls
   std::vector<std::vector<double>> costs_;          // by ball, then by slot of its parent's reach
-  std::vector<Holder> holders_;                     // by point
+  Holders holders_;
   std::vector<Stuck> stuck_;  // by ball: its last descent in vain, if any; its duties are not empty
+  // As they were when the round began; costs of the balls that have `changed_` since.
+  std::vector<ChildBall> savedBalls_;
+  std::vector<std::vector<double>> savedCosts_;
+  Holders savedHolders_{0};
+  std::vector<char> changed_;
+  // Of one move, kept for their memory.
+  std::vector<std::uint32_t> open_, duties_;
+  PointSet dutyPoints_;
+  StandOffMemory memory_;
 };
 
 }  // namespace

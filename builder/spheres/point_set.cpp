@@ -40,27 +40,51 @@ struct DistanceSq {
   }
 };
 
-/// The greatest squared distance and the first point at it.
-PointSet::Farthest farthest(const double* x, const double* y, const double* z, std::size_t size, const Vec3d& center) {
+/// Dot products of a direction and as many points as there are lanes.
+struct Along {
+  const double *HWY_RESTRICT x, *HWY_RESTRICT y, *HWY_RESTRICT z;
+  Vec3d direction;
+
+  HWY_INLINE V operator()(std::size_t i) const {
+    const Lanes d;
+    const V ax = hn::Mul(hn::LoadU(d, x + i), hn::Set(d, direction.x));
+    const V ay = hn::Mul(hn::LoadU(d, y + i), hn::Set(d, direction.y));
+    const V az = hn::Mul(hn::LoadU(d, z + i), hn::Set(d, direction.z));
+    return hn::Add(hn::Add(ax, ay), az);
+  }
+  HWY_INLINE double one(std::size_t i) const { return x[i] * direction.x + y[i] * direction.y + z[i] * direction.z; }
+};
+
+/// The greatest of `size` values and the first index with it.
+template <class Values>
+HWY_INLINE PointSet::Farthest greatest(const Values& values, std::size_t size) {
   const Lanes d;
   const std::size_t lanes = hn::Lanes(d);
-  const DistanceSq distanceSq{x, y, z, center};
   // Two running maxima hide the latency of the comparison; the second pass finds the index.
-  V first = hn::Set(d, -1.0), second = first;
+  V first = hn::Set(d, values.one(0)), second = first;
   std::size_t i = 0;
   for (; i + 2 * lanes <= size; i += 2 * lanes) {
-    first = hn::Max(first, distanceSq(i));
-    second = hn::Max(second, distanceSq(i + lanes));
+    first = hn::Max(first, values(i));
+    second = hn::Max(second, values(i + lanes));
   }
   double most = hn::GetLane(hn::MaxOfLanes(d, hn::Max(first, second)));
-  for (; i < size; ++i) most = std::max(most, distanceSq.one(i));
+  for (; i < size; ++i) most = std::max(most, values.one(i));
   const V wanted = hn::Set(d, most);
   for (i = 0; i + lanes <= size; i += lanes) {
-    const auto at = hn::FindFirstTrue(d, hn::Eq(distanceSq(i), wanted));
+    const auto at = hn::FindFirstTrue(d, hn::Eq(values(i), wanted));
     if (at >= 0) return {most, i + static_cast<std::size_t>(at)};
   }
-  while (i + 1 < size && distanceSq.one(i) != most) ++i;
+  while (i + 1 < size && values.one(i) != most) ++i;
   return {most, i};
+}
+
+PointSet::Farthest farthest(const double* x, const double* y, const double* z, std::size_t size, const Vec3d& center) {
+  return greatest(DistanceSq{x, y, z, center}, size);
+}
+
+PointSet::Farthest farthestAlong(const double* x, const double* y, const double* z, std::size_t size,
+                                 const Vec3d& direction) {
+  return greatest(Along{x, y, z, direction}, size);
 }
 
 void distances(const double* x, const double* y, const double* z, std::size_t size, const Vec3d& center, double offset,
@@ -80,6 +104,7 @@ HWY_AFTER_NAMESPACE();
 namespace cairn::builder {
 
 HWY_EXPORT(farthest);
+HWY_EXPORT(farthestAlong);
 HWY_EXPORT(distances);
 
 PointSet::PointSet(std::span<const Vec3d> points) {
@@ -111,6 +136,11 @@ PointSet::Farthest PointSet::farthest(const Vec3d& center) const {
   assert(!empty());
   const Farthest squared = HWY_DYNAMIC_DISPATCH(farthest)(x_.data(), y_.data(), z_.data(), size(), center);
   return {std::sqrt(squared.distance), squared.index};
+}
+
+std::size_t PointSet::farthestAlong(const Vec3d& direction) const {
+  assert(!empty());
+  return HWY_DYNAMIC_DISPATCH(farthestAlong)(x_.data(), y_.data(), z_.data(), size(), direction).index;
 }
 
 bool PointSet::anyWithin(const Vec3d& center, double reach) const {

@@ -30,6 +30,8 @@ class PointSet {
   };
   /// The point farthest from `center`, the lowest index on a tie. Precondition: not empty. Linear.
   Farthest farthest(const Vec3d& center) const;
+  /// The point farthest along `direction`, the lowest index on a tie. Precondition: not empty. Linear.
+  std::size_t farthestAlong(const Vec3d& direction) const;
   /// Whether some point is within `reach` of `center`. Linear, and ends at the first.
   bool anyWithin(const Vec3d& center, double reach) const;
   /// Distance of every point from `center`, minus `offset`. Precondition: `out.size() == size()`.

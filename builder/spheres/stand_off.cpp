@@ -35,52 +35,58 @@ StandOff::Value StandOff::near(const Value& around, double reach, const Vec3d& c
     gather(around, reach);
   else if (reach < kNarrow * reach_)
     narrow(around, reach);
-  const PointSet::Farthest farthest = farPoints_.farthest(center);
+  const PointSet::Farthest farthest = memory_.farPoints.farthest(center);
   const double moved = distance(center, around_);
-  return valueOf(center, farthest.distance, farPoints_[farthest.index],
-                 partsKept_ ? solid_.atAmong(parts_, center, moved) : solid_.at(center, around.ball.depth, moved));
+  return valueOf(
+      center, farthest.distance, memory_.farPoints[farthest.index],
+      partsKept_ ? solid_.atAmong(memory_.parts, center, moved) : solid_.at(center, around.ball.depth, moved));
 }
 
 void StandOff::gather(const Value& around, double reach) {
   radius_ = around.ball.radius;
-  farDistances_.resize(points_.size());
-  points_.distances(around_, 0, farDistances_);
+  memory_.farDistances.resize(points_.size());
+  points_.distances(around_, 0, memory_.farDistances);
   keepFar(points_, reach);
   gatherParts(around.ball.depth, reach);
   reach_ = reach;
 }
 
 void StandOff::narrow(const Value& around, double reach) {
-  keepFar(farPoints_, reach);
+  keepFar(memory_.farPoints, reach);
   reach_ = reach;
   if (!partsKept_) {
     gatherParts(around.ball.depth, reach);
     return;
   }
   const double within = decided_ + 2 * reach;
-  std::erase_if(parts_, [&](const DepthField::Part& part) { return part.distance > within; });
+  std::erase_if(memory_.parts, [&](const DepthField::Part& part) { return part.distance > within; });
 }
 
 void StandOff::keepFar(const PointSet& points, double reach) {
   // A point nearer than this is nearer than the farthest one to any centre within reach.
   const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
-  kept_.clear();
-  for (std::uint32_t i = 0; i < farDistances_.size(); ++i) {
-    if (farDistances_[i] < nearest) continue;
-    farDistances_[kept_.size()] = farDistances_[i];
-    kept_.push_back(i);
+  std::vector<double>& distances = memory_.farDistances;
+  std::vector<std::uint32_t>& kept = memory_.kept;
+  kept.resize(distances.size());
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < distances.size(); ++i) {
+    const double d = distances[i];
+    distances[count] = d;
+    kept[count] = i;
+    count += d < nearest ? 0 : 1;
   }
-  farDistances_.resize(kept_.size());
-  farPoints_.assign(points, kept_);
+  distances.resize(count);
+  kept.resize(count);
+  memory_.farPoints.assign(points, kept);
 }
 
 void StandOff::gatherParts(double depth, double reach) {
-  const std::optional<double> within = solid_.gather(around_, depth, reach, kMostParts, parts_);
+  const std::optional<double> within = solid_.gather(around_, depth, reach, kMostParts, memory_.parts);
   partsKept_ = within.has_value();
   decided_ = within.value_or(0) - 2 * reach;
   // The nearest part goes first: most of the others need not be looked at then.
-  if (partsKept_ && !parts_.empty())
-    std::iter_swap(parts_.begin(), std::ranges::min_element(parts_, {}, &DepthField::Part::distance));
+  if (partsKept_ && !memory_.parts.empty())
+    std::iter_swap(memory_.parts.begin(), std::ranges::min_element(memory_.parts, {}, &DepthField::Part::distance));
 }
 
 }  // namespace cairn::builder

@@ -10,6 +10,15 @@
 
 namespace cairn::builder {
 
+/// What a `StandOff` keeps near its centre. One after the other can use the same, which saves most of their
+/// allocations.
+struct StandOffMemory {
+  PointSet farPoints;
+  std::vector<double> farDistances;  // from the centre
+  std::vector<std::uint32_t> kept;   // for `keepFar` alone
+  std::vector<DepthField::Part> parts;
+};
+
 /// The stand-off max |p - c| - s(c) of the ball around a centre c that just holds some points, as the descent needs it:
 /// many times close to one centre. Then only points nearly as far as the farthest and parts of the surface nearly as
 /// near as the nearest can decide, so those are kept and the others not looked at. The bits are those of looking at
@@ -17,7 +26,8 @@ namespace cairn::builder {
 class StandOff {
  public:
   /// Keeps references. Precondition: `points` not empty.
-  StandOff(const PointSet& points, const DepthField& solid) : points_(points), solid_(solid) {}
+  StandOff(const PointSet& points, const DepthField& solid, StandOffMemory& memory)
+      : points_(points), solid_(solid), memory_(memory) {}
 
   struct Value {
     Ball ball;
@@ -34,21 +44,18 @@ class StandOff {
  private:
   void gather(const Value& around, double reach);
   void narrow(const Value& around, double reach);
-  /// Keeps those of `points`, which `farDistances_` belongs to, that can be farthest within `reach`.
+  /// Keeps those of `points`, which `farDistances` belongs to, that can be farthest within `reach`.
   void keepFar(const PointSet& points, double reach);
   void gatherParts(double depth, double reach);
 
   const PointSet& points_;
   const DepthField& solid_;
+  StandOffMemory& memory_;
   Vec3d around_;        // the centre of the last `near`
   bool known_ = false;  // whether there was one
   double reach_ = 0;    // what is kept holds for centres within this; 0 when nothing is kept
   bool partsKept_ = false;
-  double radius_ = 0;  // of the ball around `around_`
-  PointSet farPoints_;
-  std::vector<double> farDistances_;  // from `around_`
-  std::vector<std::uint32_t> kept_;   // for `keepFar` alone
-  std::vector<DepthField::Part> parts_;
+  double radius_ = 0;   // of the ball around `around_`
   double decided_ = 0;  // farthest part that decides the depth at `around_` itself, with room for rounding
 };
 

@@ -122,18 +122,63 @@ HWY_INLINE double leastOf(const double* distances) {
   return std::min(std::min(distances[0], distances[1]), std::min(distances[2], distances[3]));
 }
 
-TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMost) {
+/// Some packets of a hierarchy, and which of them a search may still come to: a bit each.
+struct TiedPackets {
+  struct Tied {
+    std::uint32_t index;
+    double distanceSq;
+  };
+  std::array<Tied, NearestAmong::kMostTied> list;
+  std::size_t size = 0;
+
+  /// False when there is no room, also not without those that are not nearer than `limitSq`.
+  bool add(const Tied& tied, double limitSq) {
+    if (size == list.size()) drop(limitSq);
+    if (size == list.size()) return false;
+    list[size++] = tied;
+    return true;
+  }
+  void drop(double limitSq) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size; ++i)
+      if (list[i].distanceSq < limitSq) list[kept++] = list[i];
+    size = kept;
+  }
+  std::uint32_t all() const { return ~std::uint32_t{0} >> (list.size() - size); }
+
+  /// Of the packets `which` below a node: those of each child. Returns the children that have any, a bit each.
+  unsigned below(const HierarchyNode& node, std::uint32_t which, std::array<std::uint32_t, 4>& byChild) const {
+    byChild = {};
+    unsigned children = 0;
+    for (; which != 0; which &= which - 1) {
+      const int i = std::countr_zero(which);
+      int child = 0;
+      for (int lane = 1; lane < HierarchyNode::kWidth; ++lane) child += node.firstPacket[lane] <= list[i].index ? 1 : 0;
+      byChild[child] |= std::uint32_t{1} << i;
+      children |= 1U << child;
+    }
+    return children;
+  }
+};
+static_assert(NearestAmong::kMostTied == 32 && HierarchyNode::kWidth == 4);
+
+/// Depth first, nearest box first. With `tied`, only on the ways to those packets, else everywhere.
+template <bool kOnlyTied>
+HWY_INLINE TriangleHierarchy::Place search(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMostSq,
+                                           const TiedPackets* tied) {
   struct Entry {
     double boundSq;  // no triangle of the child is nearer
     double boxSq;
     std::uint32_t child;
+    std::uint32_t which;  // of the tied
   };
   std::array<Entry, TriangleHierarchy::kStackSize> stack;
   std::size_t size = 0;
-  stack[size++] = {0, 0, 0};
-  double best = atMost * atMost;
+  stack[size++] = {0, 0, 0, kOnlyTied ? tied->all() : 0};
+  double best = atMostSq;
   TriangleHierarchy::Place place;
   alignas(32) double distances[HierarchyNode::kWidth], bounds[HierarchyNode::kWidth];
+  std::array<std::uint32_t, HierarchyNode::kWidth> byChild{};
   while (size > 0) {
     const Entry entry = stack[--size];
     if (entry.boundSq >= best) continue;
@@ -148,17 +193,24 @@ TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d
     }
     const HierarchyNode& node = hierarchy.node(entry.child);
     distancesSq(node, query, distances);
+    if (lessBits(distances, best) == 0) continue;
     slabBoundsSq(node, query, distances, bounds);
+    unsigned nearer = lessBits(bounds, best);
+    if constexpr (kOnlyTied) nearer &= tied->below(node, entry.which, byChild);
     const std::size_t bottom = size;
-    for (unsigned nearer = lessBits(bounds, best); nearer != 0; nearer &= nearer - 1) {
+    for (; nearer != 0; nearer &= nearer - 1) {
       const int lane = std::countr_zero(nearer);
       // Insertion by descending distance: the child with the nearest box is on top of the stack.
       std::size_t at = size++;
       for (; at > bottom && stack[at - 1].boxSq < distances[lane]; --at) stack[at] = stack[at - 1];
-      stack[at] = {bounds[lane], distances[lane], node.child[lane]};
+      stack[at] = {bounds[lane], distances[lane], node.child[lane], byChild[lane]};
     }
   }
   return place;
+}
+
+TriangleHierarchy::Place nearest(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMost) {
+  return search<false>(hierarchy, query, atMost * atMost, nullptr);
 }
 
 bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, double reach, std::size_t most,
@@ -189,32 +241,31 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
 }
 
 NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
-                          double moved) {
+                          double moved, double tie) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   NearestAmong result;
-  double best = kInfinity, second = kInfinity,
-         reach = kInfinity;  // a packet beyond it, as seen from the centre, is not
-  std::uint32_t nearest = 0;
+  TiedPackets tied;
+  double best = kInfinity, limitSq = kInfinity;
+  double reach = kInfinity;  // a packet beyond it, as seen from the centre, is not within the limit
   alignas(32) double distances[TrianglePacket::kWidth];
   for (const NearPacket& near : packets) {
     if (near.distance > reach) continue;
-    const TrianglePacket& packet = hierarchy.packet(near.index);
-    distancesSq(packet, query, distances);
+    distancesSq(hierarchy.packet(near.index), query, distances);
     const double least = leastOf(distances);
-    if (least >= second) continue;
-    for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
-      const bool repeated = best < kInfinity && packet.triangle[lane] == nearest;  // in a free lane
-      if (repeated || distances[lane] >= second) continue;
-      second = distances[lane];
-      if (second >= best) continue;
-      std::swap(best, second);
-      nearest = packet.triangle[lane];
-      result.place = {near.index, lane};
+    if (least >= limitSq) continue;
+    if (least < best) {
+      best = least;
+      result.distance = std::sqrt(best);
+      result.place = {near.index,
+                      static_cast<int>(std::find(distances, distances + TrianglePacket::kWidth, least) - distances)};
+      const double limit = result.distance + tie;
+      limitSq = limit * limit;
+      reach = limit + moved;
     }
-    reach = std::sqrt(second) + moved;
+    result.decided = tied.add({near.index, least}, limitSq) && result.decided;
   }
-  result.distance = std::sqrt(best);
-  result.second = std::sqrt(second);
+  tied.drop(limitSq);
+  if (result.decided && tied.size > 1) result.place = search<true>(hierarchy, query, limitSq, &tied);
   return result;
 }
 
@@ -240,8 +291,8 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
 HWY_EXPORT(nearestAmong);
 
 NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
-                          double moved) {
-  return HWY_DYNAMIC_DISPATCH(nearestAmong)(hierarchy, packets, query, moved);
+                          double moved, double tie) {
+  return HWY_DYNAMIC_DISPATCH(nearestAmong)(hierarchy, packets, query, moved, tie);
 }
 
 }  // namespace cairn::builder

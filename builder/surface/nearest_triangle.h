@@ -28,15 +28,21 @@ struct NearPacket {
 bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, double reach, std::size_t most,
                    std::vector<NearPacket>& out);
 
-/// The triangle nearest to `query` of those in the packets, its distance and that of the next one; infinite when there
-/// is none. Where the two differ by no more than rounding `nearestTriangle` may name the other. `moved` is how far the
-/// query is from the centre of the packets' distances, or more: a packet that much nearer than its own is not looked at
-/// when it cannot be among the two. It has to cover their rounding.
+/// `nearestTriangle` of a `query` of which it is known that the packets hold every triangle that can be the one, and
+/// its distance. `moved` is how far the query is from the centre of the packets' distances, or more: a packet that much
+/// nearer than its own is not looked at when it cannot be among those that decide. It has to cover their rounding.
+///
+/// A search passes over a triangle for another only where their distances, and those of their boxes, are within
+/// rounding of each other. Triangles within `tie`, above that rounding, of the nearest one are searched in the order of
+/// `nearestTriangle`; where that are more than `kMostTied` packets, `decided` is false and one of them is named.
 struct NearestAmong {
+  static constexpr std::size_t kMostTied = 32;
+
   TriangleHierarchy::Place place;
-  double distance = 0, second = 0;
+  double distance = 0;
+  bool decided = true;
 };
 NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
-                          double moved);
+                          double moved, double tie);
 
 }  // namespace cairn::builder

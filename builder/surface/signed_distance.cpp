@@ -61,12 +61,10 @@ SignedDistance::Answer SignedDistance::queryAmong(std::span<const NearPacket> pa
                                                   double moved) const {
   // The rounding of the packets' distances from the centre and of the one compared with; the same again for what
   // decides.
-  const double guarded = moved * (1 + 0x1p-50) + 8 * roundingBound(point);
-  const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point, guarded);
-  // A search passes over a triangle for another only where their distances, and those of their boxes, are within
-  // rounding of each other: then it has to decide.
-  const bool decided = nearest.second - nearest.distance > 4 * roundingBound(point);
-  return decided ? answerAt(nearest.place, point) : query(point, nearest.distance);
+  const double rounding = roundingBound(point);
+  const double guarded = moved * (1 + 0x1p-50) + 8 * rounding;
+  const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point, guarded, 4 * rounding);
+  return nearest.decided ? answerAt(nearest.place, point) : query(point, nearest.distance);
 }
 
 SignedDistance::Answer SignedDistance::answerAt(TriangleHierarchy::Place place, const Vec3d& query) const {

@@ -77,6 +77,7 @@ class TriangleHierarchy::Builder {
         nodes_[index].upper[axis][lane] = box.upper[axis];
       }
       setSlab(nodes_[index], lane, parts[lane]);
+      nodes_[index].firstPacket[lane] = static_cast<std::uint32_t>(packets_.size());
       const bool leaf = parts[lane].count() <= TrianglePacket::kWidth;
       const std::uint32_t child = leaf ? buildLeaf(parts[lane]) : buildNode(parts[lane], depth + 1);
       nodes_[index].child[lane] = child;  // after the recursion, which may move the nodes

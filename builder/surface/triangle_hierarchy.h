@@ -28,6 +28,9 @@ struct alignas(64) HierarchyNode {
   /// Least and greatest dot product of the normal and a point of the child, moved apart for rounding: see `kSlabShare`.
   double slabLower[kWidth] = {}, slabUpper[kWidth] = {};
   std::uint32_t child[kWidth] = {};  ///< a node, or a packet when kPacketBit is set
+  /// By child: packets are numbered as their leaves come, so its own begin here and end where the next one's begin. A
+  /// dead lane has none.
+  std::uint32_t firstPacket[kWidth] = {~0U, ~0U, ~0U, ~0U};
 };
 
 /// A four-wide bounding-volume hierarchy over the triangles of a mesh, in double precision.

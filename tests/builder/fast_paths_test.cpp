@@ -2,14 +2,11 @@
 // Searches that leave out what cannot matter, each against looking at everything: the same bits.
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -17,7 +14,6 @@
 #include "cairn/builder/build.h"
 #include "medial/hubbard_medial.h"
 #include "spheres/farthest_sample.h"
-#include "spheres/held_sets.h"
 #include "spheres/hubbard.h"
 #include "spheres/hubbard_error.h"
 #include "spheres/nearest_ball.h"
@@ -30,110 +26,6 @@ using test::randomPoint;
 using test::uniform;
 
 constexpr std::uint64_t kSeed = 20261121;
-
-/// The columns of a `HeldSets`, as lists of flags.
-using Flags = std::vector<std::vector<bool>>;
-
-void expectSame(const HeldSets& sets, const Flags& flags, const std::vector<std::size_t>& names) {
-  ASSERT_EQ(sets.size(), flags.size());
-  const auto isSubset = [](const std::vector<bool>& a, const std::vector<bool>& b) {
-    for (std::size_t p = 0; p < a.size(); ++p)
-      if (a[p] && !b[p]) return false;
-    return true;
-  };
-  std::vector<bool> any(flags.empty() ? 0 : flags[0].size(), false);
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    ASSERT_EQ(sets.name(i), names[i]);
-    ASSERT_EQ(sets.count(i), static_cast<std::size_t>(std::count(flags[i].begin(), flags[i].end(), true)));
-    const auto subsets =
-        std::count_if(flags.begin(), flags.end(), [&](const auto& f) { return isSubset(f, flags[i]); });
-    ASSERT_EQ(sets.subsetsOf(i), static_cast<std::size_t>(subsets));
-    for (std::size_t p = 0; p < any.size(); ++p) any[p] = any[p] || flags[i][p];
-  }
-  ASSERT_EQ(sets.unionCount(), static_cast<std::size_t>(std::count(any.begin(), any.end(), true)));
-}
-
-void compareHeldSets(std::mt19937_64& engine) {
-  const std::size_t points = 1 + engine() % 200, candidates = 1 + engine() % 40;
-  const std::size_t padded = HeldSets::paddedPoints(points);
-  std::vector<double> costs(candidates * padded, std::numeric_limits<double>::infinity());
-  // Steps of a tenth, so that costs and stand-off are often equal.
-  for (std::size_t i = 0; i < candidates; ++i)
-    for (std::size_t p = 0; p < points; ++p) costs[i * padded + p] = std::floor(10 * uniform(engine)) / 10;
-  const double standOff = std::floor(10 * uniform(engine)) / 10;
-  HeldSets sets(costs, padded, standOff);
-  Flags flags(candidates, std::vector<bool>(points));
-  for (std::size_t i = 0; i < candidates; ++i)
-    for (std::size_t p = 0; p < points; ++p) flags[i][p] = costs[i * padded + p] <= standOff;
-  std::vector<std::size_t> names(candidates);
-  std::iota(names.begin(), names.end(), std::size_t{0});
-  ASSERT_NO_FATAL_FAILURE(expectSame(sets, flags, names));
-  const auto leaveOut = [&](std::size_t barred) {
-    for (std::size_t i = flags.size(); i-- > 0;) {
-      if (names[i] != barred && std::count(flags[i].begin(), flags[i].end(), true) > 0) continue;
-      flags.erase(flags.begin() + static_cast<std::ptrdiff_t>(i));
-      names.erase(names.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-  };
-  const std::vector<std::size_t> barred{engine() % candidates};
-  sets.drop(barred);
-  leaveOut(barred[0]);
-  while (!flags.empty()) {
-    ASSERT_NO_FATAL_FAILURE(expectSame(sets, flags, names));
-    const std::size_t i = engine() % flags.size();
-    const std::vector<bool> taken = flags[i];
-    sets.take(i);
-    for (std::vector<bool>& f : flags)
-      for (std::size_t p = 0; p < points; ++p) f[p] = f[p] && !taken[p];
-    leaveOut(candidates);
-  }
-  ASSERT_EQ(sets.size(), 0U);
-}
-
-class FastPathsOnEveryTarget : public testing::Test {
- protected:
-  void TearDown() override {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-template <class Check>
-void onEveryTarget(const Check& check) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    SCOPED_TRACE(hwy::TargetName(target));
-    std::mt19937_64 engine(kSeed);
-    for (int round = 0; round < 30; ++round) ASSERT_NO_FATAL_FAILURE(check(engine)) << "seed " << kSeed;
-  }
-}
-
-TEST_F(FastPathsOnEveryTarget, CountsAndSubsets_AreThoseOfFlags) {
-  onEveryTarget(compareHeldSets);
-}
-
-void compareDistances(std::mt19937_64& engine) {
-  std::vector<Vec3d> list(1 + engine() % 70);
-  for (Vec3d& p : list) p = randomPoint(engine);
-  list.push_back(list[engine() % list.size()]);  // so that some tie
-  const PointSet points(list);
-  const Vec3d center = randomPoint(engine);
-  const double offset = uniform(engine);
-  std::vector<double> measured(list.size());
-  points.distances(center, offset, measured);
-  std::size_t farthest = 0;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    ASSERT_EQ(measured[i], distance(list[i], center) - offset) << "point " << i;
-    if (lengthSq(list[i] - center) > lengthSq(list[farthest] - center)) farthest = i;
-  }
-  ASSERT_EQ(points.farthest(center).index, farthest);
-  ASSERT_EQ(points.farthest(center).distance, distance(list[farthest], center));
-}
-
-TEST_F(FastPathsOnEveryTarget, DistancesOfPoints_AreThoseOfEachAlone) {
-  onEveryTarget(compareDistances);
-}
 
 TEST(CornersOf, ListsEachPositionOnce_InOrder) {
   std::mt19937_64 engine(kSeed);
@@ -171,8 +63,9 @@ StandOff::Value wholeStandOff(const PointSet& points, const DepthField& field, c
 /// Walks about as a descent does: some steps from one centre, then on to the last.
 void expectSameNear(const PointSet& points, const DepthField& field, double size) {
   std::mt19937_64 engine(kSeed);
+  StandOffMemory memory;  // one for all, as what an earlier walk left must not matter
   for (int walk = 0; walk < 40; ++walk) {
-    StandOff standOff(points, field);
+    StandOff standOff(points, field, memory);
     const Vec3d start = randomPoint(engine) * (0.5 * size);
     StandOff::Value around = standOff.at(start, field.depth(start));
     ASSERT_EQ(around.ball.depth, field.depth(start)) << "seed " << kSeed << ", walk " << walk;
@@ -188,6 +81,35 @@ void expectSameNear(const PointSet& points, const DepthField& field, double size
       if (step % 7 == 6) around = near;
     }
   }
+}
+
+/// Straight out from, and straight in of, the corners and the middles of edges and faces: many triangles tie there.
+TEST(QueryAmong, WhereTrianglesTie_NamesTheOneOfTheFullSearch) {
+  std::mt19937_64 engine(kSeed);
+  std::size_t compared = 0;
+  for (const TriangleMesh& mesh :
+       {test::meshOf(test::cuboid({2, 2, 2}, 6)), test::torus(1, 0.3, 30, 16), test::lumpyBall(3, 4)}) {
+    const SignedDistance solid(mesh);
+    std::vector<NearPacket> parts;
+    for (int round = 0; round < 3000; ++round) {
+      const auto corners = mesh.corners(static_cast<std::uint32_t>(engine() % mesh.triangles.size()));
+      const double weights[3][3] = {{1, 0, 0}, {0.5, 0.5, 0}, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
+      const double* w = weights[round % 3];
+      const Vec3d on = corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2];
+      const Vec3d normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+      // Powers of two, so that a point is often at one distance to the bit from what ties.
+      const Vec3d point = on + normal * (std::ldexp(engine() % 2 == 0 ? 1.0 : -1.0, -static_cast<int>(engine() % 8)));
+      const double reach = 0.1 * uniform(engine);
+      const Vec3d center = point + normalized(randomPoint(engine)) * (0.99 * reach);
+      if (!solid.gather(center, solid.closest(center).distance, reach, 256, parts)) continue;
+      ++compared;
+      const SignedDistance::Answer among = solid.queryAmong(parts, point, reach), whole = solid.query(point);
+      ASSERT_EQ(among.nearest.triangle, whole.nearest.triangle) << "seed " << kSeed << ", round " << round;
+      ASSERT_EQ(among.depth, whole.depth) << "seed " << kSeed << ", round " << round;
+      ASSERT_EQ(among.nearest.point, whole.nearest.point) << "seed " << kSeed << ", round " << round;
+    }
+  }
+  EXPECT_GT(compared, 6000U);
 }
 
 TEST(StandOff, NearACentre_IsWhatLookingAtEverythingGives) {
