@@ -53,7 +53,8 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
+bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget,
+                         ContactScratch& scratch) {
   isRetested_ = false;
   counterpart.expect(commonNormals_);
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
@@ -63,7 +64,7 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
     return true;
   }
   kept_.resume(motion.placement);
-  retest(counterpart, budget);
+  retest(counterpart, budget, scratch);
   return false;
 }
 
@@ -82,12 +83,18 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   return true;
 }
 
-void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
+// A flat leaf may touch in dozens of points; as many of all are kept as there may be pairs, the deepest.
+void PairContacts::retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch) {
   if (isRetested_) return;
   isRetested_ = true;
   budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(known_.size()));
-  retested_.clear();
-  counterpart.appendContacts(known_, retested_);
+  std::vector<Contact>& all = scratch.retested;
+  all.clear();
+  counterpart.appendContacts(known_, all);
+  if (all.size() > kMaxKnown) std::partial_sort(all.begin(), all.begin() + kMaxKnown, all.end(), deeper);
+  makeRoomForRetests();
+  const auto count = static_cast<std::ptrdiff_t>(std::min(all.size(), kMaxKnown));
+  retested_.assign(all.begin(), all.begin() + count);
 }
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
@@ -309,7 +316,7 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
-  if (!isDone) retest(counterpart, budget);
+  if (!isDone) retest(counterpart, budget, scratch);
   const bool isOfMesh = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
                         appendOfMesh(counterpart, motion, budget, contacts);
   if (!isOfMesh) {
