@@ -83,7 +83,8 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   return true;
 }
 
-// A flat leaf may touch in dozens of points; as many of all are kept as there may be pairs, the deepest.
+// Each pair may have dozens of contacts; beyond what there is room for, the deepest are kept. The room is made at once:
+// bodies that roll would else need a little more for minutes.
 void PairContacts::retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch) {
   if (isRetested_) return;
   isRetested_ = true;
@@ -91,10 +92,10 @@ void PairContacts::retest(Counterpart& counterpart, Budget& budget, ContactScrat
   std::vector<Contact>& all = scratch.retested;
   all.clear();
   counterpart.appendContacts(known_, all);
-  if (all.size() > kMaxKnown) std::partial_sort(all.begin(), all.begin() + kMaxKnown, all.end(), deeper);
-  makeRoomForRetests();
-  const auto count = static_cast<std::ptrdiff_t>(std::min(all.size(), kMaxKnown));
-  retested_.assign(all.begin(), all.begin() + count);
+  if (all.size() > kMaxRetested) std::partial_sort(all.begin(), all.begin() + kMaxRetested, all.end(), deeper);
+  const std::size_t count = std::min(all.size(), kMaxRetested);
+  retested_.reserve(count <= kMaxKnown ? kMaxKnown : kMaxRetested);
+  retested_.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.

@@ -134,10 +134,12 @@ class PairContacts {
 
   static constexpr std::size_t kMaxGuards = 4;
   static constexpr std::size_t kMaxKnown = kMaxKnownPairs + kMaxClusters * kMaxPoints;
+  // A flat leaf touches with its corners, four as a rule.
+  static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 
   KeptAnswer kept_;  // first, see there
   std::vector<NodePair> known_;
-  std::vector<Contact> retested_;  // at most kMaxKnown, whatever each of these has to say
+  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
   std::vector<Guard> guards_;
   ClusterSeeds seeds_{};
   std::array<Vec3, kMaxClusters> commonNormals_{};

@@ -65,6 +65,8 @@ TEST(Retests, TakeNoMoreMemoryHoweverMuchIsSaid) {
   TalkativeCounterpart counterpart;
   bullet::ContactScratch scratch;
   bullet::PairContacts first, second;
+  // More than one each: a pair makes all its room when it first needs some.
+  counterpart.perPair = 2;
   for (int i = 0; i < 4; ++i) step(second, counterpart, scratch);
   // What pairs share has grown to what it takes by then.
   counterpart.perPair = 60;
