@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
 #include "contacts/relative_placement.h"
-#include "continuous/swept_tree.h"
 #include "placement/tree_pose.h"
 
 namespace cairn::bullet {
@@ -31,7 +31,13 @@ constexpr float kSunkFraction = 0.1F;
 constexpr int kMostSlowSteps = 30;
 // Two walls of a corner, after its floor.
 constexpr int kDeflections = 2;
-constexpr float kNotMet = 2;  // beyond any part of the step
+
+// A leaf whose certified error is more than this part of the other side's radius may say too little of where its
+// surface is to be met as a whole.
+constexpr float kCrudeFraction = 0.25F;
+// The same of the moved tree's own leaves, as a part of its radius: one contact for each would not hold it.
+constexpr float kCrudeInBody = 0.05F;
+constexpr int kNone = std::numeric_limits<int>::min();
 
 btScalar turnBetween(const btTransform& x, const btTransform& y) {
   return x.getRotation().angleShortestPath(y.getRotation());
@@ -95,7 +101,7 @@ void Sweep::follow(const SweptPair& pair, bool fromAnchor, Budget& budget) {
   meetings_.clear();
   cut(pair, fromAnchor);
   if (target_->rootCount() == 0) return;
-  meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), -1);
+  meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), kNone);
   for (const Segment& s : segments_) {
     // What it came to on the way from the anchor and is in front of still, it may run into now.
     if (s.from == 0)
@@ -147,18 +153,18 @@ Sweep::Segment Sweep::segment(const SweptPair& pair, float from, float to) const
   return {from,
           to,
           begin,
-          PlacedTree(pair.tree->tree(), treePose(*pair.tree, begin)),
-          PlacedTree(pair.tree->tree(), treePose(*pair.tree, end)),
+          TreeParts(PlacedTree(pair.tree->tree(), treePose(*pair.tree, begin))),
+          TreeParts(PlacedTree(pair.tree->tree(), treePose(*pair.tree, end))),
           static_cast<float>(chordBetween(begin.getBasis(), end.getBasis())),
           static_cast<float>(2 * bow)};
 }
 
 // A ball's points move as its middle does but for what turning adds; its middle moves on an arc about the tree's.
-Sweep::MovedNode Sweep::moved(const Segment& segment, NodeId node) {
-  const Sphere ball = segment.tree.sphere(node);
+Sweep::MovedNode Sweep::moved(const Segment& segment, TreeParts::Part part) {
+  const Sphere ball = segment.tree.sphere(part);
   const float arm = distance(ball.center, segment.tree.sphere(kRootNode).center);
   const float height = arm * segment.chord * segment.chord / 8;
-  return {ball, segment.treeAtEnd.sphere(node).center - ball.center,
+  return {ball, segment.treeAtEnd.sphere(part).center - ball.center,
           ball.radius * segment.chord + height + segment.bow};
 }
 
@@ -188,15 +194,17 @@ void Sweep::search(const SweptPair& pair, const Segment& segment, Budget& budget
   }
 }
 
-// False for two leaves.
+// False for what cannot be split any more.
 bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& budget) {
   const auto [a, b] = candidate.pair;
-  const SphereTree& tree = segment.tree.tree();
-  const SweptTarget::Children below = target_->children(b);
-  const bool splitsTree =
-      !tree.isLeaf(a) && (below.count == 0 || tree.sphere(a).radius * segment.tree.scale() >= target_->radius(b));
-  const std::uint32_t first = splitsTree ? tree.childFamily(a) * kFamilyWidth : below.first;
-  const std::uint32_t count = splitsTree ? tree.childCount(a) : below.count;
+  const TreeParts& tree = segment.tree;
+  const float radius = tree.sphere(a).radius;
+  const TreeParts::Children own = tree.children(a, kCrudeInBody * tree.sphere(kRootNode).radius);
+  const SweptTarget::Children below = target_->children(b, kCrudeFraction * radius);
+  const bool splitsTree = own.count > 0 && (below.count == 0 || radius >= target_->radius(b));
+  const std::uint32_t first = splitsTree ? own.first : below.first;
+  const std::uint32_t count = splitsTree ? own.count : below.count;
+  if (splitsTree && TreeParts::isTriangle(first)) makeMeetingsBelow(a, count);
   for (std::uint32_t child = first; child < first + count; ++child) {
     enter(segment, splitsTree ? NodePair{child, b} : NodePair{a, child});
   }
@@ -226,7 +234,7 @@ struct Sweep::Approach {
   }
 
  private:
-  float gapOf(const PlacedTree& tree, const Vec3& normal) const {
+  float gapOf(const TreeParts& tree, const Vec3& normal) const {
     return dot(normal, tree.support(nodes.a, -normal) - target.support(nodes.b, normal)) - margins;
   }
 };
@@ -237,7 +245,7 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
   const Vec3& way = approach.node.way;
   target_->appendNormals(approach.nodes.b, approach.node.ball.center + way * approach.entry, normals_);
   const std::size_t ofOther = normals_.all().size();
-  appendFaces(approach.segment.tree, approach.nodes.a, normals_);
+  approach.segment.tree.appendFaces(approach.nodes.a, normals_);
   if (normals_.all().empty()) return ofOther;
   const Vec3 along = normalized(way), line = normals_.all().front(), beside = line - along * dot(along, line);
   if (const float norm = length(beside); norm > kLeastBeside) normals_.add(beside / norm, false);
@@ -305,7 +313,8 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(pair.otherCourse.at(0));
   Contact contact;
   contact.isAhead = contact.ofSpheres = true;
-  contact.pair = nodes;
+  const NodeId leaf = TreeParts::nodeOf(nodes.a);
+  contact.pair = {leaf, nodes.b};
   contact.normal = toVec3(other.getBasis() * toBullet(hit.normal));
   const Points points = pointsOf(segment, nodes, hit);
   const Vec3 onTree = toVec3(tree * segment.treeInOther.invXform(toBullet(points.onTree)));
@@ -316,22 +325,38 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between
   contact.position = onTree - contact.normal * dot(contact.normal, contact.apart);
   contact.gap = -(1 - at) * hit.closing / length;
-  contact.id = {static_cast<int>(segment.tree.tree().level(nodes.a)), static_cast<int>(nodes.a), -1, -1};
-  target_->name(nodes.b, contact.id);
+  contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, -1};
+  target_->name(nodes.b, contact);
 
-  int& known = meetingOf_[nodes.a];
-  if (known < 0) {
-    known = static_cast<int>(meetings_.size());
-    meetings_.emplace_back();
-  }
   const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
-  meetings_[static_cast<std::size_t>(known)] = {at, isSunk ? gap < 0 : !isLeftToOthers, contact};
+  makeMeeting(nodes.a) = {at, isSunk ? gap < 0 : !isLeftToOthers, contact};
 }
 
-// Whether the node has met something by then.
-bool Sweep::isSettled(NodeId node, float at) const {
-  const int known = meetingOf_[node];
-  return known >= 0 && meetings_[static_cast<std::size_t>(known)].at <= at;
+// Before anything is asked about a leaf's triangles.
+void Sweep::makeMeetingsBelow(NodeId leaf, std::uint32_t count) {
+  int& known = meetingOf_[leaf];
+  if (known != kNone) return;
+  known = -1 - static_cast<int>(meetings_.size());
+  meetings_.resize(meetings_.size() + count);
+}
+
+const Sweep::Meeting* Sweep::meetingOf(TreeParts::Part part) const {
+  const int known = meetingOf_[TreeParts::nodeOf(part)];
+  if (TreeParts::isTriangle(part)) return &meetings_[std::size_t(-1 - known) + TreeParts::indexOf(part)];
+  return known >= 0 ? &meetings_[static_cast<std::size_t>(known)] : nullptr;
+}
+
+// A leaf that is met as a whole after all, because there is no time for more, is not known by that.
+Sweep::Meeting& Sweep::makeMeeting(TreeParts::Part part) {
+  if (const Meeting* const known = meetingOf(part)) return const_cast<Meeting&>(*known);
+  if (meetingOf_[part] == kNone) meetingOf_[part] = static_cast<int>(meetings_.size());
+  return meetings_.emplace_back();
+}
+
+// Whether the part has met something by then.
+bool Sweep::isSettled(TreeParts::Part part, float at) const {
+  const Meeting* const known = meetingOf(part);
+  return known && known->at <= at;
 }
 
 }  // namespace cairn::bullet

@@ -7,6 +7,7 @@
 #include "cairn/core/budget.h"
 #include "continuous/course.h"
 #include "continuous/swept_target.h"
+#include "continuous/tree_parts.h"
 
 namespace cairn::bullet {
 
@@ -49,17 +50,18 @@ class Sweep {
   struct Segment {
     float from, to;  // parts of the step; below 0 on the way from the anchor, which is as long as one
     btTransform treeInOther;
-    PlacedTree tree, treeAtEnd;
+    TreeParts tree, treeAtEnd;
     float chord;  // 2 sin(t/2) for the angle by which it turns
     float bow;    // how far its middle may be beside its straight way
   };
-  // One node in a segment: where it begins, its straight way, and how far any of its points may be beside that.
+  // One part of the tree in a segment: where it begins, its straight way, and how far any of its points may be beside
+  // that.
   struct MovedNode {
     Sphere ball;
     Vec3 way;
     float slack = 0;
   };
-  static MovedNode moved(const Segment& segment, NodeId node);
+  static MovedNode moved(const Segment& segment, TreeParts::Part part);
   struct Candidate {
     float entry;
     NodePair pair;
@@ -69,9 +71,10 @@ class Sweep {
       return x.pair.a != y.pair.a ? x.pair.a > y.pair.a : x.pair.b > y.pair.b;
     }
   };
-  // What a node of the moved tree comes to first: on the way from the anchor, no contact if it is still in front of it.
+  // What a part of the moved tree comes to first: on the way from the anchor, no contact if it is still in front of it.
+  static constexpr float kNotMet = 2;  // beyond any part of the step
   struct Meeting {
-    float at = 0;
+    float at = kNotMet;
     bool isContact = false;
     Contact contact;
   };
@@ -91,7 +94,10 @@ class Sweep {
   static void swapSides(Contact& contact);
   void search(const SweptPair& pair, const Segment& segment, Budget& budget);
   void enter(const Segment& segment, const NodePair& pair);
-  bool isSettled(NodeId node, float at) const;
+  const Meeting* meetingOf(TreeParts::Part part) const;
+  Meeting& makeMeeting(TreeParts::Part part);
+  void makeMeetingsBelow(NodeId leaf, std::uint32_t count);
+  bool isSettled(TreeParts::Part part, float at) const;
   bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
   struct Approach;
   std::size_t collectNormals(const Approach& approach);
@@ -107,7 +113,9 @@ class Sweep {
   std::unique_ptr<SweptTarget> target_;
   std::vector<Segment> segments_;
   std::vector<Candidate> heap_;
-  std::vector<int> meetingOf_;  // by node of the moved tree, which of them; -1: none
+  // By node of the moved tree, which of them; kNone, or for a leaf that was split minus one more than the first of
+  // those of its triangles.
+  std::vector<int> meetingOf_;
   std::vector<Meeting> meetings_;
   std::vector<Contact> contacts_;
   SeparatingNormals normals_;

@@ -16,7 +16,7 @@ class SweptField final : public SweptTarget {
   /// Of what lies behind the plane that `appendNormals` found last.
   Vec3 support(std::uint32_t element, const Vec3& direction) const override;
   void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
-  void name(std::uint32_t /*element*/, ContactId& /*id*/) const override {}
+  void name(std::uint32_t /*element*/, Contact& /*contact*/) const override {}
 
  private:
   DistanceField field_;

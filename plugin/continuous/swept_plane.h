@@ -13,7 +13,7 @@ class SweptPlane final : public SweptTarget {
   std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
   Vec3 support(std::uint32_t element, const Vec3& direction) const override;
   void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
-  void name(std::uint32_t /*element*/, ContactId& /*id*/) const override {}
+  void name(std::uint32_t /*element*/, Contact& /*contact*/) const override {}
 
  private:
   Vec3 normal_;

@@ -23,8 +23,8 @@ class SweptTarget {
   struct Children {
     std::uint32_t first = 0, count = 0;
   };
-  /// None for what cannot be split.
-  virtual Children children(std::uint32_t /*element*/) const { return {}; }
+  /// None for what cannot be split, or need not be: what says where its surface is within `crude`, world length.
+  virtual Children children(std::uint32_t /*element*/, float /*crude*/) const { return {}; }
   /// Of a ball around the element; infinite where there is none. Decides what is split.
   virtual float radius(std::uint32_t element) const = 0;
   virtual float margin() const { return 0; }
@@ -36,8 +36,8 @@ class SweptTarget {
   virtual Vec3 support(std::uint32_t element, const Vec3& direction) const = 0;
   /// Directions, away from the element, along which something around `center` may be apart from it.
   virtual void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) = 0;
-  /// Writes the part and index of this side.
-  virtual void name(std::uint32_t element, ContactId& id) const = 0;
+  /// Writes the part and index of this side, and its element of the pair.
+  virtual void name(std::uint32_t element, Contact& contact) const = 0;
 };
 
 /// For shapes that are met as that kind of counterpart.

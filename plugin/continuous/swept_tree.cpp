@@ -4,35 +4,26 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "continuous/swept_triangle.h"
 #include "placement/tree_pose.h"
 
 namespace cairn::bullet {
 
-void appendFaces(const PlacedTree& tree, NodeId node, SeparatingNormals& normals) {
-  const auto add = [&](const Vec3& normal) {
-    normals.add(normal, true);
-    normals.add(-normal, true);
-  };
-  if (tree.isFaceted(node)) {
-    const Mat3 fromTree = transpose(tree.axesFromPair());
-    for (const Vec3& face : tree.tree().faceNormals(node)) add(fromTree * face);
-  } else if (tree.isPlanar(node)) {
-    add(tree.facing(node));
-  }
-}
-
 void SweptTree::take(const btCollisionShape& shape, const btVector3& /*lower*/, const btVector3& /*upper*/) {
   const SphereTreeShape& tree = *asSphereTree(&shape);
-  tree_ = PlacedTree(tree.tree(), treePose(tree, btTransform::getIdentity()));
+  tree_ = TreeParts(PlacedTree(tree.tree(), treePose(tree, btTransform::getIdentity())));
   margin_ = static_cast<float>(tree.getMargin());
 }
 
-SweptTarget::Children SweptTree::children(std::uint32_t element) const {
-  return {tree_.tree().childFamily(element) * kFamilyWidth, tree_.tree().childCount(element)};
+SweptTarget::Children SweptTree::children(std::uint32_t element, float crude) const {
+  const TreeParts::Children below = tree_.children(element, crude);
+  return {below.first, below.count};
 }
 
 // Two moving spheres: where the line through the centres' difference first comes as near as their radii.
 std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const {
+  if (TreeParts::isTriangle(element))
+    return SweptTriangle(tree_.triangle(element)).entry({ball.center, ball.radius + margin_}, way);
   const Sphere own = tree_.sphere(element);
   const Vec3 from = ball.center - own.center;
   const float radius = ball.radius + own.radius + margin_;
@@ -48,14 +39,17 @@ std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element,
 }
 
 void SweptTree::appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) {
+  if (TreeParts::isTriangle(element)) return SweptTriangle(tree_.triangle(element)).appendNormals(center, normals);
   const Vec3 line = center - tree_.sphere(element).center;
   if (lengthSq(line) > 0) normals.add(normalized(line), false);
-  appendFaces(tree_, element, normals);
+  tree_.appendFaces(element, normals);
 }
 
-void SweptTree::name(std::uint32_t element, ContactId& id) const {
-  id.otherPart = static_cast<int>(tree_.tree().level(element));
-  id.otherIndex = static_cast<int>(element);
+void SweptTree::name(std::uint32_t element, Contact& contact) const {
+  const NodeId node = TreeParts::nodeOf(element);
+  contact.id.otherPart = static_cast<int>(tree_.tree().level(node));
+  contact.id.otherIndex = static_cast<int>(node);
+  contact.pair.b = node;
 }
 
 }  // namespace cairn::bullet

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "continuous/swept_target.h"
+#include "continuous/swept_triangle.h"
 #include "triangles/triangle_soup.h"
 
 namespace cairn::bullet {
@@ -17,15 +18,11 @@ class SweptTriangles final : public SweptTarget {
   std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
   Vec3 support(std::uint32_t element, const Vec3& direction) const override;
   void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
-  void name(std::uint32_t element, ContactId& id) const override;
+  void name(std::uint32_t element, Contact& contact) const override;
 
  private:
-  struct Element {
-    Triangle triangle;
-    Vec3 normal, lower, upper;
-  };
   TriangleSoup soup_;
-  std::vector<Element> elements_;
+  std::vector<SweptTriangle> elements_;
 };
 
 }  // namespace cairn::bullet

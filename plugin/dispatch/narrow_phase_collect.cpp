@@ -98,9 +98,10 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
   Budget budget = Budget::unlimited();
-  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, false, budget)) return;
-  pair.refine(budget);
   ContactScratch scratch;  // queries may come from any thread
+  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, false, budget, scratch))
+    return;
+  pair.refine(budget);
   pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
 }
 

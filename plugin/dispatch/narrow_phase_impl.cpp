@@ -229,7 +229,8 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
   const bool isThrifty =
       isScarce_ && !plan_.isScarce() && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
-  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, isThrifty, left_)) return dismiss(index);
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, isThrifty, left_, scratch_))
+    return dismiss(index);
   ++statistics_.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.

@@ -53,7 +53,8 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget) {
+bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget,
+                         ContactScratch& scratch) {
   isRetested_ = false;
   counterpart.expect(commonNormals_);
   isKept_ = keepAnswer(counterpart, motion, isThrifty);
@@ -63,7 +64,7 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
     return true;
   }
   kept_.resume(motion.placement);
-  retest(counterpart, budget);
+  retest(counterpart, budget, scratch);
   return false;
 }
 
@@ -82,12 +83,19 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   return true;
 }
 
-void PairContacts::retest(Counterpart& counterpart, Budget& budget) {
+// Each pair may have dozens of contacts; beyond what there is room for, the deepest are kept. The room is made at once:
+// bodies that roll would else need a little more for minutes.
+void PairContacts::retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch) {
   if (isRetested_) return;
   isRetested_ = true;
   budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(known_.size()));
-  retested_.clear();
-  counterpart.appendContacts(known_, retested_);
+  std::vector<Contact>& all = scratch.retested;
+  all.clear();
+  counterpart.appendContacts(known_, all);
+  if (all.size() > kMaxRetested) std::partial_sort(all.begin(), all.begin() + kMaxRetested, all.end(), deeper);
+  const std::size_t count = std::min(all.size(), kMaxRetested);
+  retested_.reserve(count <= kMaxKnown ? kMaxKnown : kMaxRetested);
+  retested_.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
@@ -309,7 +317,7 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
-  if (!isDone) retest(counterpart, budget);
+  if (!isDone) retest(counterpart, budget, scratch);
   const bool isOfMesh = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
                         appendOfMesh(counterpart, motion, budget, contacts);
   if (!isOfMesh) {

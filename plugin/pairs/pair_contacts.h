@@ -19,6 +19,7 @@ struct ContactScratch {
   ClusteredContacts contacts;    ///< of the pair at hand
   std::vector<Contact> cluster;  ///< one of them, as it is measured anew
   std::vector<Contact> guards, wholes;
+  std::vector<Contact> retested;  ///< before all but the deepest are dropped
   std::vector<Contact> strays, moreStrays;
 };
 
@@ -47,7 +48,8 @@ class PairContacts {
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
   /// was in contact is measured anew, not what may have come near since. True when it was started.
-  bool begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget);
+  bool begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget,
+             ContactScratch& scratch);
 
   /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
   std::uint64_t measuringCost(const Counterpart& counterpart) const;
@@ -109,7 +111,7 @@ class PairContacts {
 
   bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
-  void retest(Counterpart& counterpart, Budget& budget);
+  void retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
@@ -132,10 +134,12 @@ class PairContacts {
 
   static constexpr std::size_t kMaxGuards = 4;
   static constexpr std::size_t kMaxKnown = kMaxKnownPairs + kMaxClusters * kMaxPoints;
+  // A flat leaf touches with its corners, four as a rule.
+  static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 
   KeptAnswer kept_;  // first, see there
   std::vector<NodePair> known_;
-  std::vector<Contact> retested_;
+  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
   std::vector<Guard> guards_;
   ClusterSeeds seeds_{};
   std::array<Vec3, kMaxClusters> commonNormals_{};

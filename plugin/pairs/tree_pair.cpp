@@ -122,7 +122,7 @@ PairKey TreePair::key(std::size_t arrival) const {
 }
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget) {
+                     btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget, ContactScratch& scratch) {
   promised_ = {};  // of a step that an exception ended
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
@@ -141,7 +141,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   moved_ = 0;
   counterpart_->place(placement);
   lookAhead(placement, treeBody, otherBody, sweptTime, budget);
-  if (contacts_.begin(*counterpart_, motion_, isThrifty, budget)) spent_ = 0;
+  if (contacts_.begin(*counterpart_, motion_, isThrifty, budget, scratch)) spent_ = 0;
   return true;
 }
 

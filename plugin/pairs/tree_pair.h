@@ -93,7 +93,7 @@ class alignas(64) TreePair {
   /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are
   /// no longer a sphere-tree and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget);
+             btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget, ContactScratch& scratch);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
   Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }

@@ -16,6 +16,13 @@ struct Triangle {
   }
 };
 
+/// The corner that lies farthest along `direction`.
+inline Vec3 supportOf(const Triangle& t, const Vec3& direction) {
+  const float a = dot(direction, t.a), b = dot(direction, t.b), c = dot(direction, t.c);
+  if (a >= b && a >= c) return t.a;
+  return b >= c ? t.b : t.c;
+}
+
 struct TrianglePoint {
   Vec3 point;
   bool onFace = false;  ///< inside, not on the border

@@ -9,15 +9,13 @@
 
 #include "distance_fields.h"
 #include "front_ends.h"
+#include "shots.h"
 #include "triangle_grounds.h"
 
 namespace cairn::test {
 namespace {
 
 enum class Wall { box, hull, mesh, tree, field, plane };
-constexpr btScalar kHalfWidth = 4;          // of the wall, metres
-constexpr btScalar kHalfThickness = 0.01F;  // of what has any
-constexpr std::uint32_t kSeed = 20021;
 
 std::shared_ptr<btCollisionShape> wallShape(Wall wall) {
   switch (wall) {
@@ -55,65 +53,6 @@ std::shared_ptr<btCollisionShape> wallShape(Wall wall) {
       break;
   }
   return std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0));
-}
-
-struct Shot {
-  btVector3 from, velocity, spin;
-  btQuaternion rotation;
-};
-
-// At a random place of the wall, from above, at 10 to 300 m/s.
-Shot randomShot(std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(-1, 1), part(0, 1);
-  const auto in = [&](double width) {
-    return btVector3(btScalar(width * unit(random)), btScalar(width * unit(random)), 0);
-  };
-  const double speed = 10 * std::pow(30, part(random));
-  btVector3 direction = in(0.7);
-  direction.setZ(-1);
-  direction.normalize();
-  Shot shot;
-  shot.velocity = direction * btScalar(speed);
-  const btScalar away = btScalar(1.5 + 6 * part(random));
-  shot.from = in(0.6 * double(kHalfWidth)) - direction * (away / -direction.z());
-  shot.spin =
-      btVector3(btScalar(unit(random)), btScalar(unit(random)), btScalar(unit(random))) * btScalar(20 * part(random));
-  const btVector3 axis = in(1) + btVector3(0, 0, btScalar(0.5 + part(random)));
-  shot.rotation = btQuaternion(axis.normalized(), btScalar(6.28 * part(random)));
-  return shot;
-}
-
-std::shared_ptr<const SphereTree> bullet(int kind) {
-  static const std::shared_ptr<const SphereTree> trees[] = {
-      plainTree(torus(0.35, 0.12, 16)), plainTree(cuboid({1, 0.3, 0.3}, 3)), plainTree(ball(0.4, 2))};
-  return trees[kind % 3];
-}
-
-template <class World>
-btRigidBody& shoot(World& w, const Shot& shot, int kind, bool isContinuous) {
-  btRigidBody& body = w.add(treeShape(bullet(kind)), 1, shot.from, shot.rotation);
-  body.setLinearVelocity(shot.velocity);
-  body.setAngularVelocity(shot.spin);
-  body.setDamping(0, 0);
-  if (isContinuous) body.setCcdMotionThreshold(btScalar(0.05));
-  return body;
-}
-
-// Whether the body ends on the other side of the wall, its middle having gone through and not come back.
-template <class World>
-bool passesThrough(World& w, const btRigidBody& body, bool isEndless, btScalar timeStep = btScalar(1.0 / 60)) {
-  bool isThrough = false;
-  for (int i = 0; i < 60; ++i) {
-    const btVector3 before = body.getWorldTransform().getOrigin();
-    w.world.stepSimulation(timeStep, 0);
-    if (!isSane(body)) return true;
-    const btVector3 now = body.getWorldTransform().getOrigin();
-    if ((before.z() > 0) == (now.z() > 0)) continue;
-    const btVector3 at = before.lerp(now, before.z() / (before.z() - now.z()));
-    const bool isInside = std::abs(at.x()) < kHalfWidth && std::abs(at.y()) < kHalfWidth;
-    isThrough = now.z() < 0 && (isEndless || isInside);
-  }
-  return isThrough;
 }
 
 // The stock sphere beside: about as large, at the same places and speeds, and Bullet's own motion clamping.
@@ -154,7 +93,7 @@ class Shots : public testing::TestWithParam<Wall> {
       BulletWorld<> w;
       w.world.setGravity(btVector3(0, 0, 0));
       w.add(wallShape(GetParam()), 0, btVector3(0, 0, 0)).setRestitution(1);
-      btRigidBody& body = shoot(w, randomShot(random), i, isContinuous);
+      btRigidBody& body = shoot(w, randomShot(random), bullet(i), isContinuous);
       body.setRestitution(restitution);
       const bool passes = passesThrough(w, body, GetParam() == Wall::plane);
       if (passes && isContinuous) {
@@ -217,7 +156,7 @@ TEST(Continuous, WhatFliesByIsNotTouched) {
       w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1)), 0, btVector3(0, 0, 0));
       const Shot shot{btVector3(btScalar(-6) - btScalar(phase) * speed / 600, 0, btScalar(1.5)), btVector3(speed, 0, 0),
                       btVector3(0, 0, 5), btQuaternion(0, 0, 0)};
-      btRigidBody& body = shoot(w, shot, 0, true);
+      btRigidBody& body = shoot(w, shot, bullet(0), true);
       w.step(40);
       EXPECT_EQ(body.getLinearVelocity(), shot.velocity) << speed << " m/s, phase " << phase;
     }
@@ -331,7 +270,7 @@ TEST(Continuous, NothingLeavesACorner) {
         btVector3(btScalar(1.2 + 3 * part(random)), btScalar(1.2 + 3 * part(random)), btScalar(1.2 + 3 * part(random)));
     const btVector3 aim(btScalar(part(random)), btScalar(part(random)), btScalar(part(random)));
     shot.velocity = (aim - shot.from).normalized() * btScalar(50 + 200 * part(random));
-    const btRigidBody& body = shoot(w2, shot, i, true);
+    const btRigidBody& body = shoot(w2, shot, bullet(i), true);
     w2.step(10);
     const btVector3& p = body.getWorldTransform().getOrigin();
     outside += p[p.minAxis()] < 0 ? 1 : 0;
@@ -353,7 +292,7 @@ TYPED_TEST(ContinuousEverywhere, AShotIsStoppedOnAnyBudget) {
       w.add(wallShape(Wall::box), 0, btVector3(0, 0, 0));
       for (int other = 0; other < 4; ++other)
         w.add(treeShape(bullet(other)), 1, btVector3(btScalar(other - 2), btScalar(0.1), btScalar(0.4)));
-      btRigidBody& body = shoot(w, randomShot(random), i, true);
+      btRigidBody& body = shoot(w, randomShot(random), bullet(i), true);
       bullet::StepBudget budget;
       budget.operations = operations;
       ASSERT_TRUE(w.dispatcher.setBudget(budget));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <optional>
+
+#include "cairn/core/family.h"
+#include "continuous/separating_normals.h"
+#include "triangles/triangle.h"
+
+namespace cairn::bullet {
+
+/// A triangle that a moving ball may run into.
+struct SweptTriangle {
+  Triangle triangle;
+  Vec3 normal;  ///< zero if it is degenerate
+  Vec3 lower, upper;
+
+  explicit SweptTriangle(const Triangle& t);
+
+  /// See `SweptTarget::entry` and `SweptTarget::appendNormals`.
+  std::optional<float> entry(const Sphere& ball, const Vec3& way) const;
+  void appendNormals(const Vec3& center, SeparatingNormals& normals) const;
+};
+
+}  // namespace cairn::bullet
