@@ -69,7 +69,7 @@ Status checkOptions(const ReduceOptions& options) {
 
 Result<std::vector<Ball>> reduceBalls(const TriangleMesh& mesh, const MedialAxis& axis, const ReduceOptions& options,
                                       const KeepGoing& keepGoing) {
-  assert(!axis.inside.empty() || !axis.coverage.empty());
+  assert(!axis.inside.empty());
   if (Status s = checkOptions(options); !s) return s.error();
   const SignedDistance solid(mesh);
   SphereSet set = reduced(axis, solid, options, keepGoing);

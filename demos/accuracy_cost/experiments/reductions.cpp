@@ -46,6 +46,8 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
     const auto axis = builder::medialAxis(
         model.mesh, {.samples = kMostSamples, .spheres = kMedialSpheres, .seed = settings.seed}, progress);
     if (!axis) return axis.error();
+    if (axis.value().inside.empty())
+      return Error{model.name + ": no medial sphere was found; is it as thin as a sheet?"};
     for (const Algorithm& algorithm : kAlgorithms)
       for (const unsigned count : counts) {
         if (!steps.next(fmt::format("{}, {} to {}", model.name, algorithm.name, count)))

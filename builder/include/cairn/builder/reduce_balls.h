@@ -29,7 +29,7 @@ struct ReduceOptions {
 /// starts from the inner balls alone, with neighbours and forming points as in the diagram of `axis.samples`.
 ///
 /// Max-elim sees all candidates and points and finds the stand-off by 20 bisections. A pure function. Fails for options
-/// out of range and with `kCancelled`. Preconditions: `checkMesh(mesh)`; `axis` is of `mesh` and has at least one ball.
+/// out of range and with `kCancelled`. Preconditions: `checkMesh(mesh)`; `axis` is of `mesh` and has a ball inside.
 Result<std::vector<Ball>> reduceBalls(
     const TriangleMesh& mesh, const MedialAxis& axis, const ReduceOptions& options,
     const KeepGoing& keepGoing = [] { return true; });
