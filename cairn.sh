@@ -34,6 +34,8 @@ Cairn: collision detection that keeps its deadline.
                              (tests/corpus/run.sh --help lists the options)
   ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
                              thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
+  ./cairn.sh accuracy-cost [OPTIONS] the experiments of the thesis's chapter 7 again, as tables, figures and verdicts in out/accuracy-cost
+                             (all of them, hours; --quick minutes; docs/accuracy-cost.md)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
@@ -209,8 +211,19 @@ corpus() {
 
 tables() {
   need "${everything[@]}" tables
-  configure_and_build release --target cairn > /dev/null
+  configure_and_build release --target cairn accuracy_cost > /dev/null
   tests/tables/run.sh "$@"
+}
+
+# With an experiment's name or a command first, that; else all.
+accuracy_cost() {
+  need "${everything[@]}" accuracy
+  configure_and_build release --target accuracy_cost > /dev/null
+  case ${1:-} in
+    list | models | run) build/release/bin/accuracy_cost "$@" ;;
+    '' | -*) build/release/bin/accuracy_cost run all -o out/accuracy-cost "$@" ;;
+    *) build/release/bin/accuracy_cost run "$1" -o out/accuracy-cost "${@:2}" ;;
+  esac
 }
 
 fuzz() {
@@ -250,6 +263,7 @@ case $command in
   bench) bench "$@" ;;
   corpus) corpus "$@" ;;
   tables) tables "$@" ;;
+  accuracy-cost) accuracy_cost "$@" ;;
   fuzz) fuzz "$@" ;;
   threads) threads "$@" ;;
   format) format "$@" ;;

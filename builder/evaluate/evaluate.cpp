@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
+#include "certify/protrusion.h"
 #include "evaluate/sampled_protrusion.h"
 #include "evaluate/uncovered_area.h"
 #include "evaluate/volumes.h"
@@ -47,6 +49,7 @@ void sampleProtrusions(const SignedDistance& solid, const std::vector<CutBall>& 
   for (const double error : errors) sum += error, sumSq += error * error;
   for (const double error : errors) deviationSq += (error - sum / count) * (error - sum / count);
   fit.sampledMaxFraction = *std::max_element(errors.begin(), errors.end());
+  fit.sampledMeanFraction = sum / count;
   fit.sampledRmsFraction = std::sqrt(sumSq / count);
   fit.sampledVarianceFractionSquared = deviationSq / count;
 }
@@ -68,6 +71,46 @@ void measureVolumes(const SignedDistance& distance, const SolidLines& solid, dou
   fit.uncoveredDepthRmsFraction = depth.rms / diagonal;
 }
 
+/// A solid made ready to be compared with sets of spheres.
+class Measured {
+ public:
+  explicit Measured(const TriangleMesh& mesh)
+      : mesh_(mesh), solid_(mesh), lines_(mesh), volume_(massPropertiesOf(mesh).volume) {}
+
+  /// Fills in the sampled measures. `report` is told the share done; false once it says no.
+  bool sample(const std::vector<CutBall>& balls, std::uint64_t seed, LevelFit& fit,
+              const std::function<bool(double)>& report) const {
+    if (!report(0)) return false;
+    sampleProtrusions(solid_, balls, fit);
+    if (!report(1. / 3)) return false;
+    fit.uncoveredAreaFraction = uncoveredAreaFraction(mesh_, balls, seed);
+    if (!report(2. / 3)) return false;
+    measureVolumes(solid_, lines_, volume_, BallLines(balls), seed, fit);
+    return true;
+  }
+
+  LevelFit certified(std::span<const Ball> balls) const {
+    std::vector<double> errors(balls.size());
+    const ProtrusionTolerance tolerance = defaultProtrusionTolerance(solid_);
+    tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) {
+      errors[i] = certifiedProtrusion(solid_, balls[i].center, balls[i].radius, tolerance).upper;
+    });
+    double sumSq = 0;
+    for (const double error : errors) sumSq += error * error;
+    LevelCertificate certificate;
+    certificate.spheres = static_cast<std::uint32_t>(balls.size());
+    certificate.maxProtrusion = *std::max_element(errors.begin(), errors.end());
+    certificate.rmsProtrusion = std::sqrt(sumSq / static_cast<double>(errors.size()));
+    return certifiedFit(certificate, solid_.bounds().diagonal());
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  SignedDistance solid_;
+  SolidLines lines_;
+  double volume_;
+};
+
 }  // namespace
 
 Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMesh& mesh, const Certificate& certificate,
@@ -80,24 +123,25 @@ Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMes
     fits.push_back(certifiedFit(certificate.levels[level], diagonal));
   if (sampling == Sampling::none) return fits;
 
-  const SignedDistance solid(mesh);
-  const SolidLines lines(mesh);
-  const double volume = massPropertiesOf(mesh).volume;
+  const Measured measured(mesh);
   for (LevelFit& fit : fits) {
-    const auto index = static_cast<double>(fit.level - first);
-    const std::vector<CutBall> balls = cutBalls(tree, fit.level);
-    const double steps = 3 * static_cast<double>(fits.size());
-    const auto report = [&](double step) {
-      return !progress || progress("sampling the fit", (3 * index + step) / steps);
-    };
-    if (!report(0)) return Error{std::string(kCancelled)};
-    sampleProtrusions(solid, balls, fit);
-    if (!report(1)) return Error{std::string(kCancelled)};
-    fit.uncoveredAreaFraction = uncoveredAreaFraction(mesh, balls, seed);
-    if (!report(2)) return Error{std::string(kCancelled)};
-    measureVolumes(solid, lines, volume, BallLines(balls), seed, fit);
+    const auto index = static_cast<double>(fit.level - first), levels = static_cast<double>(fits.size());
+    const auto report = [&](double done) { return !progress || progress("sampling the fit", (index + done) / levels); };
+    if (!measured.sample(cutBalls(tree, fit.level), seed, fit, report)) return Error{std::string(kCancelled)};
   }
   return fits;
+}
+
+Result<LevelFit> evaluateBalls(std::span<const Ball> balls, const TriangleMesh& mesh, std::uint64_t seed,
+                               const ProgressCallback& progress) {
+  assert(!balls.empty());
+  const Measured measured(mesh);
+  LevelFit fit = measured.certified(balls);
+  std::vector<CutBall> cut;
+  for (const Ball& ball : balls) cut.push_back({ball.center, ball.radius});
+  const auto report = [&](double done) { return !progress || progress("sampling the fit", done); };
+  if (!measured.sample(cut, seed, fit, report)) return Error{std::string(kCancelled)};
+  return fit;
 }
 
 }  // namespace cairn::builder

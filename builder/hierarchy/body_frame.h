@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "cairn/builder/ball.h"
 #include "cairn/builder/triangle_mesh.h"
-#include "spheres/ball.h"
 
 namespace cairn::builder {
 

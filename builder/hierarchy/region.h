@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "cairn/builder/ball.h"
 #include "hierarchy/method_traits.h"
-#include "spheres/ball.h"
 #include "spheres/octants.h"
 #include "spheres/piece.h"
 #include "surface/signed_distance.h"

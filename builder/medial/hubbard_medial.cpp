@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "medial/gap_crossing.h"
@@ -25,6 +26,17 @@ void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::ve
     if (i % kPollEvery == 0 && !keepGoing()) return;
     if (diagram.insert(list[i].point)) samples.push_back(std::move(list[i]));
   }
+}
+
+/// Far above the rounding of a point of the surface, far below what a mesh tells apart; of the diagonal.
+constexpr double kOnTriangle = 1e-9;
+
+std::vector<std::uint32_t> clustersAt(const SignedDistance& solid, const PlanarClusters& clusters, const Vec3d& point) {
+  const double within = solid.closest(point).distance + kOnTriangle * solid.bounds().diagonal();
+  std::set<std::uint32_t> list;
+  for (std::uint32_t t = 0; t < solid.mesh().triangles.size(); ++t)
+    if (solid.distanceToTriangle(t, point) <= within) list.insert(clusters.ofTriangle[t]);
+  return {list.begin(), list.end()};
 }
 
 double spacingOf(const TriangleMesh& mesh, std::size_t samples) {
@@ -90,6 +102,20 @@ HubbardMedial hubbardMedialOf(const SignedDistance& solid, std::size_t samples, 
     insertAll(std::move(added), diagram, medial.samples, keepGoing);
     if (!keepGoing()) return medial;
   }
+  collectSpheres(diagram, solid, medial);
+  findNeighbours(medial);
+  return medial;
+}
+
+HubbardMedial hubbardMedialFrom(const SignedDistance& solid, std::span<const Vec3d> samples) {
+  const TriangleMesh& mesh = solid.mesh();
+  const PlanarClusters clusters = planarClustersOf(mesh, sortedHalfEdges(mesh));
+  std::vector<ClusterSample> list;
+  for (const Vec3d& sample : samples) list.push_back({sample, clustersAt(solid, clusters, sample)});
+  HubbardMedial medial;
+  medial.clusterNormals = clusters.normals;
+  VoronoiDiagram diagram(boundsOf(mesh));
+  insertAll(std::move(list), diagram, medial.samples, [] { return true; });
   collectSpheres(diagram, solid, medial);
   findNeighbours(medial);
   return medial;

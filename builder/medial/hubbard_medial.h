@@ -4,11 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "cairn/builder/ball.h"
 #include "cairn/builder/progress.h"
 #include "medial/relaxed_samples.h"
-#include "spheres/ball.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {
@@ -31,5 +32,10 @@ struct HubbardMedial {
 HubbardMedial hubbardMedialOf(
     const SignedDistance& solid, std::size_t samples, std::uint64_t seed,
     const KeepGoing& keepGoing = [] { return true; });
+
+/// The same from samples that are there already, without sampling or repairing: the inner vertices of their Voronoi
+/// diagram. A sample lies on the clusters of all triangles within rounding of it. Precondition: points of the surface,
+/// none twice. O(samples times triangles).
+HubbardMedial hubbardMedialFrom(const SignedDistance& solid, std::span<const Vec3d> samples);
 
 }  // namespace cairn::builder

@@ -2,9 +2,12 @@
 #include "medial_spheres.h"
 
 #include <algorithm>
+#include <optional>
 #include <queue>
+#include <utility>
 
 #include "medial/voronoi_diagram.h"
+#include "spheres/depth_field.h"
 
 namespace cairn::builder {
 
@@ -12,6 +15,11 @@ namespace {
 
 /// Outside vertices farther from the middle than this many diagonals belong to the enclosing sites.
 constexpr double kMaxReach = 1.0;
+
+/// How often coverage that is improved is found anew, at most.
+constexpr std::size_t kRounds = 1000;
+/// It ends within the last such part of its insertions, as soon as no coverage is worse than the medial spheres.
+constexpr std::size_t kEnding = 20;
 
 struct Judged {
   Ball ball;  // radius: distance to its sites
@@ -35,25 +43,37 @@ class AdaptiveSampling {
 
   void run(std::span<const Vec3d> sites, const MedialGoal& goal) {
     for (const Vec3d& site : sites) diagram_.insert(site);
+    if (goal.improveCoverage) {
+      holders_.assign(region_.size(), 0);
+      slack_ = kRoundingRoom * bounds_.diagonal();
+    }
     judge(0);
+    const std::size_t ending = goal.maxInsertions - goal.maxInsertions / kEnding;
+    const std::size_t round = std::max(std::size_t{1}, goal.maxInsertions / kRounds);
     for (std::size_t n = 0; n < goal.maxInsertions; ++n) {
+      if (goal.improveCoverage && (n % round == 0 || n >= ending)) queueCoverage();
+      if (bare_) {
+        sampleBarePoint();
+        continue;
+      }
       dropDead();
       if (worst_.empty()) return;
-      if (worst_.top().standOff <= goal.maxStandOff && aliveInside_ >= goal.minSpheres) return;
+      if (reached(goal) || (goal.improveCoverage && n >= ending && isInside(worst_.top().index))) return;
       refine(worst_.top().index);
     }
   }
 
   MedialSpheres result(const MedialGoal& goal) const {
     MedialSpheres result;
-    std::vector<Ball> outside;
-    const auto vertices = diagram_.vertices();
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i].alive && judged_[i].considered)
-        (isInside(i) ? result.inside : outside).push_back(judged_[i].ball);
-    result.coverage = coverageSpheres(result.inside, outside);
-    for (const Ball& ball : outside)
-      if (-ball.depth <= goal.maxOutside) result.outside.push_back(ball);
+    const auto [inside, outside] = living();
+    for (const std::uint32_t i : inside) result.inside.push_back(judged_[i].ball);
+    const Preference preference = goal.improveCoverage ? Preference::leastStandOff : Preference::mostDeletable;
+    for (const std::uint32_t i : eachOnce(coverageOf(uncoveredBy(inside), outside, preference)))
+      result.coverage.push_back(judged_[i].ball);
+    for (const std::uint32_t i : outside)
+      if (-judged_[i].ball.depth <= goal.maxOutside) result.outside.push_back(judged_[i].ball);
+    for (std::uint32_t i = VoronoiDiagram::kEnclosingSites; i < diagram_.siteCount(); ++i)
+      result.sites.push_back(diagram_.site(i));
     return result;
   }
 
@@ -68,6 +88,7 @@ class AdaptiveSampling {
       if (!judged_[i].considered || !(judged_[i].ball.depth > 0)) continue;
       worst_.push({judged_[i].ball.standOff(), static_cast<std::uint32_t>(i)});
       ++aliveInside_;
+      countHolder(judged_[i].ball, true);
     }
   }
 
@@ -82,6 +103,13 @@ class AdaptiveSampling {
     return {{vertex.position, reach, answer.depth}, answer.nearest.point, true};
   }
 
+  /// Coverage that is improved must not be worse than the medial spheres.
+  bool reached(const MedialGoal& goal) const {
+    const QueuedVertex& worst = worst_.top();
+    return worst.standOff <= goal.maxStandOff && aliveInside_ >= goal.minSpheres &&
+           (!goal.improveCoverage || isInside(worst.index));
+  }
+
   void dropDead() {
     while (!worst_.empty() && !diagram_.vertices()[worst_.top().index].alive) worst_.pop();
   }
@@ -90,37 +118,106 @@ class AdaptiveSampling {
     const Vec3d site = judged_[index].nearest;
     worst_.pop();
     // The surface point may be a site already (the sphere is as good as rounding allows): then it stays as it is.
-    if (!diagram_.insert(site, index)) return;
-    for (const std::uint32_t ended : diagram_.endedByLastInsert()) aliveInside_ -= isInside(ended) ? 1 : 0;
+    if (diagram_.insert(site, index)) updateAfterInsert();
+  }
+
+  void updateAfterInsert() {
+    for (const std::uint32_t ended : diagram_.endedByLastInsert()) {
+      if (!isInside(ended)) continue;
+      --aliveInside_;
+      countHolder(judged_[ended].ball, false);
+    }
     judge(diagram_.firstOfLastInsert());
   }
 
   bool isInside(std::size_t index) const { return judged_[index].considered && judged_[index].ball.depth > 0; }
 
-  /// For each point of the region that no inside sphere holds the outside sphere most easily removed by further
-  /// sampling: the one with the largest reach over its distance from the surface, of those that hold the point.
-  std::vector<Ball> coverageSpheres(const std::vector<Ball>& inside, const std::vector<Ball>& outside) const {
+  /// Which outside sphere is to hold a point that no inside one does.
+  enum class Preference {
+    mostDeletable,  ///< the one most easily removed by further sampling: the largest reach over its distance outside
+    leastStandOff,
+  };
+
+  using Indices = std::vector<std::uint32_t>;
+
+  /// The spheres that count, inside and outside, by vertex.
+  std::pair<Indices, Indices> living() const {
+    std::pair<Indices, Indices> list;
+    const auto vertices = diagram_.vertices();
+    for (std::uint32_t i = 0; i < vertices.size(); ++i)
+      if (vertices[i].alive && judged_[i].considered) (isInside(i) ? list.first : list.second).push_back(i);
+    return list;
+  }
+
+  /// Points of the region that none of these spheres holds.
+  Indices uncoveredBy(const Indices& inside) const {
     std::vector<double> distances(region_.size());
     std::vector<bool> covered(region_.size(), false);
-    for (const Ball& ball : inside) {
-      region_.distances(ball.center, ball.radius, distances);
-      for (std::size_t p = 0; p < covered.size(); ++p) covered[p] = covered[p] || distances[p] <= 0;
+    for (const std::uint32_t i : inside) {
+      region_.distances(judged_[i].ball.center, judged_[i].ball.radius, distances);
+      for (std::size_t p = 0; p < covered.size(); ++p) covered[p] = covered[p] || distances[p] <= slack_;
     }
-    constexpr std::size_t kNone = ~std::size_t{0};
-    std::vector<std::size_t> chosen(region_.size(), kNone);
-    const auto deletability = [&](std::size_t i) { return outside[i].radius + outside[i].depth; };
-    for (std::size_t i = 0; i < outside.size(); ++i) {
-      region_.distances(outside[i].center, outside[i].radius, distances);
-      for (std::size_t p = 0; p < covered.size(); ++p)
-        if (!covered[p] && distances[p] <= 0 && (chosen[p] == kNone || deletability(i) > deletability(chosen[p])))
-          chosen[p] = i;
+    Indices list;
+    for (std::uint32_t p = 0; p < covered.size(); ++p)
+      if (!covered[p]) list.push_back(p);
+    return list;
+  }
+
+  static constexpr std::uint32_t kNone = ~0U;
+
+  /// For each of these points the preferred one of the outside spheres that hold it, or `kNone`.
+  Indices coverageOf(const Indices& uncovered, const Indices& outside, Preference preference) const {
+    PointSet points;
+    points.assign(region_, uncovered);
+    std::vector<double> distances(points.size());
+    Indices chosen(points.size(), kNone);
+    const auto merit = [&](std::uint32_t i) {
+      const Ball& ball = judged_[i].ball;
+      return preference == Preference::mostDeletable ? ball.radius + ball.depth : -ball.standOff();
+    };
+    for (const std::uint32_t i : outside) {
+      points.distances(judged_[i].ball.center, judged_[i].ball.radius, distances);
+      for (std::size_t p = 0; p < chosen.size(); ++p)
+        if (distances[p] <= slack_ && (chosen[p] == kNone || merit(i) > merit(chosen[p]))) chosen[p] = i;
     }
+    return chosen;
+  }
+
+  /// Ascending, without `kNone`.
+  static Indices eachOnce(Indices chosen) {
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-    std::vector<Ball> coverage;
-    for (const std::size_t i : chosen)
-      if (i != kNone) coverage.push_back(outside[i]);
-    return coverage;
+    if (!chosen.empty() && chosen.back() == kNone) chosen.pop_back();
+    return chosen;
+  }
+
+  /// Has the coverage of now compete with the inside spheres for being refined.
+  void queueCoverage() {
+    Indices uncovered;
+    for (std::uint32_t p = 0; p < holders_.size(); ++p)
+      if (holders_[p] == 0) uncovered.push_back(p);
+    if (uncovered.empty()) return;
+    const Indices chosen = coverageOf(uncovered, living().second, Preference::mostDeletable);
+    for (const std::uint32_t i : eachOnce(chosen)) worst_.push({judged_[i].ball.standOff(), i});
+    const auto none = std::find(chosen.begin(), chosen.end(), kNone);
+    if (none != chosen.end()) bare_ = uncovered[static_cast<std::size_t>(none - chosen.begin())];
+  }
+
+  /// A point that only spheres of enclosing sites hold, such as the tip of a spike, is sampled itself. From then on
+  /// spheres touch it.
+  void sampleBarePoint() {
+    holders_[*bare_] += kTouched;
+    if (diagram_.insert(region_[*bare_])) updateAfterInsert();
+    bare_.reset();
+  }
+
+  /// Counts an inside sphere in or out among the holders of its points, if they are counted.
+  void countHolder(const Ball& ball, bool in) {
+    if (holders_.empty()) return;
+    distances_.resize(region_.size());
+    region_.distances(ball.center, ball.radius, distances_);
+    for (std::size_t p = 0; p < holders_.size(); ++p)
+      if (distances_[p] <= slack_) holders_[p] += in ? 1 : -1;
   }
 
   const SignedDistance& solid_;
@@ -131,6 +228,11 @@ class AdaptiveSampling {
   std::vector<Judged> judged_;
   std::priority_queue<QueuedVertex> worst_;
   std::size_t aliveInside_ = 0;
+  std::vector<int> holders_;  // by point: living inside spheres that hold it; empty when coverage is not improved
+  double slack_ = 0;          // a sphere that touches a point to rounding holds it
+  std::vector<double> distances_;
+  std::optional<std::uint32_t> bare_;  // a point that no sphere holds
+  static constexpr int kTouched = 1 << 20;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "spheres/ball.h"
+#include "cairn/builder/ball.h"
 #include "spheres/point_set.h"
 #include "surface/signed_distance.h"
 
@@ -17,6 +17,9 @@ struct MedialGoal {
   double maxStandOff = 0;            ///< of the worst of them, mesh units
   double maxOutside = 0;             ///< how far outside a centre may lie to be listed in `MedialSpheres::outside`
   std::size_t maxInsertions = 2000;  ///< gives up quietly: what was reached is still a valid set of candidates
+  /// The spheres of `MedialSpheres::coverage` are improved as well, as in the thesis, and those kept in the end are the
+  /// ones that stand off least. For whole solids, whose coverage is not reduced afterwards.
+  bool improveCoverage = false;
 };
 
 /// Balls around Voronoi vertices of points of the surface; each passes through four of them and touches the region.
@@ -25,6 +28,7 @@ struct MedialSpheres {
   std::vector<Ball> inside;    ///< centre inside the solid
   std::vector<Ball> coverage;  ///< outside ones that cover what `inside` leaves of the region (thesis Alg. 4)
   std::vector<Ball> outside;   ///< all outside ones no deeper outside than the goal asks for
+  std::vector<Vec3d> sites;    ///< the points of the surface the diagram ended with
 };
 
 /// Approximates the part of the medial axis that matters to a region of the surface: a Voronoi diagram of `sites`,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spheres/ball.h"
+#include "cairn/builder/ball.h"
 #include "spheres/depth_field.h"
 #include "spheres/point_set.h"
 #include "spheres/stand_off.h"

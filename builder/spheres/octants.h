@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "cairn/builder/ball.h"
 #include "cairn/builder/triangle_mesh.h"
-#include "spheres/ball.h"
 #include "spheres/piece.h"
 
 namespace cairn::builder {

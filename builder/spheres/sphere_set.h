@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "spheres/ball.h"
+#include "cairn/builder/ball.h"
 #include "spheres/depth_field.h"
 #include "spheres/piece.h"
 #include "spheres/point_set.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "spheres/ball.h"
+#include "cairn/builder/ball.h"
 #include "spheres/depth_field.h"
 #include "spheres/point_set.h"
 

@@ -19,7 +19,8 @@ run.sh [OPTIONS] [MESH...] [-- BUILD OPTIONS]
   --csv FILE       write one line per mesh, method and level there too
   --markdown FILE  write the tables of docs/tables.md there too
 Meshes named bunny, dragon, s-shape and ellipsoid are compared with the thesis's tables. Without any, stand-ins for the
-thesis's five models are made of Debian's libcgal-demo (--archive FILE, its data.tar.gz).
+thesis's five models are made by accuracy_cost, which stands beside the tool, of Debian's libcgal-demo (--archive FILE,
+its data.tar.gz).
 END
 }
 
@@ -36,7 +37,13 @@ while (($#)); do
   esac
 done
 if ((${#meshes[@]} == 0)); then
-  mapfile -t meshes < <("$here/meshes.sh" "$tool" "$archive" "$out/meshes")
+  for name in bunny dragon cow s-shape ellipsoid; do
+    if mesh=$("$(dirname "$tool")/accuracy_cost" models "$name" --archive "$archive" -o "$out/meshes"); then
+      meshes+=("$mesh")
+    else
+      echo "run.sh: going on without $name" >&2
+    fi
+  done
 fi
 for mesh in "${meshes[@]}"; do
   [[ -r $mesh ]] || { echo "run.sh: $mesh cannot be read; name a mesh" >&2; exit 2; }

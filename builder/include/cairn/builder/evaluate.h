@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "cairn/builder/ball.h"
 #include "cairn/builder/certify.h"
 #include "cairn/builder/progress.h"
 #include "cairn/builder/triangle_mesh.h"
@@ -20,9 +22,9 @@ struct LevelFit {
   std::uint32_t spheres = 0;
   double certifiedMaxFraction = 0;  ///< upper bound of the worst sphere's error
   double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1, see the errata)
-  /// Errors from points spread over each sphere; never above the certified ones. Largest, root mean square and variance
-  /// over the spheres, the variance as a fraction of the diagonal squared.
-  double sampledMaxFraction = 0, sampledRmsFraction = 0, sampledVarianceFractionSquared = 0;
+  /// Errors from points spread over each sphere; never above the certified ones. Largest, mean, root mean square and
+  /// variance over the spheres, the variance as a fraction of the diagonal squared.
+  double sampledMaxFraction = 0, sampledMeanFraction = 0, sampledRmsFraction = 0, sampledVarianceFractionSquared = 0;
   double uncoveredAreaFraction = 0;  ///< share of area samples outside all spheres
   /// Volume of the solid outside all spheres, and the standard error of that estimate. Trees cover the surface: the
   /// inside may be hollow, and a body that gets there is felt by no sphere.
@@ -43,5 +45,11 @@ enum class Sampling : std::uint8_t { none, full };
 /// of threads. Precondition: `checkMesh(mesh)`. Fails only with `kCancelled`.
 Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMesh& mesh, const Certificate& certificate,
                                        Sampling sampling, std::uint64_t seed, const ProgressCallback& progress = {});
+
+/// The fit of a set of spheres that is no tree: level 0, and nothing proved about cover or reach. Centres and radii are
+/// taken as they are. Preconditions: `checkMesh(mesh)`; `balls` not empty. Fails only with `kCancelled`. Parallel; the
+/// same seed gives the same bits for any number of threads. Some milliseconds for a sphere, and two seconds.
+Result<LevelFit> evaluateBalls(std::span<const Ball> balls, const TriangleMesh& mesh, std::uint64_t seed,
+                               const ProgressCallback& progress = {});
 
 }  // namespace cairn::builder

@@ -5,7 +5,7 @@
 
 namespace cairn::builder {
 
-/// A ball while it is fitted: mesh frame, mesh units.
+/// A ball that stands for a part of a solid's surface: mesh frame, mesh units.
 struct Ball {
   Vec3d center;
   double radius = 0;

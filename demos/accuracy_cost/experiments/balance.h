@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy_cost/experiments/experiment.h"
+
+namespace cairn::accuracy_cost {
+
+/// Spheres dropped by the optimiser against the error that costs (thesis 6.3 and 7.1.5).
+Experiment balanceExperiment();
+
+}  // namespace cairn::accuracy_cost

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy_cost/experiments/experiment.h"
+
+namespace cairn::accuracy_cost {
+
+/// Max-cover against max-elim in the Expand reduction (thesis 7.1.3).
+Experiment expandSelectionExperiment();
+
+}  // namespace cairn::accuracy_cost

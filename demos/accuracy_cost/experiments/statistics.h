@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace cairn::accuracy_cost {
+
+/// One-way analysis of variance: is the mean of all groups the same?
+struct Anova {
+  double f = 0;                         ///< variance between the groups over that within them
+  double p = 1;                         ///< chance of an F as large when all means are the same
+  double fCritical = 0;                 ///< the F whose chance is `kSignificance`
+  std::size_t between = 0, within = 0;  ///< degrees of freedom
+};
+inline constexpr double kSignificance = 0.05;
+
+/// Groups that differ while nothing varies inside them have an infinite F and p = 0; when nothing varies at all F = 0
+/// and p = 1. The F distribution is that of the GNU Scientific Library. Precondition: at least two groups, none empty,
+/// more values than groups.
+Anova anovaOf(const std::vector<std::vector<double>>& groups);
+
+/// exp of the mean logarithm; NaN without values. Precondition: all above 0.
+double geometricMean(std::span<const double> values);
+/// NaN without values.
+double mean(std::span<const double> values);
+/// Share of the variance of y that a straight line over x explains, 0 to 1 (Pearson's r squared). NaN for fewer than
+/// three points or when x or y do not vary. Precondition: equal sizes.
+double linearity(std::span<const double> x, std::span<const double> y);
+
+}  // namespace cairn::accuracy_cost

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// accuracy_cost: chapter 7 of the thesis again, from the command line.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <thread>
+
+#include "accuracy_cost/runs/run.h"
+#include "options.h"
+#include "scenes/command/program.h"
+
+namespace cairn::accuracy_cost {
+namespace {
+
+/// The command that makes one experiment of a run again.
+std::string commandOf(const RunCommand& run, const Experiment& experiment) {
+  std::string text = fmt::format("accuracy_cost run {} -o DIR --seed {}", experiment.name, run.settings.seed);
+  if (run.settings.quick) text += " --quick";
+  if (!run.models.folder.empty()) text += " --models MESHES";
+  return text;
+}
+
+void printReport(const RunReport& report) {
+  const auto& d = report.document;
+  fmt::print("{} (thesis {}): {}{}\n  {}\n  {}\n", d["experiment"].get<std::string>(),
+             d["thesis_section"].get<std::string>(), d["verdict"].get<std::string>(),
+             report.measured ? fmt::format(", {:.0f} s", d["seconds"].get<double>()) : ", was there",
+             d["we_found"].get<std::string>(), d["why"].get<std::string>());
+  std::fflush(stdout);
+}
+
+Status execute(const RunCommand& command) {
+  std::error_code failure;
+  std::filesystem::create_directories(command.folder, failure);
+  if (failure) return Error{fmt::format("cannot make the folder {}: {}", command.folder.string(), failure.message())};
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  command.threads == 0 ? cores : command.threads);
+  auto all = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < command.experiments.size(); ++i) {
+    const Experiment& experiment = *command.experiments[i];
+    scenes::ProgressLine line(fmt::format("[{}/{}] {}", i + 1, command.experiments.size(), experiment.name));
+    const auto report = runExperiment({&experiment, command.settings, command.models, command.folder, command.figures,
+                                       commandOf(command, experiment)},
+                                      line.callback());
+    if (!report) return report.error();
+    if (!report.value().leftOut.empty())
+      fmt::print(stderr, "accuracy_cost: {}: without {}: {} is not there (package libcgal-demo).\n", experiment.name,
+                 fmt::join(report.value().leftOut, ", "), command.models.archive.string());
+    if (command.json)
+      all.push_back(report.value().document);
+    else
+      printReport(report.value());
+  }
+  if (command.json) fmt::print("{}\n", all.dump(1));
+  return {};
+}
+
+Status execute(const ModelsCommand& command) {
+  scenes::ProgressLine line("models");
+  for (const std::string& name : command.names) {
+    const auto file = makeModel(name, command.models, line.callback());
+    if (!file) return file.error();
+    fmt::print("{}\n", file.value().string());
+  }
+  return {};
+}
+
+Status execute(const ListCommand&) {
+  for (const Experiment& e : allExperiments()) fmt::print("{:<18} {} (thesis {})\n", e.name, e.title, e.section);
+  return {};
+}
+
+}  // namespace
+}  // namespace cairn::accuracy_cost
+
+int main(int argc, char** argv) try {
+  using namespace cairn;
+  const auto parsed = accuracy_cost::parseOptions(argc, argv);
+  if (const int* code = std::get_if<int>(&parsed)) return *code;
+  scenes::watchForInterrupt();
+  const Status status = std::visit([](const auto& command) { return accuracy_cost::execute(command); },
+                                   std::get<accuracy_cost::Command>(parsed));
+  return status ? scenes::kExitDone : scenes::refuse("accuracy_cost", status.error());
+} catch (const std::exception& e) {
+  return cairn::scenes::refuse("accuracy_cost", {fmt::format("stopped by an unexpected failure ({})", e.what())});
+}

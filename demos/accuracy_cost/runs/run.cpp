@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy_cost/runs/run.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "accuracy_cost/figures/draw.h"
+#include "cairn/core/atomic_file.h"
+
+namespace cairn::accuracy_cost {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Result<std::string> textOf(const fs::path& path) {
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
+}
+
+/// All a table depends on beside the program.
+Json settingsJson(const RunPlan& plan, const std::vector<Model>& models) {
+  Json meshes = Json::object();
+  for (const Model& model : models) meshes[model.name] = model.mesh.sha256;
+  return {{"quick", plan.settings.quick}, {"seed", plan.settings.seed}, {"version", CAIRN_VERSION}, {"meshes", meshes}};
+}
+
+Json modelsJson(const std::vector<Model>& models) {
+  Json list = Json::array();
+  for (const Model& model : models)
+    list.push_back({{"name", model.name}, {"triangles", model.mesh.triangles.size()}, {"sha256", model.mesh.sha256}});
+  return list;
+}
+
+Json claimsJson(const std::vector<Claim>& claims) {
+  Json list = Json::array();
+  for (const Claim& claim : claims)
+    list.push_back({{"thesis", claim.thesis}, {"rule", claim.rule}, {"found", claim.found}, {"holds", claim.holds}});
+  return list;
+}
+
+/// The finished document of the same settings, if there is one beside its table.
+std::optional<Json> kept(const fs::path& file, const fs::path& csv, const Json& settings) {
+  const auto text = textOf(file);
+  if (!text || !fs::exists(csv)) return std::nullopt;
+  Json document = Json::parse(text.value(), nullptr, false);
+  if (!document.is_object() || !document.contains("settings") || document["settings"] != settings) return std::nullopt;
+  return document;
+}
+
+Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const Table& table, double seconds) {
+  const Experiment& e = *plan.experiment;
+  const std::vector<Claim> claims = e.judge(table);
+  return {{"experiment", e.name},
+          {"title", e.title},
+          {"thesis_section", e.section},
+          {"thesis_says", e.says},
+          {"we_found", foundText(claims)},
+          {"verdict", verdictName(verdictOf(claims))},
+          {"why", whyText(claims)},
+          {"differs", e.differs},
+          {"rule", kVerdictRule},
+          {"claims", claimsJson(claims)},
+          {"command", plan.command},
+          {"csv", std::string(e.name) + ".csv"},
+          {"figures", Json::array()},
+          {"models", modelsJson(models)},
+          {"settings", settingsJson(plan, models)},
+          {"seconds", seconds}};
+}
+
+Status addFigures(Json& document, const RunPlan& plan, const Table& table, const fs::path& csv) {
+  Json names = Json::array();
+  for (const Figure& figure : plan.experiment->draw(table)) {
+    const auto files = drawFigure(figure, table, csv, plan.folder);
+    if (!files) return files.error();
+    for (const std::string& name : files.value()) names.push_back(name);
+  }
+  document["figures"] = std::move(names);
+  return {};
+}
+
+Result<Table> tableIn(const fs::path& csv) {
+  const auto text = textOf(csv);
+  if (!text) return text.error();
+  return Table::parse(text.value());
+}
+
+/// Measures and writes the table; the document still lacks its figures.
+Result<Table> measured(const RunPlan& plan, const std::vector<Model>& models, const fs::path& csv, Json& document,
+                       const builder::ProgressCallback& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto table = plan.experiment->measure(models, plan.settings, progress);
+  if (!table) return table.error();
+  if (Status written = writeFileAtomically(csv, table.value().csv()); !written) return written.error();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  document = documentOf(plan, models, table.value(), seconds.count());
+  return table;
+}
+
+}  // namespace
+
+Result<RunReport> runExperiment(const RunPlan& plan, const builder::ProgressCallback& progress) {
+  if (plan.figures)
+    if (Status there = checkGnuplot(); !there) return there.error();
+  const fs::path csv = plan.folder / (std::string(plan.experiment->name) + ".csv");
+  const fs::path json = plan.folder / (std::string(plan.experiment->name) + ".json");
+  RunReport report;
+  const auto& names = plan.settings.quick ? plan.experiment->quickModels : plan.experiment->models;
+  const auto models = readModels(names, plan.models, report.leftOut, progress);
+  if (!models) return models.error();
+  if (auto document = kept(json, csv, settingsJson(plan, models.value()))) {
+    report.document = std::move(*document);
+    if (!plan.figures || !report.document["figures"].empty()) return report;
+  }
+  report.measured = report.document.is_null();
+  const auto table = report.measured ? measured(plan, models.value(), csv, report.document, progress) : tableIn(csv);
+  if (!table) return table.error();
+  if (plan.figures)
+    if (Status drawn = addFigures(report.document, plan, table.value(), csv); !drawn) return drawn.error();
+  if (Status written = writeFileAtomically(json, report.document.dump(1) + "\n"); !written) return written.error();
+  return report;
+}
+
+}  // namespace cairn::accuracy_cost

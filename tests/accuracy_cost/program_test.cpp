@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "accuracy_cost/models/model.h"
+#include "accuracy_cost/models/solids.h"
+#include "cairn/builder/import.h"
+#include "cairn/builder/simplify.h"
+#include "cairn/core/atomic_file.h"
+#include "run_program.h"
+
+namespace cairn::accuracy_cost {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::contentOf;
+using test::ProgramResult;
+
+/// The program on one small solid, so that experiments take seconds.
+class AccuracyCostProgram : public ::testing::Test {
+ protected:
+  AccuracyCostProgram() {
+    fs::create_directories(path("meshes"));
+    addMesh("cube", box({1, 1, 1}));
+  }
+
+  fs::path path(const std::string& name) const { return temporary_.path() / name; }
+  void addMesh(const std::string& name, const builder::TriangleMesh& mesh) const {
+    ASSERT_TRUE(writeFileAtomically(path("meshes/" + name + ".obj"), builder::objText(mesh)));
+  }
+  ProgramResult run(const std::string& experiment, const std::string& folder,
+                    const std::string& rest = "--no-figures") const {
+    return test::runProgram("accuracy_cost", "run " + experiment + " --quick --models '" + path("meshes").string() +
+                                                 "' -o '" + path(folder).string() + "' " + rest);
+  }
+  static bool hasGnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+  test::TemporaryFolder temporary_;
+};
+
+TEST_F(AccuracyCostProgram, WritesTheSameTableTwiceAndForAnyThreads) {
+  for (const char* experiment : {"sampling", "expand-selection"}) {
+    const ProgramResult one = run(experiment, "one", "--no-figures --threads 1");
+    ASSERT_EQ(one.exitCode, 0) << one.errors;
+    const ProgramResult two = run(experiment, "two", "--no-figures --threads 2 --json");
+    ASSERT_EQ(two.exitCode, 0) << two.errors;
+    const std::string table = contentOf(path(std::string("one/") + experiment + ".csv"));
+    EXPECT_GT(table.size(), 100U);
+    EXPECT_EQ(table, contentOf(path(std::string("two/") + experiment + ".csv")));
+    EXPECT_EQ(json::parse(two.output).at(0).at("experiment"), experiment);
+  }
+}
+
+TEST_F(AccuracyCostProgram, WritesWhatTheReportReads) {
+  ASSERT_EQ(run("expand-selection", "out", "--no-figures --seed 7").exitCode, 0);
+  const json document = json::parse(contentOf(path("out/expand-selection.json")));
+  for (const char* key : {"experiment", "thesis_section", "thesis_says", "we_found", "verdict", "why", "command",
+                          "figures", "models", "seconds", "rule", "claims"})
+    EXPECT_TRUE(document.contains(key)) << key;
+  EXPECT_EQ(document["settings"]["seed"], 7);
+  EXPECT_EQ(document["models"][0]["name"], "cube");
+  EXPECT_NE(document["command"].get<std::string>().find("--seed 7"), std::string::npos);
+}
+
+TEST_F(AccuracyCostProgram, KeepsWhatIsThereAndMeasuresWhatChanged) {
+  ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
+  const auto csv = path("out/expand-selection.csv");
+  // A mark in the table tells whether it was written again.
+  const std::string marked = contentOf(csv) + "cube,max-elim,marked,0,0\n";
+  ASSERT_TRUE(writeFileAtomically(csv, marked));
+  EXPECT_NE(run("expand-selection", "out").output.find("was there"), std::string::npos);
+  EXPECT_EQ(contentOf(csv), marked);
+
+  ASSERT_EQ(run("expand-selection", "out", "--no-figures --seed 2").exitCode, 0);
+  EXPECT_EQ(contentOf(csv).find("marked"), std::string::npos) << "another seed";
+  ASSERT_TRUE(writeFileAtomically(csv, marked));
+  addMesh("cube", box({1, 1, 2}));
+  ASSERT_EQ(run("expand-selection", "out", "--no-figures --seed 2").exitCode, 0);
+  EXPECT_EQ(contentOf(csv).find("marked"), std::string::npos) << "another mesh of that name";
+  ASSERT_TRUE(writeFileAtomically(path("out/expand-selection.json"), "{"));
+  ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
+  EXPECT_EQ(json::parse(contentOf(path("out/expand-selection.json"))).at("settings").at("seed"), 1) << "a broken file";
+}
+
+TEST_F(AccuracyCostProgram, DrawsFiguresOfATableThatIsThere) {
+  if (!hasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
+  const std::string table = contentOf(path("out/expand-selection.csv"));
+  const ProgramResult drawn = run("expand-selection", "out", "");
+  ASSERT_EQ(drawn.exitCode, 0) << drawn.errors;
+  EXPECT_NE(drawn.output.find("was there"), std::string::npos);
+  EXPECT_EQ(contentOf(path("out/expand-selection.csv")), table);
+  EXPECT_EQ(json::parse(contentOf(path("out/expand-selection.json"))).at("figures"),
+            (json{"expand-selection.svg", "expand-selection.png"}));
+  EXPECT_NE(contentOf(path("out/expand-selection.svg")).find("max-elim"), std::string::npos);
+  EXPECT_EQ(contentOf(path("out/expand-selection.png")).substr(1, 3), "PNG");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(path("out"))) ++files;
+  EXPECT_EQ(files, 4U) << "nothing of the work is left over";
+}
+
+TEST_F(AccuracyCostProgram, NamesGnuplotWhereItIsMissing) {
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", path("meshes").c_str(), 1);
+  const ProgramResult refused = run("expand-selection", "out", "");
+  const ProgramResult without = run("expand-selection", "out");
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_NE(refused.errors.find("gnuplot-nox"), std::string::npos) << refused.errors;
+  EXPECT_EQ(without.exitCode, 0) << without.errors;
+}
+
+TEST_F(AccuracyCostProgram, RefusesInOneSentence) {
+  const ProgramResult unknown = run("no-such", "out");
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_NE(unknown.errors.find("expand-selection"), std::string::npos) << "the names are listed";
+  EXPECT_EQ(run("sampling", "out", "--seed -1").exitCode, 2);
+  EXPECT_EQ(test::runProgram("accuracy_cost", "run sampling").exitCode, 2) << "no folder";
+
+  ASSERT_TRUE(writeFileAtomically(path("meshes/open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  const ProgramResult open = run("sampling", "out");
+  EXPECT_EQ(open.exitCode, 1);
+  EXPECT_NE(open.errors.find("open.obj"), std::string::npos) << open.errors;
+  fs::remove(path("meshes/open.obj"));
+  fs::remove(path("meshes/cube.obj"));
+  EXPECT_EQ(run("sampling", "out").exitCode, 1) << "an empty folder";
+  ASSERT_TRUE(writeFileAtomically(path("file"), ""));
+  EXPECT_EQ(run("sampling", "file/below").exitCode, 1) << "no folder can be made";
+}
+
+TEST_F(AccuracyCostProgram, ListsAndMakesModels) {
+  const ProgramResult list = test::runProgram("accuracy_cost", "list");
+  EXPECT_EQ(list.exitCode, 0);
+  for (const char* name : {"sampling", "expand-selection", "reductions", "levels", "balance"})
+    EXPECT_NE(list.output.find(name), std::string::npos) << name;
+  const std::string made = " -o '" + path("made").string() + "'";
+  for (const char* name : {"s-shape", "cube", "block", "cylinder", "cone", "torus"}) {
+    const ProgramResult model = test::runProgram("accuracy_cost", std::string("models ") + name + made);
+    EXPECT_EQ(model.exitCode, 0) << model.errors;
+    EXPECT_TRUE(builder::importMesh(path("made") / (std::string(name) + ".obj"))) << name;
+  }
+  const ProgramResult scan = test::runProgram("accuracy_cost", "models bunny --archive /dev/null" + made);
+  EXPECT_EQ(scan.exitCode, 1);
+  EXPECT_NE(scan.errors.find("libcgal-demo"), std::string::npos) << scan.errors;
+}
+
+TEST_F(AccuracyCostProgram, IsCancelledWithoutAResult) {
+  addMesh("torus", torus(1, 0.35, 40, 20));
+  const std::string program = (fs::read_symlink("/proc/self/exe").parent_path() / "accuracy_cost").string();
+  const std::string meshes = path("meshes").string(), out = path("out").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    execl(program.c_str(), program.c_str(), "run", "levels", "--models", meshes.c_str(), "-o", out.c_str(),
+          "--no-figures", nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_FALSE(fs::exists(path("out/levels.json")));
+  EXPECT_FALSE(fs::exists(path("out/levels.csv")));
+}
+
+}  // namespace
+}  // namespace cairn::accuracy_cost
