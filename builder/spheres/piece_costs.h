@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "spheres/ball.h"
+#include "cairn/builder/ball.h"
 #include "spheres/piece.h"
 
 namespace cairn::builder {
