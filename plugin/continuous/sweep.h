@@ -37,8 +37,9 @@ class Sweep {
 
   explicit Sweep(CounterpartKind kind) : target_(makeSweptTarget(kind)) {}
 
-  /// The contacts ahead, pair frame, at most one for each leaf of the smaller tree, in an order that depends on nothing
-  /// but the pair. Valid until the next run.
+  /// The contacts ahead, pair frame, in each direction it is looked in at most one for each leaf of the smaller tree,
+  /// or for each triangle of a leaf that says too little, in an order that depends on nothing but the pair. Valid until
+  /// the next run.
   const std::vector<Contact>& run(const SweptPair& pair, Budget& budget);
   /// Whether something had sunk in, or might in this step: it has to be run in the next as well.
   bool isAnchored() const { return anchor_.has_value(); }

@@ -23,13 +23,11 @@ Triangle TreeParts::triangle(Part part) const {
   return {tree_.toPair() * data.vertices[a], tree_.toPair() * data.vertices[b], tree_.toPair() * data.vertices[c]};
 }
 
-// Of a triangle's box.
+// About the mean of a triangle's corners, which moves with them: that of its box would not where it turns.
 Sphere TreeParts::sphere(Part part) const {
   if (!isTriangle(part)) return tree_.sphere(part);
   const auto& [a, b, c] = triangle(part);
-  Vec3 middle;
-  for (int axis = 0; axis < 3; ++axis)
-    middle[axis] = 0.5F * (std::min({a[axis], b[axis], c[axis]}) + std::max({a[axis], b[axis], c[axis]}));
+  const Vec3 middle = (a + b + c) / 3;
   return {middle, std::max({distance(middle, a), distance(middle, b), distance(middle, c)})};
 }
 

@@ -112,7 +112,9 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
     countStepAsWaited();
   else
     lookForJump(timeStep);
-  const bool needsStandIn = isNew || !isHoldingStill_;
+  ahead_ = {};
+  forgetImpulsesAhead();
+  const bool needsStandIn = isNew || !isHoldingStill_ || isFast_;  // what was said last says nothing of what is ahead
   if (needsStandIn) chooseForWhole();
   if (needsStandIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
   carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
@@ -132,7 +134,8 @@ void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldRe
   writeStandIn(whole, dispatcher, result);
 }
 
-// A body that asks for continuous collision is stopped at the ground below those points.
+// A body that asks for continuous collision is stopped at the ground below those points. Its course is not looked at:
+// the next that is looked at cannot go by where it stood before.
 void TreePair::standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result) {
   const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &ground = treeIsBody0_ ? body1() : body0();
   setVelocities(tree, ground, timeStep);
@@ -140,6 +143,9 @@ void TreePair::standOnGround(btScalar timeStep, btDispatcher& dispatcher, btMani
   CoarseGround coarse(tree, ground, btScalar(speculative_) + travel);
   for (Contact& contact : coarse.contacts())
     if (contact.gap >= speculative_) contact = aheadOf(contact);
+  std::ranges::sort(coarse.contacts(), deeper);
+  wasAhead_ = std::ranges::any_of(coarse.contacts(), &Contact::isAhead);
+  if (sweep_) sweep_->forget();
   dropFollowed();
   writeStandIn(coarse.contacts(), dispatcher, result);
 }
@@ -178,6 +184,8 @@ void TreePair::beginHeld() {
   setSizes(tree, *otherBody.getCollisionShape(), 0);
   motion_.placement = relativePlacement(tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   seenAt_ = motion_.placement;
+  motion_.smallerSize = smallerSize_;
+  motion_.reach = reach_;
   isPlaced_ = true;
   moved_ = 0;
 }

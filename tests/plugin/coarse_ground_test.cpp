@@ -9,6 +9,7 @@
 #include "front_ends.h"
 #include "pairs/coarse_ground.h"
 #include "terrains.h"
+#include "test_solids.h"
 
 namespace cairn::test {
 namespace {
@@ -200,6 +201,57 @@ TYPED_TEST(BudgetOnTerrain, FastBodiesAreStoppedWhateverIsLeft) {
   // Where a single point stops it, it turns about that by some of its size.
   EXPECT_GT(lowest, 0);
   std::printf("centres no lower than %.3f of a ball's radius above the ground\n", lowest / double(kBall));
+}
+
+// Also what was slow when it was last looked at, and has hardly moved since.
+TYPED_TEST(BudgetOnTerrain, WhatIsStruckWhereItHoversIsStopped) {
+  BulletWorld<TypeParam> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  const auto ground = terrainOf(terrainGrid({60, 60, 1}, [](double x, double) { return x == 0 ? 3 : 0; }));
+  w.add(ground, 0, btVector3(0, 0, 0));
+  const auto rod = treeShape(plainTree(cuboid({2, 0.2, 0.2}, 3)));
+  std::vector<btRigidBody*> struck;
+  for (int i = 0; i < 20; ++i) {
+    const btScalar x = btScalar(-20 + i % 5 * 5), y = btScalar(-20 + i / 5 * 8);
+    w.add(rod, 1, btVector3(x, y + 2, btScalar(0.1)));  // what takes the budget
+    struck.push_back(&w.add(rod, 1, btVector3(x, y, btScalar(0.5))));
+    struck.back()->setCcdMotionThreshold(btScalar(0.05));
+  }
+  EXPECT_TRUE(w.dispatcher.setBudget({1000000, {}}).ok());
+  w.step(1);
+  for (btRigidBody* body : struck) body->setLinearVelocity(btVector3(0, 0, btScalar(-100)));
+  EXPECT_TRUE(w.dispatcher.setBudget({1, {}}).ok());
+  w.step(1);
+  EXPECT_GT(w.dispatcher.lastStep().unresolvedPairs, 30U) << "nothing had to wait: the test shows nothing";
+  for (const btRigidBody* body : struck) EXPECT_GT(body->getWorldTransform().getOrigin().z(), 0);
+}
+
+// Where a body stood before it was held says nothing of where it comes from: the straight way between leads through
+// hills.
+TYPED_TEST(BudgetOnTerrain, WhatHasPassedAHillIsNotPushedBackThroughIt) {
+  BulletWorld<TypeParam> w;
+  const auto ground = terrainOf(
+      terrainGrid({200, 60, 1}, [](double x, double y) { return 1.5 * std::sin(0.6 * x) + 0.3 * std::cos(0.9 * y); }));
+  w.add(ground, 0, btVector3(0, 0, 0));
+  const auto rock = treeShape(plainTree(cuboid({0.6, 0.5, 0.4}, 3)));
+  for (int i = 0; i < 40; ++i) {
+    const double x = -80 + i % 4 * 5, y = -20 + i / 4 * 4;
+    btRigidBody& body = w.add(rock, 1, btVector3(btScalar(x), btScalar(y), btScalar(*ground->heightAt(x, y) + 1)));
+    body.setCcdMotionThreshold(btScalar(0.1));
+    body.setLinearVelocity(btVector3(25, 0, 0));
+  }
+  EXPECT_TRUE(w.dispatcher.setBudget({2000, {}}).ok());
+  btScalar deepest = 0;
+  for (int step = 0; step < 200; ++step) {
+    w.step(1);
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(i);
+      for (int k = 0; k < m.getNumContacts(); ++k) deepest = std::min(deepest, m.getContactPoint(k).getDistance());
+    }
+  }
+  // What moves 0.4 m in a step and is met by a slope of 45 degrees is 0.3 m in it at most.
+  EXPECT_GT(deepest, btScalar(-0.4));
+  std::printf("at most %.2f m deep\n", double(-deepest));
 }
 
 }  // namespace
