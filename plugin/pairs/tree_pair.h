@@ -184,7 +184,7 @@ class alignas(64) TreePair {
   void noticeSetDown(const RelativePlacement& now, float travel);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
                             const btCollisionObjectWrapper& other);
-  void beginHeld();
+  void beginHeld(btScalar timeStep);
   void countStepAsWaited();
   void lookForJump(btScalar timeStep);
   bool hasStandIn() const;

@@ -103,7 +103,7 @@ std::uint64_t TreePair::charged(std::uint64_t operations) {
 
 PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep) {
   const bool isNew = !isPlaced_;
-  if (isNew) beginHeld();
+  if (isNew) beginHeld(timeStep);
   origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   isHeld_ = true;
@@ -174,7 +174,7 @@ void TreePair::countStepAsWaited() {
 }
 
 // Nothing is traversed yet.
-void TreePair::beginHeld() {
+void TreePair::beginHeld(btScalar timeStep) {
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape& tree = *asSphereTree(treeBody.getCollisionShape());
@@ -188,6 +188,10 @@ void TreePair::beginHeld() {
   motion_.reach = reach_;
   isPlaced_ = true;
   moved_ = 0;
+  // A step ago it may have been certainly apart, which says nothing of how far it has come since.
+  const float travel = speedInOther(tree, treeBody, otherBody) * static_cast<float>(timeStep);
+  contacts_.answerAged(travel);
+  heldError_ = double(travel / smallerSize_);
 }
 
 // A manifold of its own, if one is free; on a terrain, where all others end, the one that says most.

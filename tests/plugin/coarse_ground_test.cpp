@@ -254,5 +254,34 @@ TYPED_TEST(BudgetOnTerrain, WhatHasPassedAHillIsNotPushedBackThroughIt) {
   std::printf("at most %.2f m deep\n", double(-deepest));
 }
 
+// What lands has come some way since it was certainly apart: what is said of it bounds how deep it may be.
+TYPED_TEST(BudgetOnTerrain, TheReportedErrorBoundsWhatLands) {
+  BulletWorld<TypeParam> w;
+  const auto ground = flatTerrain(bullet::TerrainDiagonals::alternating, {40, 40, 1});
+  w.add(ground, 0, btVector3(0, 0, 0));
+  const auto ball = treeShape(plainTree(test::ball(0.25, 8)));
+  const btScalar size = ball->size();
+  std::vector<btRigidBody*> bodies;
+  for (int i = 0; i < 12; ++i) {
+    bodies.push_back(&w.add(ball, 1, btVector3(btScalar(-12 + 2 * i), 0, btScalar(0.9))));
+    bodies.back()->setLinearVelocity(btVector3(0, 0, -10));
+  }
+  EXPECT_TRUE(w.dispatcher.setBudget({1, {}}).ok());
+  double depth = 0;
+  while (depth <= 0) {
+    w.step(1);
+    depth = (0.25 - double(bodies[0]->getWorldTransform().getOrigin().z())) / double(size);
+    ASSERT_GT(depth, -2) << "it flies away";
+  }
+  EXPECT_GT(depth, 0.03) << "nothing sank: the test shows nothing";
+  // At these poses twice, each time for one of them an answer of its own.
+  for (int looks = 1; looks <= 2; ++looks) {
+    w.world.performDiscreteCollisionDetection();
+    const bullet::StepStatistics& step = w.dispatcher.lastStep();
+    const auto all = double(bodies.size());
+    EXPECT_GE((all * step.meanErrorFraction - looks * step.worstErrorFraction) / (all - looks), depth) << looks;
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test
