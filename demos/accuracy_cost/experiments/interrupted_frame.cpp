@@ -142,10 +142,9 @@ void InterruptedFrame::check(const scenes::FrameTruth& truth, Interrupted& found
 double InterruptedFrame::separation(const scenes::FrameTruth& truth, const BodyPair& pair,
                                     const NodePair& nodes) const {
   const Sphere a = model_.tree->sphere(nodes.a), b = model_.tree->sphere(nodes.b);
-  const Vec3d contact = middleOf(poses_[static_cast<std::size_t>(pair.first)] * Vec3d(a.center),
-                                 static_cast<double>(a.radius) * model_.scale,
-                                 poses_[static_cast<std::size_t>(pair.second)] * Vec3d(b.center),
-                                 static_cast<double>(b.radius) * model_.scale);
+  const Vec3d contact = middleOf(
+      poses_[static_cast<std::size_t>(pair.first)] * Vec3d(a.center), static_cast<double>(a.radius) * model_.scale,
+      poses_[static_cast<std::size_t>(pair.second)] * Vec3d(b.center), static_cast<double>(b.radius) * model_.scale);
   return truth.distanceFromSolid(pair.first, contact) + truth.distanceFromSolid(pair.second, contact);
 }
 

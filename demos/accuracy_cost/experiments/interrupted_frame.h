@@ -29,8 +29,8 @@ struct ContactTruth {
 struct Interrupted {
   std::uint64_t operations = 0;
   std::uint64_t spherePairs = 0;
-  std::uint32_t bodyPairs = 0;            ///< that have a pair of spheres
-  bool isResolved = true;                 ///< all traversals have come to an end
+  std::uint32_t bodyPairs = 0;                    ///< that have a pair of spheres
+  bool isResolved = true;                         ///< all traversals have come to an end
   double worst = 0, mean = 0, rms = 0, best = 0;  ///< over all pairs of spheres; 0 without any
   ContactTruth truth;
 };

@@ -133,9 +133,8 @@ void addHybrid(const Table& table, const Names& models, std::vector<Claim>& clai
       if (!isInterruption(table, row)) continue;
       const std::string column = ratioColumn("octree", "worst");
       const double hybrid = table.number(row, column);
-      const double grid = table.value(column, {{"model", model},
-                                               {"construction", "grid"},
-                                               {"interruption", table.text(row, "interruption")}});
+      const double grid = table.value(
+          column, {{"model", model}, {"construction", "grid"}, {"interruption", table.text(row, "interruption")}});
       if (!(hybrid > 0 && grid > 0)) continue;
       ratios.push_back(hybrid / grid);
       ++all;
@@ -176,24 +175,43 @@ std::vector<Claim> judgeInterruption(const Table& table) {
   for (const std::string& model : models)
     if (model == "bunny" || model == "dragon") complex.push_back(model);
   const std::vector<DownTo> reductions{
-      {"grid has as little as 20 % of the octree's error when interrupted", "worst error of grid over the octree's",
-       models, {"grid"}, ratioColumn("octree", "worst"), 0.2, false},
+      {"grid has as little as 20 % of the octree's error when interrupted",
+       "worst error of grid over the octree's",
+       models,
+       {"grid"},
+       ratioColumn("octree", "worst"),
+       0.2,
+       false},
       {"optimised medial-axis trees have as little as 20 % of the error of Hubbard's when interrupted",
        "worst error of medial-axis methods over Hubbard's", models, kMedial, ratioColumn("hubbard", "worst"), 0.2,
        false},
       {"combined comes down to 50 % of Hubbard's worst error for bunny and dragon",
-       "worst error of combined over Hubbard's", complex, {"combined", "combined optimised"},
-       ratioColumn("hubbard", "worst"), 0.5, true},
+       "worst error of combined over Hubbard's",
+       complex,
+       {"combined", "combined optimised"},
+       ratioColumn("hubbard", "worst"),
+       0.5,
+       true},
       {"as little as 20 % as many pairs of colliding spheres are found as with Hubbard's trees for bunny and dragon",
        "number of pairs of spheres over Hubbard's", complex, kMedial, ratioColumn("hubbard", "sphere_pairs"), 0.2,
        true},
       {"optimised trees leave less than half as many frames unresolved as Hubbard's after 15 000 operations",
-       "share of unresolved frames over Hubbard's", models, {"combined optimised"},
-       ratioColumn("hubbard", "unresolved"), 0.5, true, kLast},
+       "share of unresolved frames over Hubbard's",
+       models,
+       {"combined optimised"},
+       ratioColumn("hubbard", "unresolved"),
+       0.5,
+       true,
+       kLast},
       {"grid and hybrid leave about a quarter of the frames unresolved that the octree leaves after 15 000 operations, "
        "for bunny and dragon",
-       "share of unresolved frames over the octree's", complex, {"grid", "hybrid"}, ratioColumn("octree", "unresolved"),
-       0.25, true, kLast},
+       "share of unresolved frames over the octree's",
+       complex,
+       {"grid", "hybrid"},
+       ratioColumn("octree", "unresolved"),
+       0.25,
+       true,
+       kLast},
   };
   std::vector<Claim> claims;
   for (const DownTo& reduction : reductions) addDownTo(table, reduction, claims);

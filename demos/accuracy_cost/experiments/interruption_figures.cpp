@@ -47,18 +47,18 @@ Figure overview(const Table& table) {
 Figure ratios(const Table& table, const std::string& model, const std::string& reference,
               const std::vector<std::string>& trees) {
   Figure figure{fmt::format("interruption-{}-{}", reference, model),
-                fmt::format("{} interrupted: trees over those of {}", model, reference),
+                fmt::format("{} interrupted: trees against that of {}", model, reference),
                 3,
                 {}};
-  const auto add = [&](const char* title, const char* what, const char* label) {
-    figure.panels.push_back(
-        panelOf(table, model, trees, title, ratioColumn(reference, what), {fmt::format("{}", label), true}));
+  const auto add = [&](const char* title, const char* what, bool log) {
+    figure.panels.push_back(panelOf(table, model, trees, title, ratioColumn(reference, what),
+                                    {fmt::format("% of {}", reference), log, 100}));
   };
-  add("(a) worst error", "worst", "ratio of errors");
-  add("(b) RMS error", "rms", "ratio of errors");
-  add("(c) best error", "best", "ratio of errors");
-  add("(d) pairs of colliding spheres", "sphere_pairs", "ratio of numbers");
-  add("(e) unresolved frames", "unresolved", "ratio of numbers");
+  add("(a) worst error", "worst", true);
+  add("(b) RMS error", "rms", true);
+  add("(c) best error", "best", true);
+  add("(d) pairs of colliding spheres", "sphere_pairs", true);
+  add("(e) unresolved frames", "unresolved", false);
   figure.panels.push_back(panelOf(table, model, trees, "true distance at contacts, mean",
                                   "true_separation_mean_fraction", {"% of the diagonal", true, 100}));
   return figure;

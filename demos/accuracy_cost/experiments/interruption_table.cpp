@@ -14,13 +14,14 @@ using Value = double (*)(const Interrupted&);
 struct Compared {
   const char* name;
   Value value;
+  bool isError = true;  ///< does not exist where there are no pairs of spheres
 };
 constexpr std::array kCompared{
     Compared{"worst", [](const Interrupted& f) { return f.worst; }},
     Compared{"rms", [](const Interrupted& f) { return f.rms; }},
     Compared{"mean", [](const Interrupted& f) { return f.mean; }},
     Compared{"best", [](const Interrupted& f) { return f.best; }},
-    Compared{"sphere_pairs", [](const Interrupted& f) { return static_cast<double>(f.spherePairs); }},
+    Compared{"sphere_pairs", [](const Interrupted& f) { return static_cast<double>(f.spherePairs); }, false},
 };
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -40,14 +41,15 @@ double meanOf(const InterruptedFrames& frames, std::size_t at, Value value) {
   return quotient(sum, count);
 }
 
-/// Frame by frame over the reference's, then averaged, over the frames in which both have pairs of spheres.
-double ratioOf(const InterruptedFrames& frames, const InterruptedFrames& reference, std::size_t at, Value value) {
+/// Frame by frame over the reference's, then averaged, over the frames in which both have it.
+double ratioOf(const InterruptedFrames& frames, const InterruptedFrames& reference, std::size_t at,
+               const Compared& compared) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i][at].spherePairs == 0 || reference[i][at].spherePairs == 0) continue;
-    const double below = value(reference[i][at]);
+    if (compared.isError && frames[i][at].spherePairs == 0) continue;
+    const double below = compared.value(reference[i][at]);
     if (!(below > 0)) continue;
-    sum += value(frames[i][at]) / below;
+    sum += compared.value(frames[i][at]) / below;
     ++count;
   }
   return quotient(sum, count);
@@ -85,7 +87,7 @@ void addTruth(std::vector<std::string>& row, const InterruptedFrames& frames, st
 
 void addPlugin(std::vector<std::string>& row, const PluginOutcome& plugin) {
   for (const double number : {plugin.operations, plugin.worst, plugin.mean, plugin.contacts, plugin.unresolvedPairs,
-                              plugin.trueError, static_cast<double>(plugin.missed)})
+                              plugin.trueError, static_cast<double>(plugin.missed), plugin.deepestMissed})
     row.push_back(cell(number));
 }
 
@@ -100,11 +102,10 @@ std::vector<std::string> rowOf(const std::string& model, std::uint64_t operation
   for (const char* name : kReferences) {
     const auto reference = std::ranges::find(trees, name, &TreeOutcome::construction);
     for (const Compared& compared : kCompared)
-      row.push_back(cell(
-          reference == trees.end() ? kNone : ratioOf(tree.frames, reference->frames, at, compared.value)));
-    row.push_back(cell(reference == trees.end() ? kNone
-                                                : quotient(unresolvedShare(tree.frames, at),
-                                                           unresolvedShare(reference->frames, at))));
+      row.push_back(cell(reference == trees.end() ? kNone : ratioOf(tree.frames, reference->frames, at, compared)));
+    row.push_back(cell(reference == trees.end()
+                           ? kNone
+                           : quotient(unresolvedShare(tree.frames, at), unresolvedShare(reference->frames, at))));
   }
   addTruth(row, tree.frames, at);
   addPlugin(row, tree.plugin[at]);
@@ -128,7 +129,7 @@ Table emptyInterruptionTable() {
   columns.insert(columns.end(), {"checked_contacts", "true_separation_mean_fraction", "true_separation_max_fraction",
                                  "beyond_certificate", "meeting_bodies", "missed_bodies", "invented_bodies"});
   for (const char* name : {"operations_done", "worst_error_fraction", "mean_error_fraction", "contacts",
-                           "unresolved_pairs_share", "true_error_fraction", "missed_bodies"})
+                           "unresolved_pairs_share", "true_error_fraction", "missed_bodies", "deepest_missed_fraction"})
     columns.push_back(fmt::format("plugin_{}", name));
   return Table(std::move(columns));
 }
@@ -136,8 +137,7 @@ Table emptyInterruptionTable() {
 void addInterruptionRows(Table& table, const std::string& model, const std::vector<std::uint64_t>& operations,
                          const std::vector<TreeOutcome>& trees) {
   for (const TreeOutcome& tree : trees)
-    for (std::size_t at = 0; at < operations.size(); ++at)
-      table.addRow(rowOf(model, operations[at], at, tree, trees));
+    for (std::size_t at = 0; at < operations.size(); ++at) table.addRow(rowOf(model, operations[at], at, tree, trees));
 }
 
 }  // namespace cairn::accuracy_cost

@@ -22,13 +22,14 @@ using InterruptedFrames = std::vector<std::vector<Interrupted>>;
 /// What the plugin's narrow phase made of the same poses with one tree and one budget, over the frames. Lengths as
 /// fractions of body size.
 struct PluginOutcome {
-  double operations = 0;  ///< a frame
-  double worst = 0;       ///< certified, worst of a frame, mean over the frames with contacts
-  double mean = 0;        ///< certified, mean of a frame, likewise
-  double contacts = 0;    ///< a frame
+  double operations = 0;       ///< a frame
+  double worst = 0;            ///< certified, worst of a frame, mean over the frames with contacts
+  double mean = 0;             ///< certified, mean of a frame, likewise
+  double contacts = 0;         ///< a frame
   double unresolvedPairs = 0;  ///< share of all pairs of all frames
   double trueError = 0;        ///< of the points handed to the solver: distance from the mesh they are said to be on
   std::uint32_t missed = 0;    ///< pairs of bodies that meet and have no contact, of the frames that are checked
+  double deepestMissed = 0;    ///< how deep these are in each other
 };
 
 /// One tree at work.
