@@ -128,7 +128,7 @@ std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0)
 
 TEST(Verdict, OfInterruptionTurnsWithTheData) {
   EXPECT_EQ(verdictOf(claimsOf(0.2, 1.1)), Verdict::reproduced) << whyText(claimsOf(0.2, 1.1));
-  EXPECT_EQ(claimsOf(0.2, 1.1).size(), 10U);
+  EXPECT_EQ(claimsOf(0.2, 1.1).size(), 11U);
   const auto half = claimsOf(0.5, 1.1);
   EXPECT_EQ(verdictOf(half), Verdict::inPart);
   EXPECT_FALSE(half[0].holds) << "a half is not a fifth";

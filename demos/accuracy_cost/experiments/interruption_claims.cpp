@@ -203,6 +203,13 @@ std::vector<Claim> judgeInterruption(const Table& table) {
        0.5,
        true,
        kLast},
+      {"grid and hybrid quickly drop to 10 % of the octree's worst error for all models",
+       "worst error of grid and hybrid over the octree's",
+       models,
+       {"grid", "hybrid"},
+       ratioColumn("octree", "worst"),
+       0.1,
+       true},
       {"grid and hybrid leave about a quarter of the frames unresolved that the octree leaves after 15 000 operations, "
        "for bunny and dragon",
        "share of unresolved frames over the octree's",
