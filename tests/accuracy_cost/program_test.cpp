@@ -47,7 +47,7 @@ class AccuracyCostProgram : public ::testing::Test {
 };
 
 TEST_F(AccuracyCostProgram, WritesTheSameTableTwiceAndForAnyThreads) {
-  for (const char* experiment : {"sampling", "expand-selection"}) {
+  for (const char* experiment : {"sampling", "expand-selection", "interruption"}) {
     const ProgramResult one = run(experiment, "one", "--no-figures --threads 1");
     ASSERT_EQ(one.exitCode, 0) << one.errors;
     const ProgramResult two = run(experiment, "two", "--no-figures --threads 2 --json");
@@ -139,7 +139,7 @@ TEST_F(AccuracyCostProgram, RefusesInOneSentence) {
 TEST_F(AccuracyCostProgram, ListsAndMakesModels) {
   const ProgramResult list = test::runProgram("accuracy_cost", "list");
   EXPECT_EQ(list.exitCode, 0);
-  for (const char* name : {"sampling", "expand-selection", "reductions", "levels", "balance"})
+  for (const char* name : {"sampling", "expand-selection", "reductions", "levels", "balance", "interruption"})
     EXPECT_NE(list.output.find(name), std::string::npos) << name;
   const std::string made = " -o '" + path("made").string() + "'";
   for (const char* name : {"s-shape", "cube", "block", "cylinder", "cone", "torus"}) {

@@ -5,6 +5,7 @@
 
 #include "accuracy_cost/experiments/balance.h"
 #include "accuracy_cost/experiments/expand_selection.h"
+#include "accuracy_cost/experiments/interruption.h"
 #include "accuracy_cost/experiments/levels.h"
 #include "accuracy_cost/experiments/reductions.h"
 #include "accuracy_cost/experiments/sampling.h"
@@ -14,7 +15,7 @@ namespace cairn::accuracy_cost {
 const std::vector<Experiment>& allExperiments() {
   static const std::vector<Experiment> kAll{
       samplingExperiment(), expandSelectionExperiment(), reductionsExperiment(),
-      levelsExperiment(),   balanceExperiment(),
+      levelsExperiment(),   balanceExperiment(),         interruptionExperiment(),
   };
   return kAll;
 }

@@ -40,6 +40,10 @@ double FrameTruth::distanceFromMesh(int body, const Vec3d& point) const {
   return surface_.distanceTo(worldFromBody_[static_cast<std::size_t>(body)].inverse() * point);
 }
 
+double FrameTruth::distanceFromSolid(int body, const Vec3d& point) const {
+  return std::max(0.0, -surface_.depth(worldFromBody_[static_cast<std::size_t>(body)].inverse() * point));
+}
+
 Placement FrameTruth::relative(const BodyPair& pair) const {
   return relativePlacement(worldFromBody_[static_cast<std::size_t>(pair.first)],
                            worldFromBody_[static_cast<std::size_t>(pair.second)]);

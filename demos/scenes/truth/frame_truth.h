@@ -36,6 +36,8 @@ class FrameTruth {
   double depth(const BodyPair& pair) const;
   /// Distance of a point, world frame, from the mesh of a body.
   double distanceFromMesh(int body, const Vec3d& point) const;
+  /// How far a point, world frame, is outside a body; 0 inside.
+  double distanceFromSolid(int body, const Vec3d& point) const;
 
  private:
   Placement relative(const BodyPair& pair) const;
