@@ -36,6 +36,11 @@ std::string RepairCounts::text() const {
 Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts) {
   RepairCounts found;
   TriangleMesh stitched = settled(surface);
+  if (stitched.triangles.empty())
+    return Error{
+        fmt::format("{}: no triangle is left when coordinates are rounded to single precision, as those of a "
+                    "repaired mesh are; move it nearer to its origin",
+                    surface.name)};
   const double tolerance = kStitchTolerance * boundsOf(stitched).diagonal();
   joinBorders(stitched, tolerance, found);
   dropDuplicates(stitched, found);

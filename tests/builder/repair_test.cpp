@@ -245,5 +245,23 @@ TEST(Repair, RefusesAMoebiusStrip) {
   expectRefused(strip, "after repair");
 }
 
+// Repaired meshes are rounded to float: far from its origin less and less of one is left.
+TEST(RepairOf, FarFromTheOriginEndsAsASolidOrIsRefused) {
+  for (const double away : {1e6, 1e7, 3e7, 1e8, 1e9, 1e12, 1e18}) {
+    TriangleMesh mesh = box(2);
+    for (Vec3d& v : mesh.vertices) v = v + Vec3d(1, 1, 1) * away;
+    SCOPED_TRACE(away);
+    const Result<TriangleMesh> result = repair(mesh);
+    if (result)
+      EXPECT_TRUE(checkMesh(result.value()).ok());
+    else
+      EXPECT_NE(result.error().message.find("mesh"), std::string::npos);
+    if (away >= 1e9) {
+      ASSERT_FALSE(result);
+      EXPECT_NE(result.error().message.find("nearer to its origin"), std::string::npos) << result.error().message;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cairn::builder
