@@ -16,6 +16,8 @@ constexpr double kAboutAsFar = 0.999;
 /// Triangles whose least altitude is below this many steps of the grid (`kBodyRounding`, of which half along each axis
 /// is less than the whole) are too narrow to round their corners.
 constexpr double kNarrow = 16;
+/// Of a solid's volume, what rounding may take from it.
+constexpr double kVolumeLost = 0.01;
 
 struct Farthest {
   std::size_t vertex = 0;
@@ -50,6 +52,22 @@ bool canBeRounded(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (!(leastAltitude(mesh.corners(t)) >= kNarrow * kBodyRounding)) return false;
   return true;
+}
+
+/// Six times its volume.
+double sixVolumes(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::array<Vec3d, 3> c = mesh.corners(t);
+    sum += dot(c[0], cross(c[1], c[2]));
+  }
+  return sum;
+}
+
+/// A solid thinner than some steps of the grid would be flat.
+bool isAsThick(const TriangleMesh& roundedMesh, const TriangleMesh& mesh) {
+  const double volume = sixVolumes(mesh);
+  return std::abs(sixVolumes(roundedMesh) - volume) <= kVolumeLost * std::abs(volume);
 }
 
 Vec3d rounded(const Vec3d& p) {
@@ -87,8 +105,10 @@ TriangleMesh bodyMesh(const TriangleMesh& mesh, const BodyFrame& frame) {
   TriangleMesh body = mesh;
   std::transform(body.vertices.begin(), body.vertices.end(), body.vertices.begin(),
                  [&](const Vec3d& v) { return frame.into(v); });
-  if (canBeRounded(body)) std::transform(body.vertices.begin(), body.vertices.end(), body.vertices.begin(), rounded);
-  return body;
+  if (!canBeRounded(body)) return body;
+  TriangleMesh onGrid = body;
+  std::transform(body.vertices.begin(), body.vertices.end(), onGrid.vertices.begin(), rounded);
+  return isAsThick(onGrid, body) ? onGrid : body;
 }
 
 }  // namespace cairn::builder

@@ -18,12 +18,18 @@ std::string text(const Vec3d& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
 }
 
+// A tree keeps lengths as float: their squares must not overflow, nor the smallest of them lose digits.
+constexpr double kLargestDiagonal = 1e14, kLeastDiagonal = 1e-34;
+// Of its diagonals a mesh may lie from the origin: beyond, the sixteen digits of a coordinate leave less than six.
+constexpr double kFarthest = 1e10;
+
 class Checker {
  public:
   Checker(const TriangleMesh& mesh, std::size_t leftOut) : mesh_(mesh), leftOut_(leftOut) {}
 
   Status run() const {
     if (Status s = checkElements(); !s) return s;
+    if (Status s = checkExtent(); !s) return s;
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh_);
     if (Status s = checkEdges(halfEdges); !s) return s;
     if (Status s = checkVolume(); !s) return s;
@@ -64,6 +70,19 @@ class Checker {
       if (isDegenerate(mesh_.corners(t)))
         return refused("triangle {} at {} has no area; remove it", t, text(mesh_.corners(t)[0]));
     }
+    return {};
+  }
+
+  Status checkExtent() const {
+    const Bounds bounds = boundsOf(mesh_);
+    const double diagonal = bounds.diagonal(), away = length(0.5 * (bounds.lower + bounds.upper));
+    if (!(diagonal <= kLargestDiagonal && diagonal >= kLeastDiagonal))
+      return refused("the mesh is {:.3g} across, trees are between {:g} and {:g}; give it in another unit", diagonal,
+                     kLeastDiagonal, kLargestDiagonal);
+    if (away > kFarthest * diagonal)
+      return refused("the mesh lies {:.3g} of its diagonals from the origin, where coordinates have few digits left; "
+                     "move it nearer",
+                     away / diagonal);
     return {};
   }
 

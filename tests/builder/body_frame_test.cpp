@@ -70,6 +70,44 @@ TEST(BodyFrame, RoundsVerticesByLessThanItSays_AndNarrowTrianglesNotAtAll) {
   EXPECT_EQ(farthestMove(), 0);
 }
 
+/// A cone on either side of a disc: its triangles are wide, however thin it is.
+TriangleMesh lens(double thickness) {
+  constexpr std::uint32_t kSides = 32;
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, thickness / 2}, {0, 0, -thickness / 2}};
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * M_PI * i / kSides;
+    mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const std::uint32_t here = 2 + i, next = 2 + (i + 1) % kSides;
+    mesh.triangles.push_back({0, here, next});
+    mesh.triangles.push_back({1, next, here});
+  }
+  mesh.name = "lens";
+  return mesh;
+}
+
+// Thinner than the grid its corners would be rounded to, a solid would be flat: its tree fits like that of a thicker one.
+TEST(BodyFrame, SolidsThinnerThanItsGridAreNotRounded) {
+  // The solids' own thickness, and what the search does with other digits.
+  constexpr double kLikeness = 0.25;
+  const auto worst = [](double thickness) {
+    BuildOptions options;
+    options.depth = 2;
+    const auto tree = buildTree(lens(thickness), options);
+    EXPECT_TRUE(tree) << tree.error().message;
+    return tree ? std::array{double(tree.value().levelError(1)), double(tree.value().levelError(2))}
+                : std::array{0.0, 0.0};
+  };
+  const auto usual = worst(1e-4);
+  for (const double thickness : {1e-6, 3e-7, 1e-7, 1e-9}) {
+    const auto thin = worst(thickness);
+    for (std::size_t level = 0; level < 2; ++level)
+      EXPECT_NEAR(thin[level] / usual[level], 1, kLikeness) << thickness << ", level " << level + 1;
+  }
+}
+
 TEST(BodyFrame, AdaptiveLevelsAreTheSameHoweverTheMeshLies) {
   const TriangleMesh mesh = test::lumpyBall(1, 5);
   const auto as = buildTree(mesh, test::quickAdaptive());

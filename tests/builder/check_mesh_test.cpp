@@ -29,6 +29,20 @@ TEST(CheckMesh, AcceptsClosedSolids) {
   EXPECT_TRUE(checkMesh(meshOf(test::twoCuboids({1, 1, 1}, {2, 0, 0}, 2))).ok());
 }
 
+TEST(CheckMesh, RefusesWhatNumbersCannotHold) {
+  const auto placed = [](double scale, double away) {
+    TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
+    for (Vec3d& v : mesh.vertices) v = v * scale + Vec3d(1, 0, 0) * away;
+    return mesh;
+  };
+  for (const double scale : {1e-33, 1e-6, 1.0, 1e6, 1e13}) EXPECT_TRUE(checkMesh(placed(scale, 0)).ok()) << scale;
+  expectRefused(placed(1e15, 0), "give it in another unit");
+  expectRefused(placed(1e30, 0), "give it in another unit");
+  expectRefused(placed(1e-40, 0), "give it in another unit");
+  EXPECT_TRUE(checkMesh(placed(1, 1e9)).ok());
+  expectRefused(placed(1, 1e12), "move it nearer");
+}
+
 TEST(CheckMesh, AcceptsNestedShellsThatFaceAwayFromTheSolid) {
   const auto box = [](double size) { return meshOf(cuboid({size, size, size}, 2)); };
   const TriangleMesh hollow = test::joined(box(3), test::flipped(box(2)));
