@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -80,9 +81,10 @@ class Checker {
       return refused("the mesh is {:.3g} across, trees are between {:g} and {:g}; give it in another unit", diagonal,
                      kLeastDiagonal, kLargestDiagonal);
     if (away > kFarthest * diagonal)
-      return refused("the mesh lies {:.3g} of its diagonals from the origin, where coordinates have few digits left; "
-                     "move it nearer",
-                     away / diagonal);
+      return refused(
+          "the mesh lies {:.3g} of its diagonals from the origin, where coordinates have few digits left; "
+          "move it nearer",
+          away / diagonal);
     return {};
   }
 
@@ -117,6 +119,10 @@ class Checker {
     if (std::abs(volume) <= rounding) return refused("the mesh is flat: it encloses no volume; give it thickness");
     if (volume < 0)
       return refused("the mesh is inside out: its volume is {:.6g}; flip the orientation of all triangles", volume);
+    const Vec3d moments = massPropertiesOf(mesh_).principalMoments;
+    if (!(std::min({moments.x, moments.y, moments.z}) > 0))
+      return refused(
+          "the mesh is too long for its thickness: a moment of inertia is lost in rounding; give it thickness");
     return {};
   }
 

@@ -29,7 +29,7 @@ class Holdings {
   Holdings(const OrientedGrid& grid, std::span<const Vec3d> points) : places_(points.size()) {
     for (std::size_t p = 0; p < points.size(); ++p) places_[p] = placeOf(grid, points[p]);
     for (int axis = 0; axis < 3; ++axis) {
-      std::int32_t high = places_[0].home[axis];
+      std::int64_t high = places_[0].home[axis];
       low_[axis] = high;
       for (const Place& place : places_) {
         low_[axis] = std::min(low_[axis], place.home[axis]);
@@ -49,7 +49,7 @@ class Holdings {
 
   std::size_t cellCount() const { return size_[0] * size_[1] * size_[2]; }
   /// By point: the cells whose balls hold it, ascending.
-  std::span<std::uint32_t> cellsOf(std::size_t point) {
+  std::span<std::size_t> cellsOf(std::size_t point) {
     return std::span(cells_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
   }
   /// The cell's corner, in cells.
@@ -61,7 +61,7 @@ class Holdings {
 
  private:
   struct Place {
-    std::array<std::int32_t, 3> home{};
+    std::array<std::int64_t, 3> home{};
     std::array<double, 3> inCell{};  // from the middle of its home
   };
 
@@ -69,10 +69,10 @@ class Holdings {
     Place place;
     for (int axis = 0; axis < 3; ++axis) {
       const double at = dot(point - grid.corner, grid.axes[axis]) / grid.edge;
-      auto floor = static_cast<std::int32_t>(at);  // towards zero
-      floor -= at < floor ? 1 : 0;
+      auto floor = static_cast<std::int64_t>(at);  // towards zero
+      floor -= at < static_cast<double>(floor) ? 1 : 0;
       place.home[axis] = floor;
-      place.inCell[axis] = at - floor - 0.5;
+      place.inCell[axis] = at - static_cast<double>(floor) - 0.5;
     }
     return place;
   }
@@ -93,16 +93,14 @@ class Holdings {
         const double beside = square[0][x] + square[1][y];
         if (beside > kRadiusSq) continue;
         for (std::size_t z = 0; z < kSide; ++z)
-          if (beside + square[2][z] <= kRadiusSq)
-            cells_.push_back(static_cast<std::uint32_t>(first + (x * size_[1] + y) * size_[2] + z));
+          if (beside + square[2][z] <= kRadiusSq) cells_.push_back(first + (x * size_[1] + y) * size_[2] + z);
       }
   }
 
   std::vector<Place> places_;
-  std::array<std::int32_t, 3> low_{};
+  std::array<std::int64_t, 3> low_{};
   std::array<std::size_t, 3> size_{};
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> cells_;
+  std::vector<std::size_t> begin_, cells_;
 };
 
 Vec3d rotated(const Vec3d& v, const Vec3d& axis, double angle) {
@@ -155,28 +153,22 @@ OrientedGrid moved(const OrientedGrid& grid, const std::array<double, 6>& change
 
 namespace {
 
+/// A table of all cells of a block is worth its room up to so many for each point.
+constexpr std::size_t kCellsAPoint = 256;
+
 /// Cells with a point in their balls, numbered anew in the same order, and what their balls hold.
 class Cells {
  public:
   /// Renumbers the cells of `holdings`.
   Cells(Holdings& holdings, std::size_t points) {
-    std::vector<std::uint32_t> numbers(holdings.cellCount(), 0);
-    for (std::size_t p = 0; p < points; ++p)
-      for (const std::uint32_t cell : holdings.cellsOf(p)) ++numbers[cell];
-    first_.push_back(0);
-    for (std::size_t cell = 0; cell < numbers.size(); ++cell) {
-      if (numbers[cell] == 0) continue;
-      first_.push_back(first_.back() + numbers[cell]);
-      numbers[cell] = static_cast<std::uint32_t>(cells_.size());
-      cells_.push_back(cell);
-    }
+    if (holdings.cellCount() <= kCellsAPoint * points)
+      numberByTable(holdings, points);
+    else
+      numberBySearch(holdings, points);
     points_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t p = 0; p < points; ++p)
-      for (std::uint32_t& cell : holdings.cellsOf(p)) {
-        cell = numbers[cell];
-        points_[next[cell]++] = p;
-      }
+      for (const std::size_t cell : holdings.cellsOf(p)) points_[next[cell]++] = p;
   }
 
   std::size_t size() const { return cells_.size(); }
@@ -186,6 +178,36 @@ class Cells {
   }
 
  private:
+  void numberByTable(Holdings& holdings, std::size_t points) {
+    std::vector<std::uint32_t> numbers(holdings.cellCount(), 0);
+    for (std::size_t p = 0; p < points; ++p)
+      for (const std::size_t cell : holdings.cellsOf(p)) ++numbers[cell];
+    first_.push_back(0);
+    for (std::size_t cell = 0; cell < numbers.size(); ++cell) {
+      if (numbers[cell] == 0) continue;
+      first_.push_back(first_.back() + numbers[cell]);
+      numbers[cell] = static_cast<std::uint32_t>(cells_.size());
+      cells_.push_back(cell);
+    }
+    for (std::size_t p = 0; p < points; ++p)
+      for (std::size_t& cell : holdings.cellsOf(p)) cell = numbers[cell];
+  }
+
+  // The points of a rod lie in few cells of a block of very many.
+  void numberBySearch(Holdings& holdings, std::size_t points) {
+    for (std::size_t p = 0; p < points; ++p)
+      cells_.insert(cells_.end(), holdings.cellsOf(p).begin(), holdings.cellsOf(p).end());
+    std::ranges::sort(cells_);
+    cells_.erase(std::ranges::unique(cells_).begin(), cells_.end());
+    first_.assign(cells_.size() + 1, 0);
+    for (std::size_t p = 0; p < points; ++p)
+      for (std::size_t& cell : holdings.cellsOf(p)) {
+        cell = static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
+        ++first_[cell + 1];
+      }
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) first_[cell + 1] += first_[cell];
+  }
+
   std::vector<std::size_t> cells_;
   std::vector<std::uint32_t> first_, points_;
 };
@@ -244,7 +266,7 @@ GridCover coverByGrid(const OrientedGrid& grid, std::span<const Vec3d> points) {
     for (const std::uint32_t p : cells.pointsOf(best)) {
       if (covered[p]) continue;
       covered[p] = true;
-      for (const std::uint32_t held : holdings.cellsOf(p)) ranking.lose(held);
+      for (const std::size_t held : holdings.cellsOf(p)) ranking.lose(held);
     }
   }
   return cover;

@@ -88,7 +88,8 @@ TriangleMesh lens(double thickness) {
   return mesh;
 }
 
-// Thinner than the grid its corners would be rounded to, a solid would be flat: its tree fits like that of a thicker one.
+// Thinner than the grid its corners would be rounded to, a solid would be flat: its tree fits like that of a thicker
+// one.
 TEST(BodyFrame, SolidsThinnerThanItsGridAreNotRounded) {
   // The solids' own thickness, and what the search does with other digits.
   constexpr double kLikeness = 0.25;
