@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hierarchy/group_parts.h"
@@ -40,6 +41,9 @@ class Drawing {
                       problem_.negligible};
     flat.keepGoing = problem_.keepGoing;
     const std::vector<ChildBall> balls = optimiseLevel(flat, {firstBall({problem_.seed, k})});
+    // Nobody looks at what a cancelled search ends with, and families of a cover that was cut short take longest.
+    if (problem_.keepGoing != nullptr && !(*problem_.keepGoing)())
+      return {uppers_.covers[0], balls, std::numeric_limits<double>::infinity()};
     DrawnFamilies drawn = families(balls);
     drawn.promise = standOffOf({balls, 0}, uppers_.points, all_) * std::pow(share, kFilling);
     return drawn;
