@@ -202,6 +202,8 @@ class alignas(64) TreePair {
                                              const btTransform& other);
   // How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
   static constexpr float kInheritanceFraction = 0.02F;
+  // Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
+  static constexpr float kSeparationFactor = 1.5F;
 
   void forgetWaiting();
   void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);

@@ -15,8 +15,6 @@ namespace {
 
 // A manifold holds points up to the reach; a little more, so that rounding does not refuse one.
 constexpr float kBreakingFactor = 1.01F;
-// Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
-constexpr float kSeparationFactor = 1.5F;
 // Contacts of a cluster that are chosen, measured and chosen from again one by one; more than twice what a heap's need.
 constexpr int kRoundsOneByOne = 32;
 // The gap of one that others stand for.

@@ -22,8 +22,6 @@ constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
 constexpr double kUnknownError = 1;
 // How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
 constexpr float kMostFollowed = 0.04F;
-// Bullet takes points for one that are no farther apart than contacts are looked for.
-constexpr float kSeparationFactor = 1.5F;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
 // point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
