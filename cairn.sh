@@ -36,6 +36,8 @@ Cairn: collision detection that keeps its deadline.
                              thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh accuracy-cost [OPTIONS] the experiments of the thesis's chapter 7 again, as tables, figures and verdicts in out/accuracy-cost
                              (all of them, hours; --quick minutes; docs/accuracy-cost.md)
+  ./cairn.sh hard-cases [CASE...] [OPTIONS] the hard cases of builder and plugin as a table: criterion, measured, Bullet's best
+                             own shape, verdict (--quick: seconds each; --list; --json FILE)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
@@ -226,6 +228,12 @@ accuracy_cost() {
   esac
 }
 
+hard_cases() {
+  need "${everything[@]}" tests
+  configure_and_build release --target hard_cases > /dev/null
+  build/release/bin/hard_cases "$@"
+}
+
 fuzz() {
   build fuzz
   mkdir -p out/fuzz/tree_file
@@ -264,6 +272,7 @@ case $command in
   corpus) corpus "$@" ;;
   tables) tables "$@" ;;
   accuracy-cost) accuracy_cost "$@" ;;
+  hard-cases) hard_cases "$@" ;;
   fuzz) fuzz "$@" ;;
   threads) threads "$@" ;;
   format) format "$@" ;;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The hard cases as a table: what is asked, what was measured, what Bullet's best own shape does on the same case.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cairn/core/atomic_file.h"
+#include "table/print.h"
+#include "table/verdict.h"
+
+namespace cairn::hard {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> cases;
+  bool quick = false, list = false;
+  std::string json;
+};
+
+struct Count {
+  std::array<int, 3> ofVerdict{};
+  Json rows = Json::array();
+};
+
+void runOne(const HardCase& hardCase, Effort effort, Count& count) {
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = hardCase.run(effort);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{}\n", linesOf(hardCase, outcome, seconds));
+  std::fflush(stdout);
+  ++count.ofVerdict[std::size_t(verdictOn(outcome))];
+  count.rows.push_back(jsonOf(hardCase, outcome, seconds));
+}
+
+/// The cases asked for, all when none is named; nothing, after one sentence, if there is no such case.
+std::optional<std::vector<HardCase>> chosen(const std::vector<std::string>& ids) {
+  std::vector<HardCase> all = allHardCases(), wanted;
+  if (ids.empty()) return all;
+  for (const std::string& id : ids) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const HardCase& hardCase) { return hardCase.id == id; });
+    if (found == all.end()) {
+      fmt::print(stderr, "hard_cases: there is no case '{}'; --list names them.\n", id);
+      return {};
+    }
+    wanted.push_back(*found);
+  }
+  return wanted;
+}
+
+int runAll(const Options& options) {
+  const auto cases = chosen(options.cases);
+  if (!cases) return 2;
+  Count count;
+  for (const HardCase& hardCase : *cases) {
+    if (options.list)
+      fmt::print("{:4} {}: {}\n", hardCase.id, hardCase.name, hardCase.criterion);
+    else
+      runOne(hardCase, options.quick ? Effort::quick : Effort::whole, count);
+  }
+  if (options.list) return 0;
+  fmt::print("{} cases: {} hold, {} as good as Bullet's best shape, {} miss.\n", cases->size(), count.ofVerdict[0],
+             count.ofVerdict[1], count.ofVerdict[2]);
+  if (options.json.empty()) return 0;
+  const Json document = {{"effort", options.quick ? "quick" : "whole"}, {"cases", count.rows}};
+  const Status written = writeFileAtomically(options.json, document.dump(1) + "\n");
+  if (!written) fmt::print(stderr, "hard_cases: {}\n", written.error().message);
+  return written ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace cairn::hard
+
+int main(int argc, char** argv) {
+  CLI::App app("Hard cases of builder and plugin: criterion, measured figure, Bullet's best own shape, verdict.");
+  cairn::hard::Options options;
+  app.add_option("CASE", options.cases, "G1 to G15, D1 to D16 (default: all)");
+  app.add_flag("--quick", options.quick, "seconds instead of minutes: shorter and smaller, as the tests run them");
+  app.add_flag("--list", options.list, "name the cases and what they ask, run nothing");
+  app.add_option("--json", options.json, "write the table to this file");
+  app.footer("\nExamples:\n  hard_cases --quick\n  hard_cases D15 D16 --json starved.json");
+  CLI11_PARSE(app, argc, argv);
+  return cairn::hard::runAll(options);
+}
