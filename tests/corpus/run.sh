@@ -17,6 +17,7 @@ run.sh [OPTIONS] FOLDER|ARCHIVE.tar.gz... [-- BUILD OPTIONS]
   --seconds N      for each attempt (default 120)
   --memory KB      of address space for each attempt, or unlimited, which address sanitizers need (default 8388608)
   --modes LIST     of plain, repair and wrap, in order, separated by commas (default plain,repair,wrap)
+  --smallest BYTES pass over files smaller than this
   --largest BYTES  pass over files larger than this
   --table FILE     also write the list there, separated by tabs: outcome, way, seconds, file, message
   --strict         a timeout is a failure too
@@ -24,7 +25,7 @@ Build options default to --no-evaluate.
 END
 }
 
-tool=build/release/bin/cairn seconds=120 memory=8388608 modes=plain,repair,wrap largest='' table='' strict='' sources=()
+tool=build/release/bin/cairn seconds=120 memory=8388608 modes=plain,repair,wrap smallest=0 largest='' table='' strict='' sources=()
 build_options=(--no-evaluate)
 while (($#)); do
   case $1 in
@@ -32,6 +33,7 @@ while (($#)); do
     --seconds) seconds=$2; shift 2 ;;
     --memory) memory=$2; shift 2 ;;
     --modes) modes=$2; shift 2 ;;
+    --smallest) smallest=$2; shift 2 ;;
     --largest) largest=$2; shift 2 ;;
     --table) table=$2; shift 2 ;;
     --strict) strict=yes; shift ;;
@@ -93,6 +95,7 @@ for source in "${sources[@]}"; do
   [[ -d $folder ]] || { echo "run.sh: $source does not exist; install it or name another folder or archive" >&2; exit 77; }
   # Smallest first, so that a run cut short has seen the most files.
   while IFS=$'\t' read -r -d '' size file; do
+    if ((size < smallest)); then count 'passed over as too small'; continue; fi
     if [[ -n $largest ]] && ((size > largest)); then count 'passed over as too large'; continue; fi
     try_file "$file" "${file#"$folder"/}"
   done < <(find "$folder" -type f -printf '%s\t%p\0' | sort -z -n)
