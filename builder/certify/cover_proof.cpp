@@ -24,10 +24,10 @@ CoverProof::CoverProof(const SphereTree& tree, const TriangleMesh& mesh) : tree_
   for (const NodeData& node : tree.data().nodes)
     reach = std::max(reach, largestCoordinate(Vec3d(node.center)) + static_cast<double>(node.radius));
   // With u = 2^-53 and every coordinate at most `reach`: a corner minus the origin rounds by u reach, each halving of
-  // an edge by as much again, and longest-edge bisection needs at most 42 of them (edges shrink below sqrt(3) 2^(-n/2),
+  // an edge by as much again, and longest-edge bisection needs at most 52 of them (edges shrink below sqrt(3) 2^(-n/2),
   // Adler 1983); a corner minus a centre rounds by 2 u reach, squares, sum and the comparison by 8 u of the distance,
-  // itself below 4 reach. That is less than 90 u reach a coordinate, times sqrt(3) for the vector: 2^-45 = 256 u covers
-  // it, with room for the arithmetic of the radii here.
+  // itself below 4 reach. That is less than 100 u reach a coordinate, times sqrt(3) for the vector: 2^-45 = 256 u
+  // covers it, with room for the arithmetic of the radii here.
   guard_ = 0x1p-45 * reach;
   balls_.resize(std::size_t{kFamilyWidth} * tree.families().size());
   for (std::uint32_t i = 0; i < tree.nodeCount(); ++i) {

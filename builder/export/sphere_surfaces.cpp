@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <assimp/Exporter.hpp>
+#include <cstddef>
 #include <exception>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "cairn/builder/export.h"
 #include "cairn/core/atomic_file.h"
@@ -58,16 +61,19 @@ std::unique_ptr<aiScene> sceneOf(std::unique_ptr<aiMesh> mesh) {
   return scene;
 }
 
-Status writeScene(const aiScene& scene, SurfaceFormat format, const std::filesystem::path& path) {
-  // "objnomtl": the plain one would leave a material file beside the temporary name.
+/// In memory, because assimp's writer of OBJ files does not notice a full disk.
+Result<std::vector<std::byte>> bytesOf(const aiScene& scene, SurfaceFormat format) {
+  // "objnomtl": the plain one would come with a material file.
   const char* id = format == SurfaceFormat::obj ? "objnomtl" : "glb2";
   try {
     Assimp::Exporter exporter;
-    if (exporter.Export(&scene, id, path.string()) == aiReturn_SUCCESS) return {};
-    return Error{
-        fmt::format("assimp cannot write it ({}); choose another folder or format", exporter.GetErrorString())};
+    const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, id);
+    if (blob == nullptr)
+      return Error{fmt::format("assimp cannot write it ({}); choose another format", exporter.GetErrorString())};
+    const auto* first = static_cast<const std::byte*>(blob->data);
+    return std::vector<std::byte>(first, first + blob->size);
   } catch (const std::exception& e) {
-    return Error{fmt::format("assimp failed to write it ({}); choose another folder or format", e.what())};
+    return Error{fmt::format("assimp failed to write it ({}); choose another format", e.what())};
   }
 }
 
@@ -78,8 +84,8 @@ Status writeSphereSurfaces(const SphereTree& tree, std::uint32_t level, SurfaceF
   if (level > tree.depth())
     return Error{fmt::format("the tree has levels 0 to {}, not {}; choose one of them", tree.depth(), level)};
   const std::unique_ptr<aiScene> scene = sceneOf(meshOf(tree, tree.levelCut(level)));
-  return writeFileAtomically(
-      path, [&](const std::filesystem::path& temporary) { return writeScene(*scene, format, temporary); });
+  const auto bytes = bytesOf(*scene, format);
+  return bytes ? writeFileAtomically(path, std::span(bytes.value())) : bytes.error();
 }
 
 }  // namespace cairn::builder

@@ -10,6 +10,9 @@
 namespace cairn::builder {
 namespace {
 
+/// Unit normals of two triangles whose sum is shorter than this turn away from each other but for less than a degree.
+constexpr double kSharp = 0x1p-6;
+
 double angleBetween(const Vec3d& a, const Vec3d& b) {
   return std::atan2(length(cross(a, b)), dot(a, b));
 }
@@ -35,6 +38,17 @@ Pseudonormals::Pseudonormals(const TriangleMesh& mesh)
     for (auto h = first; h != last; ++h) edges_[h->triangle][h->side] = sum;
     first = last;
   }
+  findSharpEdges(mesh);
+}
+
+void Pseudonormals::findSharpEdges(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> corners(mesh.vertices.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      if (lengthSq(edges_[t][i]) < kSharp * kSharp)
+        corners[mesh.triangles[t][i]] = corners[mesh.triangles[t][(i + 1) % 3]] = 1;
+  sharp_.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) sharp_.push_back(corners[t[0]] | corners[t[1]] | corners[t[2]]);
 }
 
 const Vec3d& Pseudonormals::at(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature) const {

@@ -21,8 +21,15 @@ class Pseudonormals {
   /// constructor.
   const Vec3d& at(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature) const;
 
+  /// Whether a corner of the triangle is on an edge sharper than a degree, from within or from without. There the other
+  /// side of the solid is as near but for rounding, and pseudonormals may be little else than rounding.
+  bool besideSharpEdge(std::uint32_t triangle) const { return sharp_[triangle] != 0; }
+
  private:
+  void findSharpEdges(const TriangleMesh& mesh);
+
   std::vector<Vec3d> faces_, vertices_;
+  std::vector<std::uint8_t> sharp_;          // by triangle
   std::vector<std::array<Vec3d, 3>> edges_;  // by triangle and edge number
 };
 

@@ -5,12 +5,23 @@
 #include <tbb/parallel_for.h>
 
 #include <cassert>
+#include <cmath>
 
 #include "surface/pseudonormals.h"
 #include "surface/surface_distance.h"
 #include "surface/triangle_hierarchy.h"
+#include "surface/winding_number.h"
 
 namespace cairn::builder {
+
+namespace {
+
+/// A pseudonormal is a sum of unit normals, each rounded by a few 2^-52 over the sine of its triangle's angle: at edges
+/// and corners sharper than a hundred-thousandth of a degree they nearly cancel, and rounding is what is left. A
+/// product with it below this part of the offset says nothing; triangles of angles down to 2^-14 are within it.
+constexpr double kSignInDoubt = 0x1p-36;
+
+}  // namespace
 
 struct SignedDistance::Hierarchy {
   explicit Hierarchy(const TriangleMesh& m) : mesh(&m), bounds(boundsOf(m)), triangles(m), pseudonormals(m) {}
@@ -73,8 +84,31 @@ SignedDistance::Answer SignedDistance::answerAt(TriangleHierarchy::Place place, 
   const std::uint32_t triangle = packet.triangle[place.lane];
   const Vec3d& normal = hierarchy_->pseudonormals.at(mesh(), triangle, nearest.feature);
   const double distance = length(nearest.offset);
-  const bool outside = dot(nearest.offset, normal) > 0;
+  bool outside = dot(nearest.offset, normal) > 0;
+  if (hierarchy_->pseudonormals.besideSharpEdge(triangle) && distance > roundingBound(query))
+    outside = isOutsideByAll(query, distance);
   return {{query - nearest.offset, distance, triangle}, outside ? -distance : distance};
+}
+
+bool SignedDistance::isOutsideByAll(const Vec3d& query, double distance) const {
+  const double within = distance + 4 * roundingBound(query);
+  std::vector<NearPacket> parts;
+  packetsWithin(hierarchy_->triangles, query, within, hierarchy_->mesh->triangles.size(), parts);
+  std::optional<bool> outside;
+  for (const NearPacket& part : parts) {
+    const TrianglePacket& packet = hierarchy_->triangles.packet(part.index);
+    for (int lane = 0; lane < TrianglePacket::kWidth; ++lane) {
+      const TrianglePacket::Nearest nearest = packet.nearest(lane, query);
+      const double there = length(nearest.offset);
+      if (there > within) continue;
+      const double along =
+          dot(nearest.offset, hierarchy_->pseudonormals.at(mesh(), packet.triangle[lane], nearest.feature));
+      const bool agrees = std::abs(along) > kSignInDoubt * there && outside.value_or(along > 0) == (along > 0);
+      if (!agrees) return windingNumber(mesh(), query) < 0.5;
+      outside = along > 0;
+    }
+  }
+  return outside.value_or(true);
 }
 
 double SignedDistance::distanceToTriangle(std::uint32_t triangle, const Vec3d& point) const {

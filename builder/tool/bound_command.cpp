@@ -103,7 +103,6 @@ int run(const BoundCommand& command) {
   std::vector<Row> rows;
   for (const std::uint32_t n : command.spheres) rows.push_back({n, {}, 0, 0});
   if (command.tree.empty()) {
-    if (rows.empty()) return refuse({"no number of spheres to bound; give --spheres, or --tree for those of a tree"});
     const auto mesh = builder::importMesh(command.mesh);
     return mesh ? report(command, mesh.value(), std::move(rows)) : refuse(mesh.error());
   }
@@ -129,6 +128,8 @@ void addBoundCommand(CLI::App& app, Action& action) {
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
   sub->callback([command, &action] {
+    if (command->spheres.empty() && command->tree.empty())
+      throw CLI::RequiredError("--spheres, or --tree for those of a tree,");
     action = [command] { return withThreads(command->threads, [command] { return run(*command); }); };
   });
 }

@@ -26,7 +26,8 @@ bool sameFile(const std::string& a, const std::string& b) {
   if (std::filesystem::exists(a, ignored) && std::filesystem::exists(b, ignored))
     // Two outputs may go to one device or pipe; only a file would be lost.
     return std::filesystem::is_regular_file(a, ignored) && std::filesystem::equivalent(a, b, ignored);
-  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+  return std::filesystem::weakly_canonical(behindLinks(a), ignored) ==
+         std::filesystem::weakly_canonical(behindLinks(b), ignored);
 }
 
 std::string checkSeed(const std::string& text) {

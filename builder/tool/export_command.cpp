@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -61,6 +62,10 @@ void addExportCommand(CLI::App& app, Action& action) {
   sub->callback([command, &action] {
     if (command->level && (command->format == "spheres" || command->format == "sph"))
       throw CLI::ValidationError("--level", "is for obj and glb; spheres and sph always hold the whole tree");
+    const std::string extension = std::filesystem::path(command->output).extension().string();
+    for (const char* other : {"obj", "glb"})
+      if (extension == fmt::format(".{}", other) && command->format != other)
+        throw CLI::ValidationError("--output", fmt::format("ends in .{}, but --to is {}", other, command->format));
     action = [command] { return run(*command); };
   });
 }

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "cairn/builder/build.h"
+#include "cairn/builder/certify.h"
 #include "cairn/builder/import.h"
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
@@ -61,35 +62,71 @@ Json reportOf(const FractureCommand& command, const builder::Fracture& fracture,
   return json;
 }
 
+/// The same error with what it is about; that of a cancelled run is told by its words and stays as it is.
+Error about(const std::string& what, const Error& error) {
+  if (error.message == builder::kCancelled) return error;
+  return {fmt::format("{}: {}", what, error.message)};
+}
+
+Result<SphereTree> provenTree(const builder::TriangleMesh& mesh, const builder::BuildOptions& options,
+                              const builder::ProgressCallback& progress) {
+  auto tree = builder::buildTree(mesh, options, progress);
+  if (!tree) return tree;
+  const auto certificate = builder::certify(tree.value(), mesh, progress);
+  if (!certificate) return certificate.error();
+  const auto failures = certificate.value().failures(tree.value());
+  if (failures.empty()) return tree;
+  return Error{
+      fmt::format("its tree could not be certified ({}); try other options and report this mesh", failures.front())};
+}
+
+/// Whether the folder is there or could be made. To be asked before the work it is to hold.
+Status checkFolder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::path there = folder.lexically_normal();
+  while (!there.empty() && !std::filesystem::exists(there, ignored)) there = there.parent_path();
+  if (!there.empty() && !std::filesystem::is_directory(there, ignored))
+    return Error{fmt::format("{}: {} is no folder; name another one", folder.string(), there.string())};
+  // A file in the last folder that exists could be written exactly if a folder could be made in it.
+  return checkWritable(there / "pieces");
+}
+
 Result<std::vector<Piece>> treesOf(const FractureCommand& command, const builder::Fracture& fracture,
                                    const builder::ProgressCallback& progress) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < fracture.pieces.size(); ++i) {
-    auto tree = builder::buildTree(fracture.pieces[i], command.options, progress);
-    if (!tree) return Error{fmt::format("piece {}: {}", i, tree.error().message)};
+    auto tree = provenTree(fracture.pieces[i], command.options, progress);
+    if (!tree) return about(fmt::format("piece {}", i), tree.error());
     pieces.push_back({fmt::format("{}.{}", stem(command), i), std::move(tree).value()});
   }
   return pieces;
 }
 
-// The list last: where it is, everything it names is.
+std::filesystem::path listOf(const FractureCommand& command) {
+  return std::filesystem::path(command.folder) / (stem(command) + ".fracture.json");
+}
+
+// The list last, and an old one goes first: where it is, everything it names is.
 Status write(const FractureCommand& command, const builder::Fracture& fracture, const std::vector<Piece>& pieces) {
   const std::filesystem::path folder = command.folder;
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) return Error{fmt::format("cannot make the folder {}: {}", command.folder, failure.message())};
+  std::filesystem::remove(listOf(command), failure);
+  if (failure) return Error{fmt::format("cannot replace {}: {}", listOf(command).string(), failure.message())};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string mesh = builder::objText(fracture.pieces[i]);
     if (Status s = writeFileAtomically(folder / (pieces[i].name + ".obj"), mesh); !s) return s;
     if (Status s = saveTree(pieces[i].tree, folder / (pieces[i].name + ".cairn")); !s) return s;
   }
-  return writeJson(reportOf(command, fracture, pieces), (folder / (stem(command) + ".fracture.json")).string());
+  return writeJson(reportOf(command, fracture, pieces), listOf(command).string());
 }
 
 int run(FractureCommand& command) {
   const auto method = builder::parseMethod(command.method);
   if (!method) return refuse(method.error());
   command.options.method = method.value();
+  if (Status s = checkFolder(command.folder); !s) return refuse(s.error());
   const auto mesh = builder::importMesh(command.mesh);
   if (!mesh) return refuse(mesh.error());
   ProgressBar bar;
@@ -98,7 +135,7 @@ int run(FractureCommand& command) {
   const auto tree = builder::buildTree(mesh.value(), coarse, bar.callback());
   if (!tree) return refuse(tree.error());
   const auto fracture = builder::fracture(mesh.value(), tree.value(), bar.callback());
-  if (!fracture) return refuse({fmt::format("{}: {}", command.mesh, fracture.error().message)});
+  if (!fracture) return refuse(about(command.mesh, fracture.error()));
   const auto pieces = treesOf(command, fracture.value(), bar.callback());
   if (!pieces) return refuse(pieces.error());
   if (interrupted()) return refuse({std::string(builder::kCancelled)});

@@ -37,7 +37,9 @@ Error cannot(const char* what, const fs::path& path, const std::string& why) {
 fs::path temporaryBeside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   static const unsigned process = std::random_device{}();
-  const std::string name = "." + path.stem().string() + "." + std::to_string(process) + "-" + std::to_string(counter++);
+  constexpr std::size_t kStem = 100;  // of the longest names there may be, so that what is added always fits
+  const std::string name =
+      "." + path.stem().string().substr(0, kStem) + "." + std::to_string(process) + "-" + std::to_string(counter++);
   return path.parent_path() / (name + ".partial" + path.extension().string());
 }
 
@@ -93,7 +95,8 @@ bool mayWrite([[maybe_unused]] const fs::path& path) {
 #endif
 }
 
-// Where a link leads, whether or not there is a file yet, so that the file is written and the link stays.
+}  // namespace
+
 fs::path behindLinks(fs::path path) {
   constexpr int kMostLinks = 40;  // as many as Linux follows: beyond are circles
   std::error_code failure;
@@ -104,8 +107,6 @@ fs::path behindLinks(fs::path path) {
   }
   return path;
 }
-
-}  // namespace
 
 Status writeFileAtomically(const fs::path& path, const std::function<Status(const fs::path&)>& write) {
   if (path.filename().empty()) return cannot("write", path, "it is not a file name");

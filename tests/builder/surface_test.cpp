@@ -69,6 +69,27 @@ TEST(SignedDistance, MatchesBruteForceOnAConcaveBody) {
   expectMatchesOracle(test::lumpyBall(12, kSeed), 300);
 }
 
+/// A corner of a cube with its apex lowered to `height`: three of its edges are as sharp as it is flat.
+TriangleMesh flatCorner(double height) {
+  return test::meshOf(
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, height}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+}
+
+// Above the sharp edge its two normals have nothing in common with the way there but rounding.
+TEST(SignedDistance, KnowsTheSideAboveEdgesSharperThanRounding) {
+  for (const double height : {1e-6, 1e-10, 1e-14, 1e-15}) {
+    const TriangleMesh mesh = flatCorner(height);
+    const SignedDistance solid(mesh);
+    std::mt19937_64 engine(kSeed);
+    for (int i = 0; i < 2000; ++i) {
+      const double along = uniform(engine), up = uniform(engine, -1, 1);
+      ASSERT_LE(solid.depth({along, 1 - along, up}), height) << height << ", seed " << kSeed;
+      ASSERT_LE(solid.depth({along, 0, up}), height) << height << ", seed " << kSeed;
+      ASSERT_LE(solid.depth({1, 0, up}), height) << height << ", seed " << kSeed;
+    }
+  }
+}
+
 TEST(SignedDistance, MatchesBruteForceOnATorus) {
   expectMatchesOracle(test::torus(1, 0.3, 24, 12), 300);
 }

@@ -51,7 +51,7 @@ TEST_F(BoundTool, SetsTheLevelsOfATreeBesideTheirBounds) {
 
 TEST_F(BoundTool, RefusesInOneSentence) {
   for (const auto& [arguments, exitCode, part] :
-       {std::tuple{"", 1, "no number of spheres"}, std::tuple{"--spheres 0", 2, "--spheres"},
+       {std::tuple{"", 2, "--spheres, or --tree"}, std::tuple{"--spheres 0", 2, "--spheres"},
         std::tuple{"--spheres 2 --points 3", 1, "3 points"}, std::tuple{"--tree nowhere.cairn", 1, "nowhere.cairn"}}) {
     const ProgramResult result = bound(arguments);
     EXPECT_EQ(result.exitCode, exitCode) << arguments;

@@ -3,10 +3,13 @@
 // `cairn fracture` as a user meets it.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "builder_meshes.h"
 #include "cairn/core/tree_file.h"
+#include "interrupted_program.h"
 #include "run_program.h"
 
 namespace cairn::builder {
@@ -40,6 +43,22 @@ TEST_F(ToolFracture, WritesPiecesTheirTreesAndAList) {
     EXPECT_EQ(tree.value().mass().volume, piece.at("volume").get<double>());
   }
   for (const Json& bond : list.at("bonds")) EXPECT_GT(bond.at("area").get<double>(), 0);
+}
+
+TEST_F(ToolFracture, RefusesAFileAsFolderBeforeAnyWork) {
+  test::writeText(path("pieces"), "a file");
+  const test::ProgramResult result = fracture("missing.obj");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.errors.find("is no folder"), std::string::npos) << result.errors;
+  EXPECT_EQ(test::contentOf(path("pieces")), "a file");
+}
+
+TEST_F(ToolFracture, Interrupted_EndsWith130AndLeavesNothing) {
+  test::writeText(path("large.obj"), test::objText(test::lumpyBall(40, 3)));
+  const std::vector<std::string> arguments = {"fracture", path("large.obj"), "-o", path("pieces"), "--depth", "5"};
+  for (const int delay : {300, 2000})
+    EXPECT_EQ(test::exitCodeAfterSignal(CAIRN_TOOL, arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
+  EXPECT_FALSE(std::filesystem::exists(path("pieces")));
 }
 
 TEST_F(ToolFracture, RefusesAnOpenMeshAndWritesNothing) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The cairn command as a user meets it: exit codes, messages, reports, and nothing half-written.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "builder_meshes.h"
+#include "interrupted_program.h"
 #include "run_program.h"
 
 namespace cairn::builder {
@@ -140,6 +137,20 @@ TEST_F(Tool, ExportWritesEveryForm) {
   EXPECT_FALSE(exists("x.obj"));
 }
 
+TEST_F(Tool, AFullDiskIsNoticed) {
+  ASSERT_EQ(build("--no-evaluate").exitCode, 0);
+  for (const char* form : {"spheres", "sph", "obj", "glb"})
+    expectOneSentence(run("export " + quoted("rock.cairn") + " --to " + form + " -o /dev/full"), 1, "/dev/full");
+}
+
+TEST_F(Tool, TheLongestNamesCanBeWritten) {
+  const std::string longest = std::string(249, 'x') + ".cairn";
+  EXPECT_EQ(
+      run("build " + quoted("rock.obj") + " --method octree --depth 1 --no-evaluate -o " + quoted(longest)).exitCode,
+      0);
+  EXPECT_TRUE(exists(longest));
+}
+
 TEST_F(Tool, WrongUsageEndsWithTwo) {
   const std::string in = quoted("rock.obj"), out = " -o " + quoted("rock.cairn");
   expectOneSentence(run(""), 2, "subcommand");
@@ -159,6 +170,8 @@ TEST_F(Tool, WrongUsageEndsWithTwo) {
   expectOneSentence(run("build " + in + out + " --method octree --balance 0.05"), 2, "--balance");
   expectOneSentence(run("build " + in + out + " --method adaptive --optimise thesis"), 2, "--optimise");
   expectOneSentence(run("export a.cairn --to sph --level 1 -o b"), 2, "--level");
+  expectOneSentence(run("export a.cairn --to glb -o b.obj"), 2, "ends in .obj");
+  expectOneSentence(run("bound " + in), 2, "--spheres");
   EXPECT_EQ(fileCount(), 1U);
 }
 
@@ -185,6 +198,7 @@ TEST_F(Tool, OutputsNeverReplaceInputsOrEachOther) {
   const std::string mesh = quoted("rock.obj"), tree = quoted("rock.cairn");
   const std::string meshBytes = test::contentOf(path("rock.obj")), treeBytes = test::contentOf(path("rock.cairn"));
   std::filesystem::create_hard_link(path("rock.obj"), path("link.obj"));
+  std::filesystem::create_symlink("new.cairn", path("dangling"));
   const std::string indirect = "'" + path("") + "./rock.obj'";
   for (const std::string& arguments : {
            "build " + mesh + " -o " + mesh,
@@ -192,6 +206,7 @@ TEST_F(Tool, OutputsNeverReplaceInputsOrEachOther) {
            "build " + mesh + " -o " + quoted("link.obj"),
            "build " + mesh + " -o " + quoted("new.cairn") + " --json " + mesh,
            "build " + mesh + " -o " + quoted("new.cairn") + " --json " + quoted("./new.cairn"),
+           "build " + mesh + " -o " + quoted("dangling") + " --json " + quoted("new.cairn"),
            "evaluate " + mesh + " " + tree + " --json " + tree,
            "certify " + mesh + " " + tree + " --json " + mesh,
            "inspect " + tree + " --json " + tree,
@@ -202,7 +217,7 @@ TEST_F(Tool, OutputsNeverReplaceInputsOrEachOther) {
     EXPECT_EQ(test::contentOf(path("rock.obj")), meshBytes) << arguments;
     EXPECT_EQ(test::contentOf(path("rock.cairn")), treeBytes) << arguments;
   }
-  EXPECT_EQ(fileCount(), 3U);
+  EXPECT_EQ(fileCount(), 4U);
 }
 
 TEST_F(Tool, AnOutputNeedsAName) {
@@ -296,36 +311,13 @@ TEST_F(Tool, BadTreesAreRefused) {
   expectOneSentence(run("certify " + quoted("rock.obj") + " " + quoted("flipped.cairn")), 1, "flipped.cairn");
 }
 
-/// Starts the tool, sends it `signal` after `delay`, and returns how it ended.
-int exitCodeAfterSignal(const std::vector<std::string>& arguments, int signal, std::chrono::milliseconds delay) {
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> argv;
-    std::vector<std::string> words = arguments;
-    words.insert(words.begin(), CAIRN_TOOL);
-    for (std::string& w : words) argv.push_back(w.data());
-    argv.push_back(nullptr);
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, STDERR_FILENO);
-    dup2(null, STDOUT_FILENO);
-    execv(CAIRN_TOOL, argv.data());
-    _exit(127);
-  }
-  std::this_thread::sleep_for(delay);
-  int status = 0;
-  EXPECT_EQ(waitpid(child, &status, WNOHANG), 0) << "the build ended before it could be interrupted";
-  kill(child, signal);
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 TEST_F(Tool, AnInterruptedBuildLeavesNothingAndEndsWith130) {
   test::writeText(path("large.obj"), test::objText(test::lumpyBall(40, 3)));
   const std::vector<std::string> arguments = {
       "build",     path("large.obj"), "-o",     path("large.cairn"), "--depth", "5",
       "--samples", "200000",          "--json", path("large.json")};
   for (const int signal : {SIGINT, SIGTERM}) {
-    EXPECT_EQ(exitCodeAfterSignal(arguments, signal, std::chrono::milliseconds(700)), 130);
+    EXPECT_EQ(test::exitCodeAfterSignal(CAIRN_TOOL, arguments, signal, std::chrono::milliseconds(700)), 130);
     EXPECT_EQ(fileCount(), 2U);  // the two meshes
   }
 }
@@ -336,7 +328,7 @@ TEST_F(Tool, ABuildInterruptedDuringItsEvaluationLeavesNothing) {
       "build", path("rock.obj"), "-o",     path("late.cairn"), "--method", "octree", "--depth",
       "6",     "--samples",      "100000", "--threads",        "1",        "--json", path("late.json")};
   for (const int delay : {400, 1000, 2000}) {
-    EXPECT_EQ(exitCodeAfterSignal(arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
+    EXPECT_EQ(test::exitCodeAfterSignal(CAIRN_TOOL, arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
     EXPECT_EQ(fileCount(), 1U);
   }
 }
@@ -345,7 +337,7 @@ TEST_F(Tool, AnInterruptedSimplifyLeavesNothingAndEndsWith130) {
   test::writeText(path("large.obj"), test::objText(test::lumpyBall(150, 3)));
   const std::vector<std::string> arguments = {"simplify", path("large.obj"), "-o", path("small.obj")};
   for (const int delay : {300, 1000}) {
-    EXPECT_EQ(exitCodeAfterSignal(arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
+    EXPECT_EQ(test::exitCodeAfterSignal(CAIRN_TOOL, arguments, SIGINT, std::chrono::milliseconds(delay)), 130);
     EXPECT_EQ(fileCount(), 2U);
   }
 }

@@ -53,9 +53,10 @@ struct BuildOptions {
   std::optional<Balance> balance;
 };
 
-/// A certified sphere-tree of a closed mesh: every level covers the whole surface, reachable through every ancestor, by
-/// proof (see certify.h). Fails for options out of range, for a mesh `checkMesh` refuses, and with `kCancelled`. The
-/// same mesh, options and seed give the same bits for any number of threads.
+/// A sphere-tree of a closed mesh with certified errors: every level covers the whole surface, reachable through every
+/// ancestor, by construction, with enough to spare that `certify` can prove it again from the tree alone. Fails for
+/// options out of range, for a mesh `checkMesh` refuses, and with `kCancelled`. The same mesh, options and seed give
+/// the same bits for any number of threads.
 Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options,
                              const ProgressCallback& progress = {});
 

@@ -72,7 +72,9 @@ struct Certificate {
 Result<Certificate> certify(const SphereTree& tree, const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// Pieces of a triangle are not split below this fraction of the mesh's bounding-box diagonal: a cover whose balls
-/// overlap by less cannot be proved.
-inline constexpr double kSmallestPiece = 0x1p-20;
+/// overlap by less cannot be proved. What `buildTree` makes always can: its balls hold the pieces of their regions with
+/// 2^-23 of the largest coordinate to spare (tree frame), which is at least 2^-1.8 of the diagonal, and a piece no
+/// longer than that is held wherever it touches.
+inline constexpr double kSmallestPiece = 0x1p-25;
 
 }  // namespace cairn::builder

@@ -24,6 +24,10 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view t
 Status writeFileAtomically(const std::filesystem::path& path,
                            const std::function<Status(const std::filesystem::path& temporary)>& write);
 
+/// The path a symbolic link leads to, whether or not there is a file yet, through links to links; any other path as it
+/// is: where `writeFileAtomically` writes.
+std::filesystem::path behindLinks(std::filesystem::path path);
+
 /// Whether a file could be written at `path`, without touching it: it is named, its folder exists and may be written,
 /// and it is no folder itself; or it is a device or a pipe that may be written. To be asked before the work whose
 /// result it is to hold.
