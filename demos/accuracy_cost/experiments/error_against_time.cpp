@@ -22,7 +22,7 @@ ContestExtent extentOf(const Settings& settings) {
   ContestExtent extent;
   extent.converge = {
       .bodies = 20, .runs = settings.quick ? 1U : 3U, .frames = settings.quick ? 240U : 300U, .seed = settings.seed};
-  extent.heap = {.bodies = settings.quick ? 20U : 50U, .frames = settings.quick ? 60U : 240U, .seed = settings.seed};
+  extent.heap = {.bodies = settings.quick ? 20U : 50U, .frames = settings.quick ? 60U : 120U, .seed = settings.seed};
   extent.truthEvery = settings.quick ? 10 : 5;
   extent.repetitions = settings.quick ? 6 : 9;
   extent.isFine = !settings.quick;
