@@ -43,6 +43,8 @@ const char* colorOf(const Look& look) {
 std::string styleOf(const Look& look) {
   const int marker = kMarkers[look.marker % kMarkers.size()];
   if (!look.line) return fmt::format("with points lc rgb '{}' pt {} ps 1", colorOf(look), marker);
+  if (!look.markers)
+    return fmt::format("with lines lc rgb '{}' lw 1.4 dt {}", colorOf(look), kDashes[look.dash % kDashes.size()]);
   return fmt::format("with linespoints lc rgb '{}' pt {} ps 0.8 lw 1.6 dt {}", colorOf(look), marker,
                      kDashes[look.dash % kDashes.size()]);
 }
