@@ -36,6 +36,9 @@ Cairn: collision detection that keeps its deadline.
                              thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh accuracy-cost [OPTIONS] the experiments of the thesis's chapter 7 again, as tables, figures and verdicts in out/accuracy-cost
                              (all of them, hours; --quick minutes; docs/accuracy-cost.md)
+  ./cairn.sh report [--quick] [-o DIR]
+                             all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
+                             tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
@@ -226,6 +229,14 @@ accuracy_cost() {
   esac
 }
 
+# What is left out of the page is said on it, so a missing optional package is no reason to stop.
+report() {
+  need "${everything[@]}" accuracy demo report tests
+  say "Building"
+  configure_and_build release --target cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture > /dev/null
+  python3 demos/report/measure.py "$@"
+}
+
 fuzz() {
   build fuzz
   mkdir -p out/fuzz/tree_file
@@ -264,6 +275,7 @@ case $command in
   corpus) corpus "$@" ;;
   tables) tables "$@" ;;
   accuracy-cost) accuracy_cost "$@" ;;
+  report) report "$@" ;;
   fuzz) fuzz "$@" ;;
   threads) threads "$@" ;;
   format) format "$@" ;;
