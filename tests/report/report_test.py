@@ -198,6 +198,29 @@ class Report(unittest.TestCase):
             self.assertEqual(left, [])
 
 
+class TenMinutes(unittest.TestCase):
+    """--quick ends in time whatever its parts do."""
+
+    @staticmethod
+    def records(folder, seconds, *commands):
+        import measure
+        import parts
+        for name in ("stamps", "logs"):
+            (Path(folder) / name).mkdir()
+        plan = [parts.Part(f"part{i}", "A part", "textbook", list(command), [], 1) for i, command in enumerate(commands)]
+        measuring = measure.Measuring(Path(folder), SOURCE, time.monotonic() + seconds)
+        return measuring.all(plan, set())
+
+    def test_a_part_that_is_too_long_is_stopped_and_the_rest_not_begun(self):
+        with tempfile.TemporaryDirectory() as folder:
+            began = time.monotonic()
+            records = self.records(folder, 2, ["true"], ["sleep", "60"], ["true"])
+            self.assertLess(time.monotonic() - began, 30)
+            self.assertEqual([r["state"] for r in records.values()], ["done", "left out", "left out"])
+            self.assertIn("stopped", records["part1"]["why"])
+            self.assertIn("goes on from here", records["part2"]["why"])
+
+
 class Conclusions(unittest.TestCase):
     """Verdicts turn with the claims."""
 
