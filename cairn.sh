@@ -231,9 +231,11 @@ accuracy_cost() {
 
 # What is left out of the page is said on it, so a missing optional package is no reason to stop.
 report() {
+  local programs=(cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture)
   need "${everything[@]}" accuracy demo report tests
+  [[ -d tests/hard_cases ]] && programs+=(hard_cases)
   say "Building"
-  configure_and_build release --target cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture > /dev/null
+  configure_and_build release --target "${programs[@]}" > /dev/null
   python3 demos/report/measure.py "$@"
 }
 

@@ -15,10 +15,12 @@ import tables
 
 MOST_ROWS = 60  # of a table on the page; the whole of it is there to be saved
 MOST_SVG_BYTES = 350_000  # of a figure; its PNG stands in for a larger one
+DOCUMENT_KEYS = ("experiment", "title", "thesis_section", "thesis_says", "we_found", "verdict", "why", "differs", "claims", "figures", "models", "seconds")
 KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".csv": "text/csv", ".json": "application/json"}
 # A shape beside each word, so that colour is never alone.
 SHAPES = {conclusions.REPRODUCED: ("yes", "●"), conclusions.IN_PART: ("part", "◐"), conclusions.NOT: ("no", "○"),
-          conclusions.UNKNOWN: ("none", "–"), "holds": ("yes", "●"), "does not hold": ("no", "○")}
+          conclusions.UNKNOWN: ("none", "–"), "holds": ("yes", "●"), "does not hold": ("no", "○"),
+          "as good as stock": ("part", "◐"), "misses": ("no", "○")}
 
 
 def data_uri(path):
@@ -31,10 +33,7 @@ def shape_of(verdict):
 
 
 def read_json(path):
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def figures_of(document, data):
@@ -52,10 +51,10 @@ def figures_of(document, data):
 
 
 def experiment_of(part, data):
-    """What the page shows of an experiment; nothing when its files are not what they should be."""
+    """What the page shows of an experiment."""
     document = read_json(data / f"{part['name']}.json")
-    if document is None:
-        return None
+    for key in DOCUMENT_KEYS:
+        document[key]  # KeyError: it is none of accuracy_cost's
     csv = data / document.get("csv", f"{part['name']}.csv")
     rows = tables.read_csv(csv)
     return {"document": document, "rows": rows, "figures": figures_of(document, data), "csv": data_uri(csv) if csv.exists() else "",
@@ -76,24 +75,34 @@ def gallery_of(done, data):
 
 def hard_cases_of(document):
     """As rows, whatever else stands in it; a value may be a text or a number."""
-    cases = document.get("cases", []) if isinstance(document, dict) else []
     said = lambda value: tables.number(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else str(value)
-    return [{key: said(case.get(key, "–")) for key in ("id", "name", "criterion", "measured", "stock", "verdict", "why")} for case in cases]
+    return [{key: said(case.get(key, "–")) for key in ("id", "name", "criterion", "measured", "stock", "verdict", "why")} for case in document["cases"]]
+
+
+def made(part, make):
+    """What is shown of a part that is done; one whose file is not what it should be has failed, and says so."""
+    if part is None or part["state"] != "done":
+        return None
+    try:
+        return make()
+    except (OSError, ValueError, KeyError, IndexError, TypeError, AttributeError) as failure:
+        part |= {"state": "failed", "why": f"what it left cannot be read ({type(failure).__name__}: {failure})"}
+        return None
 
 
 def content_of(run, data):
-    """All that the template shows."""
+    """All that the template shows. Marks parts whose files cannot be read as failed."""
     parts = {part["name"]: part for part in run["parts"]}
-    done = [part for part in run["parts"] if part["state"] == "done"]
     experiments = {}
-    for part in done:
-        if part["kind"] == "experiment":
-            found = experiment_of(part, data)
-            if found:
-                experiments[part["name"]] = found
-            else:
-                part |= {"state": "failed", "why": "its JSON file cannot be read"}
-    is_done = lambda name: parts.get(name, {}).get("state") == "done"
+    for part in run["parts"]:
+        if part["kind"] == "experiment" and (found := made(part, lambda: experiment_of(part, data))):
+            experiments[part["name"]] = found
+    shown = {name: made(parts.get(name), make) for name, make in (
+        ("textbook", lambda: tables.textbook(read_json(data / "textbook.json"))),
+        ("heap", lambda: tables.heap(read_json(data / "heap.json"))),
+        ("builder", lambda: tables.builder(data / "builder.txt")))}
+    shown["hard_cases"] = made(parts.get("hard-cases"), lambda: hard_cases_of(read_json(data / "hard-cases.json")))
+    gallery = gallery_of([part for part in run["parts"] if part["state"] == "done"], data)
     judged = conclusions.judged(experiments)
     verdicts = [e["document"].get("verdict", conclusions.UNKNOWN) for e in experiments.values()]
     return {
@@ -101,11 +110,7 @@ def content_of(run, data):
         "asked": [part for part in run["parts"] if part["kind"] == "experiment"],
         "missing": [part for part in run["parts"] if part["state"] != "done"],
         "counts": [(v, verdicts.count(v)) for v in SHAPES if verdicts.count(v)],
-        "textbook": tables.textbook(read_json(data / "textbook.json")) if is_done("textbook") else None,
-        "heap": tables.heap(read_json(data / "heap.json")) if is_done("heap") else None,
-        "builder": tables.builder(data / "builder.txt") if is_done("builder") else None,
-        "hard_cases": hard_cases_of(read_json(data / "hard-cases.json") or {}) if is_done("hard-cases") else None,
-        "gallery": gallery_of(done, data),
+        "gallery": gallery, **shown,
     }
 
 
@@ -120,12 +125,13 @@ def render(run, data):
 
 
 def write(data, page):
-    """Written whole or not at all. `data` holds run.json and what it names."""
+    """Written whole or not at all. `data` holds run.json and what it names. The names of all parts that are not on it."""
     data, page = Path(data), Path(page)
     run = json.loads((data / "run.json").read_text(encoding="utf-8"))
     partial = page.with_suffix(".partial")
     partial.write_text(render(run, data), encoding="utf-8")
     os.replace(partial, page)
+    return [part["name"] for part in run["parts"] if part["state"] in ("failed", "left out")]
 
 
 if __name__ == "__main__":

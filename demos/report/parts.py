@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a report is made of: its parts, the command of each, and about how long they take."""
+import os
 import shutil
 import subprocess
 from dataclasses import dataclass, field
@@ -105,13 +106,12 @@ class Plan:
         return result
 
     def _hard_cases(self):
-        script = str(self.source / "cairn.sh")
+        program = self._program("hard_cases")
         part = Part("hard-cases", "Hard cases", "hard-cases",
-                    [script, "hard-cases", "--json", str(self.data / "hard-cases.json")], ["hard-cases.json"],
-                    60, programs=[script])
-        told = subprocess.run([script, "help"], capture_output=True, text=True, check=False).stdout
-        if "cairn.sh hard-cases" not in told:
-            part.absent = "this version has no command hard-cases"
+                    [program, *(["--quick"] if self.quick else []), "--json", str(self.data / "hard-cases.json")],
+                    ["hard-cases.json"], 90 if self.quick else 900, programs=[program])
+        if not os.access(program, os.X_OK):
+            part.absent = "this version has no program hard_cases"
         return part
 
     def _experiments(self):

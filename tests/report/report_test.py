@@ -164,7 +164,7 @@ class Report(unittest.TestCase):
     def test_shows_hard_cases_and_escapes(self):
         import page
         with tempfile.TemporaryDirectory() as folder:
-            cases = [{"id": "H1", "name": "a <b>bold</b> pile", "criterion": "x < 1 & y", "measured": 0.25, "stock": "falls", "verdict": "met", "why": ""}]
+            cases = [{"id": "H1", "name": "a <b>bold</b> pile", "criterion": "x < 1 & y", "measured": 0.25, "stock": "falls", "verdict": "as good as stock", "why": ""}]
             (Path(folder) / "hard-cases.json").write_text(json.dumps({"cases": cases}), encoding="utf-8")
             part = next(p for p in self.record["parts"] if p["name"] == "hard-cases")
             others = [p | ({"state": "failed", "why": "<script>alert(1)</script>"} if p["state"] == "done" else {}) for p in self.record["parts"] if p is not part]
@@ -173,8 +173,21 @@ class Report(unittest.TestCase):
             self.assertEqual(made.faults, [])
             self.assertNotIn("b", made.tags)
             self.assertNotIn("script", made.tags)
-            for text in ("H1 a <b>bold</b> pile", "x < 1 & y", "0.250", "met"):
+            for text in ("H1 a <b>bold</b> pile", "x < 1 & y", "0.250", "◐ as good as stock"):
                 self.assertIn(text, made.text)
+
+    def test_a_file_that_cannot_be_read_is_named(self):
+        import page
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "textbook.json").write_text('[{"experiment": "R1"}]', encoding="utf-8")
+            (Path(folder) / "levels.json").write_text("{", encoding="utf-8")
+            wanted = [dict(p) for p in self.record["parts"] if p["name"] in ("textbook", "levels")]
+            others = [dict(p) | {"state": "absent", "why": "of no matter"} for p in self.record["parts"] if p["name"] not in ("textbook", "levels")]
+            (Path(folder) / "run.json").write_text(json.dumps(self.record | {"parts": others + wanted}), encoding="utf-8")
+            self.assertEqual(sorted(page.write(folder, f"{folder}/page.html")), ["levels", "textbook"])
+            made = Page(Path(f"{folder}/page.html").read_text(encoding="utf-8"))
+            self.assertEqual(made.faults, [])
+            self.assertEqual(made.text.count("what it left cannot be read"), 4, "in its place and in the list")
 
     def test_refuses_in_one_sentence(self):
         unknown = run(self.out, "--only", "no-such")
