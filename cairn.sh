@@ -236,7 +236,10 @@ report() {
   [[ -d tests/hard_cases ]] && programs+=(hard_cases)
   say "Building"
   configure_and_build release --target "${programs[@]}" > /dev/null
-  python3 demos/report/measure.py "$@"
+  local python=python3
+  # Debian's package is of Debian's Python, whatever stands before it in the path.
+  "$python" -c 'import jinja2' 2> /dev/null || python=/usr/bin/python3
+  "$python" demos/report/measure.py "$@"
 }
 
 fuzz() {
