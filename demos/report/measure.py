@@ -98,19 +98,27 @@ class Measuring:
             os.remove(f"{out}.partial")
         return code, log.read_text(encoding="utf-8", errors="replace").strip()
 
+    def _forget(self, part):
+        for output in part.outputs:
+            (self.data / output).unlink(missing_ok=True)
+
     def make(self, part):
         """One part, whatever becomes of it: its state and why."""
-        for output in part.outputs:  # of other programs or settings
-            (self.data / output).unlink(missing_ok=True)
+        self._forget(part)  # what is there is of other programs or settings
         started = time.monotonic()
         try:
             code, said = self._run(part)
+        except Cancelled:
+            self._forget(part)
+            raise
         except OSError as failure:
             return {"state": "failed", "why": f"it could not be started: {failure.strerror}"}
         seconds = time.monotonic() - started
+        there = all((self.data / o).exists() for o in part.outputs)
+        if code != 0 or not there:
+            self._forget(part)
         if code is None:
             return {"state": "left out", "why": f"it was stopped when the {QUICK_SECONDS // 60} minutes of --quick were over"}
-        there = all((self.data / o).exists() for o in part.outputs)
         if there and code == 0:
             stamp = {"key": key_of(part), "seconds": seconds}
             self._stamp(part).write_text(json.dumps(stamp), encoding="utf-8")
