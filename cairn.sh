@@ -38,6 +38,9 @@ Cairn: collision detection that keeps its deadline.
                              (all of them, hours; --quick minutes; docs/accuracy-cost.md)
   ./cairn.sh hard-cases [CASE...] [OPTIONS] the hard cases of builder and plugin as a table: criterion, measured, Bullet's best
                              own shape, verdict (--quick: seconds each; --list; --json FILE)
+  ./cairn.sh report [--quick] [-o DIR]
+                             all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
+                             tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
@@ -234,6 +237,19 @@ hard_cases() {
   build/release/bin/hard_cases "$@"
 }
 
+# What is left out of the page is said on it, so a missing optional package is no reason to stop.
+report() {
+  local programs=(cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture)
+  need "${everything[@]}" accuracy demo report tests
+  [[ -d tests/hard_cases ]] && programs+=(hard_cases)
+  say "Building"
+  configure_and_build release --target "${programs[@]}" > /dev/null
+  local python=python3
+  # Debian's package is of Debian's Python, whatever stands before it in the path.
+  "$python" -c 'import jinja2' 2> /dev/null || python=/usr/bin/python3
+  "$python" demos/report/measure.py "$@"
+}
+
 fuzz() {
   build fuzz
   mkdir -p out/fuzz/tree_file
@@ -273,6 +289,7 @@ case $command in
   tables) tables "$@" ;;
   accuracy-cost) accuracy_cost "$@" ;;
   hard-cases) hard_cases "$@" ;;
+  report) report "$@" ;;
   fuzz) fuzz "$@" ;;
   threads) threads "$@" ;;
   format) format "$@" ;;
