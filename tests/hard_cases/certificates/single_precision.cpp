@@ -144,7 +144,7 @@ Found measureBalls(const SmallSolid& solid, const bullet::SphereTreeShape& shape
 
 Outcome run(Effort effort) {
   const bool quick = effort == Effort::quick;
-  const std::uint64_t rounds = quick ? 8 : 700, ballPoints = quick ? 4000 : 100000;
+  const std::uint64_t rounds = quick ? 8 : 720, ballPoints = quick ? 4000 : 100000;
   std::mt19937_64 engine(31);
   Found found;
   for (const SmallSolid& solid : smallSolids(quick ? 2 : 3)) {
