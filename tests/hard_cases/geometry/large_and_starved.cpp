@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <string>
 
@@ -48,16 +49,12 @@ class PeakMemory {
   double before_ = 0;
 };
 
-/// Levels that err by more than the one above.
-int risesOf(const SphereTree& tree) {
-  int rises = 0;
+/// The most by which a level's certified error exceeds that of the level above. The errors are enclosed to 1 %.
+Measure greatestRise(const char* name, const SphereTree& tree) {
+  double rise = -100;
   for (std::uint32_t level = 1; level <= tree.depth(); ++level)
-    rises += tree.levelError(level) > tree.levelError(level - 1) ? 1 : 0;
-  return rises;
-}
-
-Measure rises(const char* name, const SphereTree& tree) {
-  return {name, double(risesOf(tree)), 0, Bound::atMost, "of " + std::to_string(tree.depth()), "", 0};
+    rise = std::max(rise, 100 * (double(tree.levelError(level)) / double(tree.levelError(level - 1)) - 1));
+  return {name, rise, 1, Bound::atMost, "% of it", "", 0};
 }
 
 void buildLarge(Effort effort, FamilyDemands& demands, Outcome& outcome) {
@@ -69,15 +66,15 @@ void buildLarge(Effort effort, FamilyDemands& demands, Outcome& outcome) {
   builder::BuildOptions options;
   options.depth = demands.options().depth;
   const PeakMemory memory;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const auto tree = demands.accepted(builder::buildTree(*mesh, options));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;  // of all threads: other programs do not count
   if (!tree) return;
   outcome.measures.push_back({"build of " + std::to_string(mesh->triangles.size()) + " triangles", seconds,
-                              10 + 50 * millions, Bound::atMost, "s", "", 0});
+                              20 + 100 * millions, Bound::atMost, "s of CPU", "", 0});
   outcome.measures.push_back(
       {"memory on top of the mesh", memory.grown(), 256 + 2048 * millions, Bound::atMost, "MB of it", "", 0});
-  outcome.measures.push_back(rises("levels that err more than the one above", *tree));
+  outcome.measures.push_back(greatestRise("greatest rise of the error from a level to the next", *tree));
 }
 
 Outcome run(Effort effort) {
@@ -92,7 +89,7 @@ Outcome run(Effort effort) {
   starved.branching = 2;
   starved.depth = effort == Effort::quick ? 4 : 8;
   if (const auto tree = demands.build(small, starved))
-    outcome.measures.push_back(rises("two children: levels that err more than the one above", *tree));
+    outcome.measures.push_back(greatestRise("two children: greatest rise from a level to the next", *tree));
   demands.addTo(outcome);
   return outcome;
 }
@@ -100,11 +97,11 @@ Outcome run(Effort effort) {
 }  // namespace
 
 HardCase largeAndStarved() {
-  return {
-      "G15", "a million triangles, two spheres a node",
-      "errors fall from level to level; time and memory bounded (proposed list), by 10 s and 256 MB and per million "
-      "triangles 50 s and 2 GB more on two cores; one sphere a level is no tree, and refused",
-      run};
+  return {"G15", "a million triangles, two spheres a node",
+          "errors fall from level to level, but for the 1 % they are certified to; time and memory bounded (proposed "
+          "list), by 20 s of CPU and 256 MB and per "
+          "million triangles 100 s and 2 GB more; one sphere a level is no tree, and refused",
+          run};
 }
 
 }  // namespace cairn::hard
