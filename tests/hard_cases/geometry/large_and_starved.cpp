@@ -71,7 +71,7 @@ void buildLarge(Effort effort, FamilyDemands& demands, Outcome& outcome) {
   const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;  // of all threads: other programs do not count
   if (!tree) return;
   outcome.measures.push_back({"build of " + std::to_string(mesh->triangles.size()) + " triangles", seconds,
-                              20 + 100 * millions, Bound::atMost, "s of CPU", "", 0});
+                              10 + 50 * millions, Bound::atMost, "s of CPU", "", 0});
   outcome.measures.push_back(
       {"memory on top of the mesh", memory.grown(), 256 + 2048 * millions, Bound::atMost, "MB of it", "", 0});
   outcome.measures.push_back(greatestRise("greatest rise of the error from a level to the next", *tree));
@@ -99,8 +99,8 @@ Outcome run(Effort effort) {
 HardCase largeAndStarved() {
   return {"G15", "a million triangles, two spheres a node",
           "errors fall from level to level, but for the 1 % they are certified to; time and memory bounded (proposed "
-          "list), by 20 s of CPU and 256 MB and per "
-          "million triangles 100 s and 2 GB more; one sphere a level is no tree, and refused",
+          "list), by 10 s of CPU and 256 MB and per "
+          "million triangles 50 s and 2 GB more; one sphere a level is no tree, and refused",
           run};
 }
 
