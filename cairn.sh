@@ -42,6 +42,8 @@ Cairn: collision detection that keeps its deadline.
                              all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
                              tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
   ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
+  ./cairn.sh fuzz [TARGET] [SECONDS] fuzz tree_file, builder or mesh_import (default: one after the other) under address and
+                             undefined-behaviour sanitizers (default 600 seconds each)
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
   ./cairn.sh format          format the sources
@@ -107,7 +109,7 @@ build() {
   local preset=${1:-release}
   case $preset in
     plugin | double | threads) need build core plugin tests ;;
-    fuzz) need build core tests fuzz ;;
+    fuzz) need build core builder tests fuzz ;;
     *) need "${everything[@]}" tests rockfall ;;
   esac
   say "Building $preset"
@@ -251,9 +253,21 @@ report() {
 }
 
 fuzz() {
+  local targets=(tree_file builder mesh_import) target
+  local -A longest=([tree_file]=65536 [builder]=64 [mesh_import]=4096)
+  if [[ -n ${1:-} && -n ${longest[$1]:-} ]]; then
+    targets=("$1")
+    shift
+  fi
   build fuzz
-  mkdir -p out/fuzz/tree_file
-  build/fuzz/bin/tree_file_fuzz -max_total_time="${1:-600}" -max_len=65536 -artifact_prefix=out/fuzz/ out/fuzz/tree_file
+  for target in "${targets[@]}"; do
+    say "Fuzzing $target"
+    mkdir -p "out/fuzz/$target"
+    local corpus=("out/fuzz/$target")
+    [[ -d tests/data/fuzz/$target ]] && corpus+=("tests/data/fuzz/$target")
+    "build/fuzz/bin/${target}_fuzz" -max_total_time="${1:-600}" -max_len="${longest[$target]}" -timeout=300 \
+      -artifact_prefix="out/fuzz/$target-" "${corpus[@]}"
+  done
 }
 
 threads() {

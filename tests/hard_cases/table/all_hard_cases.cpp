@@ -5,8 +5,8 @@ namespace cairn::hard {
 
 std::vector<HardCase> allHardCases() {
   std::vector<HardCase> all = geometryCases();
-  const std::vector<HardCase> dynamics = dynamicsCases();
-  all.insert(all.end(), dynamics.begin(), dynamics.end());
+  for (const std::vector<HardCase>& family : {dynamicsCases(), certificateCases()})
+    all.insert(all.end(), family.begin(), family.end());
   return all;
 }
 
