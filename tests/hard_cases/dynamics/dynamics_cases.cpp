@@ -4,7 +4,8 @@
 namespace cairn::hard {
 
 std::vector<HardCase> dynamicsCases() {
-  return {};
+  return {restForAMinute(),          stackOfTen(),      massRatio(), deepOverlap(), wallShots(),
+          sphereCountIndependence(), budgetStarvation()};
 }
 
 }  // namespace cairn::hard
