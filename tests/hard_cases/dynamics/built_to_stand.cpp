@@ -18,7 +18,7 @@
 namespace cairn::hard {
 namespace {
 
-constexpr int kIterations = 50;
+constexpr int kIterations = 100, kStepsPerSecond = 240;
 
 /// Which body, where.
 struct Piece {
@@ -45,19 +45,19 @@ std::vector<Piece> pyramid(const CaseBodies& cube, double margin) {
 constexpr double kCard[3] = {0.05, 0.7, 1};  // thickness, depth, length
 
 // Two cards against each other twice, a card across, two more on it.
-std::vector<Piece> cardHouse(const CaseBodies& card, double margin) {
-  constexpr double kLean = 25 * std::numbers::pi / 180;
+std::vector<Piece> cardHouse(const CaseBodies& card, double margin, double degrees) {
+  const double lean = degrees * std::numbers::pi / 180;
   const double thick = kCard[0] + 2 * margin, length = kCard[2] + 2 * margin;
   // A leaning card stands on one edge and touches the other card with another.
-  const double height = length / 2 * std::cos(kLean) + thick / 2 * std::sin(kLean);
-  const double away = length / 2 * std::sin(kLean) + thick / 2 * std::cos(kLean), pitch = 4 * away;
+  const double height = length / 2 * std::cos(lean) + thick / 2 * std::sin(lean);
+  const double away = length / 2 * std::sin(lean) + thick / 2 * std::cos(lean), pitch = 4 * away;
   std::vector<Piece> pieces;
   const auto tent = [&](double x, double z) {
-    pieces.push_back({&card, at(x - away, z + height, kLean)});
-    pieces.push_back({&card, at(x + away, z + height, -kLean)});
+    pieces.push_back({&card, at(x - away, z + height, lean)});
+    pieces.push_back({&card, at(x + away, z + height, -lean)});
   };
-  tent(-pitch / 4, 0);
-  tent(pitch / 4, 0);
+  tent(-pitch / 2, 0);
+  tent(pitch / 2, 0);
   pieces.push_back({&card, at(0, 2 * height + thick / 2, std::numbers::pi / 2)});
   tent(0, 2 * height + thick);
   return pieces;
@@ -90,12 +90,13 @@ test::Solid voussoir() {
   for (Vec3d& v : solid.vertices) v -= mass.centerOfMass;
   return solid;
 }
-std::vector<Piece> arch(const CaseBodies& stone, double) {
+std::vector<Piece> arch(const CaseBodies& stone, double margin) {
   std::vector<Piece> pieces;
   const double half = std::numbers::pi / kStones / 2;
-  // The centroid of a trapezium on the chords.
-  const double c = std::cos(half);
-  const double radius = 2.0 / 3 * c * (kOuter * kOuter + kOuter * kInner + kInner * kInner) / (kOuter + kInner);
+  // The centroid of a trapezium on the chords; farther out where margins are to fit between.
+  const double radius =
+      2.0 / 3 * std::cos(half) * (kOuter * kOuter + kOuter * kInner + kInner * kInner) / (kOuter + kInner) +
+      margin / std::sin(half);
   for (int i = 0; i < kStones; ++i) {
     const double angle = -std::numbers::pi / 2 + (2 * i + 1) * half;
     pieces.push_back({&stone, at(radius * std::sin(angle), radius * std::cos(angle), angle)});
@@ -121,41 +122,46 @@ double standing(const Building& building, const std::string& shape, double secon
     bodies.push_back(&w.addTried(body->body, piece.at, btScalar(building.friction)));
     places.push_back(piece.at.getOrigin());
   }
-  const int steps = int(seconds * test::kStepsPerSecond);
+  const int steps = int(seconds * kStepsPerSecond);
   for (int i = 0; i < steps; ++i) {
-    w.step();
+    w.world.stepSimulation(btScalar(1.0 / kStepsPerSecond), 0);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const double way = double((bodies[k]->getWorldTransform().getOrigin() - places[k]).length());
-      if (!(way < building.size / 4)) return double(i) / test::kStepsPerSecond;
+      if (!(way < building.size / 4)) return double(i) / kStepsPerSecond;
     }
   }
   return seconds;
 }
 
 Outcome run(Effort effort) {
-  const double seconds = effort == Effort::whole ? 10 : 3;
+  const double seconds = effort == Effort::whole ? 10 : 1.5;
   const CaseBodies &cube = cubes(1), &card = boxes({kCard[0], kCard[1], kCard[2]}),
                    &stone = bodiesOf("voussoir", voussoir(), "", nullptr);
-  const Building buildings[] = {{cube, pyramid, 0.5, 1}, {card, cardHouse, 0.9, 0.5}, {stone, arch, 0.9, 0.4}};
+  std::vector<double> leans{20};
+  if (effort == Effort::whole) leans = {15, 20, 25};
   const std::vector<Asked> asked{{"a pyramid of 15 cubes stands", seconds, Bound::atLeast, "s"},
-                                 {"a card house of 7 cards stands", seconds, Bound::atLeast, "s"},
+                                 {"a card house of 7 cards stands, mean", seconds, Bound::atLeast, "s"},
                                  {"an arch of 9 stones stands", seconds, Bound::atLeast, "s"}};
-  const std::vector<Measure> measures = compare(asked, card, [&](const CaseBody& body) {
-    Figures stood;
-    for (const Building& building : buildings)
-      stood.push_back(std::ranges::find(building.of, body.name, &CaseBody::name) == building.of.end()
-                          ? std::numeric_limits<double>::quiet_NaN()
-                          : standing(building, body.name, seconds));
-    return stood;
+  const std::vector<Measure> measures = compare(asked, card, [&](const CaseBody& body) -> Figures {
+    double house = 0;
+    for (const double lean : leans) {
+      const auto pieces = [&](const CaseBodies& of, double margin) { return cardHouse(of, margin, lean); };
+      house += standing({card, pieces, 0.9, 0.5}, body.name, seconds) / double(leans.size());
+    }
+    const bool isOfStone = std::ranges::find(stone, body.name, &CaseBody::name) != stone.end();
+    return {
+        standing({cube, pyramid, 0.5, 1}, body.name, seconds), house,
+        isOfStone ? standing({stone, arch, 0.9, 0.4}, body.name, seconds) : std::numeric_limits<double>::quiet_NaN()};
   });
-  return {measures, ""};
+  return {measures, "Bullet's friction gives way a little in every step: what leans creeps apart in every shape."};
 }
 
 }  // namespace
 
 HardCase builtToStand() {
   return {"D3", "pyramid, card house, arch",
-          "each stands for 10 s at 60 Hz and 50 iterations, or as long as the best of Bullet's shapes (proposed list)",
+          "each stands for 10 s at 240 Hz and 100 iterations, cards leaning by 15, 20 and 25 degrees, or as long as "
+          "the best of Bullet's shapes (proposed list)",
           run};
 }
 
