@@ -48,9 +48,11 @@ Outcome run(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const std::vector<Asked> asked{{"deepest penetration", 10, Bound::atMost, "% of the radius"},
                                  {"kinetic energy at the end", isWhole ? 1e-3 : 1e-2, Bound::atMost, "of its peak"}};
-  return {compare(asked, balls(kRadius),
-                  [&](const CaseBody& body) { return fall(body.body, isWhole ? 6 : 3, isWhole ? 15 : 4); }),
-          ""};
+  return {
+      compare(asked, balls(kRadius),
+              [&](const CaseBody& body) { return fall(body.body, isWhole ? 6 : 3, isWhole ? 15 : 4); }),
+      "A step of 60 Hz takes a falling ball a quarter of its radius on before its contact is seen; GImpact's triangles "
+      "meet their margins earlier."};
 }
 
 }  // namespace

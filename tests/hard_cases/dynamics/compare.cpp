@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cairn::hard {
@@ -44,6 +45,17 @@ Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& run
       if (!std::isfinite(run[i]) || (std::isfinite(worst[i]) && isBetter(worst[i], run[i], asked[i].bound)))
         worst[i] = run[i];
   return worst;
+}
+
+Figures medianOf(const std::vector<Figures>& runs) {
+  Figures medians;
+  for (std::size_t i = 0; i < runs.front().size(); ++i) {
+    std::vector<double> all;
+    for (const Figures& run : runs) all.push_back(run[i]);
+    std::ranges::sort(all);
+    medians.push_back(all[all.size() / 2]);
+  }
+  return medians;
 }
 
 }  // namespace cairn::hard

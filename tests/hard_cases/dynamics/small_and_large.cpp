@@ -17,48 +17,39 @@ namespace {
 
 constexpr double kSmall = 0.01, kLarge = 100;
 
-// Of a rock: RMS and drift; of a ball: acceleration over what theory says. Steps in the same proportion everywhere.
+// RMS of a rock's place; a ball's acceleration over what theory says. Steps in the same proportion everywhere.
 Figures at(std::size_t kind, double size, double seconds) {
-  const double clock = std::sqrt(size);
-  const CaseBodies& bodies = rocks(1, size);
-  Figures figures = lie(bodies[kind].body,
-                        {.size = size, .seconds = seconds * clock, .settling = 10 * clock, .timeStep = clock / 240});
-  const double radius = size / 2;
-  figures.push_back(
-      rollDown(balls(radius)[kind == 0 ? 0 : kind + 1].body, {.radius = radius, .timeStep = clock / 240}));
-  return figures;
-}
-
-// By how many times the worse is worse than at a metre, no better than rounding counted as rounding.
-Figures ratios(std::size_t kind, double seconds) {
-  constexpr double kRounding = 0.01;  // per cent of size: D1's limit
-  const Figures usual = at(kind, 1, seconds);
-  Figures worst(3, 0);
-  for (const double size : {kSmall, kLarge}) {
-    const Figures figures = at(kind, size, seconds);
-    for (std::size_t i = 0; i < 2; ++i)
-      worst[i] = std::max(worst[i], std::max(figures[i], kRounding) / std::max(usual[i], kRounding));
-    worst[2] = std::max(worst[2], std::max(figures[2] / usual[2], usual[2] / figures[2]));
-  }
-  return worst;
+  const double clock = std::sqrt(size), radius = size / 2;
+  const LyingStart start{.size = size, .seconds = seconds * clock, .settling = 10 * clock, .timeStep = clock / 240};
+  const test::TriedBody& ball = balls(radius)[kind == 0 ? 0 : kind + 1].body;
+  return {lie(rocks(1, size)[kind].body, start).front(), rollDown(ball, {.radius = radius, .timeStep = clock / 240})};
 }
 
 Outcome run(Effort effort) {
   const double seconds = effort == Effort::whole ? 60 : 3;
-  const std::vector<Asked> asked{{"place at rest, RMS, times that of a metre", 2, Bound::atMost, ""},
-                                 {"drift, times that of a metre", 2, Bound::atMost, ""},
-                                 {"rolling acceleration, times or part of it", 1.02, Bound::atMost, ""}};
-  return {besideTheBest(asked, ratios(0, seconds), {{"hull", ratios(1, seconds)}, {"gimpact", ratios(2, seconds)}}),
-          ""};
+  std::vector<Figures> all;
+  double usualRms = 0;
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    const Figures usual = at(kind, 1, seconds), small = at(kind, kSmall, seconds), large = at(kind, kLarge, seconds);
+    if (kind == 0) usualRms = usual[0];
+    const double off = std::max(std::abs(small[1] / usual[1] - 1), std::abs(large[1] / usual[1] - 1));
+    all.push_back({small[0], large[0], 100 * off});
+  }
+  const std::vector<Asked> asked{{"a centimetre at rest, RMS", 2 * usualRms, Bound::atMost, "% of size"},
+                                 {"a hundred metres at rest, RMS", 2 * usualRms, Bound::atMost, "% of size"},
+                                 {"rolling, off that of a metre", 2, Bound::atMost, "%"}};
+  return {besideTheBest(asked, all[0], {{"hull", all[1]}, {"gimpact", all[2]}}),
+          "Bullet has lengths of its own, which are much to a centimetre: its shapes creep more there, too."};
 }
 
 }  // namespace
 
 HardCase smallAndLarge() {
-  return {"D13", "a centimetre, a hundred metres",
-          "D1 and a rolling ball at both sizes, time in proportion to the root of the size: at rest within twice what "
-          "a rock of a metre does, rolling within 2 % (proposed: within twice)",
-          run};
+  return {
+      "D13", "a centimetre, a hundred metres",
+      "D1 and a rolling ball at both sizes, time in proportion to the root of the size: at rest at most twice the RMS "
+      "of a rock of a metre, rolling within 2 % (proposed: within twice)",
+      run};
 }
 
 }  // namespace cairn::hard
