@@ -5,8 +5,8 @@ namespace cairn::hard {
 
 std::vector<HardCase> allHardCases() {
   std::vector<HardCase> all = geometryCases();
-  for (const std::vector<HardCase>& family : {dynamicsCases(), certificateCases()})
-    all.insert(all.end(), family.begin(), family.end());
+  for (const auto& more : {dynamicsCases(), certificateCases(), isolationCases(), longRunCases()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
