@@ -20,7 +20,7 @@ Outcome run(Effort effort) {
   file("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "the mesh is open");
   file("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "the mesh is open");
   file("segment.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "no triangles");
-  file("folded.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n", "there are no triangles");
+  file("folded.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n", "none of its triangles has an area");
   file("segment.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", "is not a number of corners");
   file("point.obj", "v 0 0 0\np 1\n", "no triangles");
   file("point.off", "OFF\n1 0 0\n0 0 0\n", "no triangles");
