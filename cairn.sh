@@ -38,7 +38,11 @@ Cairn: collision detection that keeps its deadline.
                              (all of them, hours; --quick minutes; docs/accuracy-cost.md)
   ./cairn.sh hard-cases [CASE...] [OPTIONS] the hard cases of builder and plugin as a table: criterion, measured, Bullet's best
                              own shape, verdict (--quick: seconds each; --list; --json FILE)
-  ./cairn.sh fuzz [SECONDS]  fuzz the tree loader under address and undefined-behaviour sanitizers (default 600)
+  ./cairn.sh report [--quick] [-o DIR]
+                             all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
+                             tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
+  ./cairn.sh fuzz [TARGET] [SECONDS] fuzz tree_file, builder or mesh_import (default: one after the other) under address and
+                             undefined-behaviour sanitizers (default 600 seconds each)
   ./cairn.sh coverage        what the tests of core and plugin reach of their lines and branches, file by file; fails below
                              95 % of the lines or 85 % of the branches
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
@@ -106,7 +110,7 @@ build() {
   local preset=${1:-release}
   case $preset in
     plugin | double | threads) need build core plugin tests ;;
-    fuzz) need build core tests fuzz ;;
+    fuzz) need build core builder tests fuzz ;;
     *) need "${everything[@]}" tests rockfall ;;
   esac
   say "Building $preset"
@@ -164,7 +168,7 @@ test_all() {
   run_tests asan
   build fuzz
   say "Fuzzing the tree loader for a short while"
-  ctest --test-dir build/fuzz -L fuzz --output-on-failure
+  ctest --test-dir build/fuzz -R '^fuzz.tree_file$' --output-on-failure
   say "All tests passed in $SECONDS s"
 }
 
@@ -236,10 +240,36 @@ hard_cases() {
   build/release/bin/hard_cases "$@"
 }
 
+# What is left out of the page is said on it, so a missing optional package is no reason to stop.
+report() {
+  local programs=(cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture)
+  need "${everything[@]}" accuracy demo report tests
+  [[ -d tests/hard_cases ]] && programs+=(hard_cases)
+  say "Building"
+  configure_and_build release --target "${programs[@]}" > /dev/null
+  local python=python3
+  # Debian's package is of Debian's Python, whatever stands before it in the path.
+  "$python" -c 'import jinja2' 2> /dev/null || python=/usr/bin/python3
+  "$python" demos/report/measure.py "$@"
+}
+
 fuzz() {
-  build fuzz
-  mkdir -p out/fuzz/tree_file
-  build/fuzz/bin/tree_file_fuzz -max_total_time="${1:-600}" -max_len=65536 -artifact_prefix=out/fuzz/ out/fuzz/tree_file
+  local targets=(tree_file builder mesh_import) target
+  local -A longest=([tree_file]=65536 [builder]=64 [mesh_import]=4096)
+  if [[ -n ${1:-} && -n ${longest[$1]:-} ]]; then
+    targets=("$1")
+    shift
+  fi
+  need build core builder tests fuzz
+  for target in "${targets[@]}"; do
+    say "Building and fuzzing $target"
+    configure_and_build fuzz --target "${target}_fuzz"
+    mkdir -p "out/fuzz/$target"
+    local corpus=("out/fuzz/$target")
+    [[ -d tests/data/fuzz/$target ]] && corpus+=("tests/data/fuzz/$target")
+    "build/fuzz/bin/${target}_fuzz" -max_total_time="${1:-600}" -max_len="${longest[$target]}" -timeout=300 \
+      -artifact_prefix="out/fuzz/$target-" "${corpus[@]}"
+  done
 }
 
 threads() {
@@ -292,6 +322,7 @@ case $command in
   tables) tables "$@" ;;
   accuracy-cost) accuracy_cost "$@" ;;
   hard-cases) hard_cases "$@" ;;
+  report) report "$@" ;;
   fuzz) fuzz "$@" ;;
   coverage) coverage "$@" ;;
   threads) threads "$@" ;;

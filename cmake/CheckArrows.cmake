@@ -25,7 +25,7 @@ forbid(core "cairn/(builder|bullet)/" "core/ stands alone.")
 forbid(builder "cairn/bullet/" "builder/ and plugin/ never meet.")
 forbid(plugin "cairn/builder/" "builder/ and plugin/ never meet.")
 foreach(room core builder plugin)
-  forbid(${room} "(scenes|frame_budget|rockfall|accuracy_cost|support)/" "Libraries know nothing of demos and tests.")
+  forbid(${room} "(scenes|frame_budget|rockfall|accuracy_cost|advise|support)/" "Libraries know nothing of demos and tests.")
 endforeach()
 
 # Inside plugin/, a room sees those before it in this list, none after it.

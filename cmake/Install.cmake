@@ -1,5 +1,5 @@
 # What `cmake --install` and CPack carry: component "plugin" (libraries, headers, CMake and pkg-config files a game needs)
-# and component "builder" (the command `cairn`). The double-precision build has names of its own, so that both can be
+# and component "builder" (the commands `cairn` and `cairn-advise`). The double-precision build has names of its own, so that both can be
 # installed side by side, as Bullet's are.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -42,6 +42,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/plugin/LICENSE RENAME copyright
 
 if(CAIRN_BUILDER)
   install(TARGETS cairn RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT builder)
+  if(TARGET cairn-advise)  # what `cairn advise` starts
+    install(TARGETS cairn-advise RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT builder)
+  endif()
   if(BUILD_SHARED_LIBS)
     install(TARGETS cairn_builder LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT builder)
   endif()
@@ -74,5 +77,5 @@ set(CPACK_DEBIAN_BUILDER_PACKAGE_NAME cairn-tools)
 set(CPACK_DEBIAN_BUILDER_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_BUILDER_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_BUILDER_DESCRIPTION "builds certified sphere-trees from triangle meshes
- The command cairn: builds, certifies, evaluates and exports the sphere-trees that libcairn collides.")
+ The command cairn: builds, certifies, evaluates and exports the sphere-trees that libcairn collides, and advises which to use.")
 include(CPack)

@@ -62,6 +62,8 @@ Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCoun
   ImportCounts found;
   TriangleMesh mesh = weld(soup.value(), found);
   if (counts != nullptr) *counts = found;
+  if (mesh.triangles.empty())
+    return Error{fmt::format("{}: none of its triangles has an area; export the mesh again", file)};
   mesh.name = file;
   mesh.sha256 = sha256Hex(bytes.value());
   return mesh;

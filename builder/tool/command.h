@@ -26,6 +26,8 @@ void addExportCommand(CLI::App& app, Action& action);
 void addSimplifyCommand(CLI::App& app, Action& action);
 void addBoundCommand(CLI::App& app, Action& action);
 void addFractureCommand(CLI::App& app, Action& action);
+/// `advise` becomes the program `cairn-advise` beside this one: it needs the plugin, which the builder never meets.
+void addAdviseCommand(CLI::App& app, Action& action);
 
 /// Prints `cairn: <sentence>` on standard error (nothing more than "cancelled" when the user did that) and returns the
 /// exit code that belongs to the error.

@@ -19,7 +19,8 @@ constexpr const char* kAbout =
     "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n"
     "  cairn bound rock.obj --tree rock.cairn      how near each level is to the best possible\n"
     "  cairn simplify scan.ply -o rock.obj         fewer triangles, if a mesh has too many\n"
-    "  cairn fracture rock.obj -o pieces           meshes and trees of the pieces it breaks into\n\n"
+    "  cairn fracture rock.obj -o pieces           meshes and trees of the pieces it breaks into\n"
+    "  cairn advise rock.obj --bodies 50 --budget-us 500   which tree and budget to use, measured on this machine\n\n"
     "Exit codes: 0 done, 1 input refused or check failed, 2 wrong usage, 130 cancelled.";
 
 int run(int argc, char** argv) {
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   cairn::tool::addSimplifyCommand(app, action);
   cairn::tool::addBoundCommand(app, action);
   cairn::tool::addFractureCommand(app, action);
+  cairn::tool::addAdviseCommand(app, action);
   const auto isMeant = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(isMeant).empty()) {
     fmt::print(stderr, "cairn: there is no command '{}'; `cairn --help` lists them\n", argv[1]);

@@ -99,8 +99,6 @@ Result<MeshSource> readMeshSource(const MeshSourceOptions& options, const builde
   Result<builder::TriangleMesh> surface = builder::importSurface(options.path, &counts);
   if (!surface) return surface.error();
   if (interrupted()) return Error{std::string(builder::kCancelled)};
-  if (surface.value().triangles.empty())
-    return Error{fmt::format("{}: none of its triangles has an area; export the mesh again", surface.value().name)};
   const bool asIs = !options.repair && !options.wrap;
   if (asIs) {
     if (Status s = checkMesh(surface.value(), counts.degenerateTriangles); !s)

@@ -10,7 +10,7 @@ void ObstacleTraversal::start(const SphereTree& tree, float scale, const Obstacl
   abandon();
   tree_ = &tree;
   obstacle_ = &obstacle;
-  scale_ = scale;
+  errorScale_ = static_cast<float>(static_cast<double>(scale) * kErrorGrowth);
   PairList& list = tree.isLeaf(kRootNode) ? leafPairs_ : queue_;
   for (std::uint32_t element = 0; element < obstacle.elementCount(); ++element)
     if ((obstacle.touches(tree.family(0), 1, element) & 1U) != 0) list.push_back({kRootNode, element});
@@ -33,12 +33,12 @@ Progress ObstacleTraversal::refine(Budget& budget) {
 }
 
 float ObstacleTraversal::pairError(const NodePair& pair) const {
-  return tree_->error(pair.a) * scale_;
+  return tree_->error(pair.a) * errorScale_;
 }
 
 float ObstacleTraversal::worstOf(std::span<const NodePair> pairs) const {
   float worst = 0;
-  for (const NodePair& pair : pairs) worst = std::max(worst, tree_->error(pair.a) * scale_);
+  for (const NodePair& pair : pairs) worst = std::max(worst, tree_->error(pair.a) * errorScale_);
   return worst;
 }
 

@@ -34,6 +34,7 @@ void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, c
   const auto scale = static_cast<float>(pose.scale);
   if (side.scale != scale) forgetErrors();
   side.scale = scale;
+  side.errorScale = static_cast<float>(pose.scale * kErrorGrowth);
   const float lengths =
       length(side.fromOther.translation) + side.tree->reach() + side.fromOther.scale * other.tree->reach();
   side.margin = margin_ / side.scale + kOverlapSlack * lengths;
@@ -49,13 +50,13 @@ Progress TreePairTraversal::refine(Budget& budget) {
 }
 
 float TreePairTraversal::pairError(const NodePair& pair) const {
-  return a_.tree->error(pair.a) * a_.scale + b_.tree->error(pair.b) * b_.scale;
+  return a_.tree->error(pair.a) * a_.errorScale + b_.tree->error(pair.b) * b_.errorScale;
 }
 
 float TreePairTraversal::worstOf(std::span<const NodePair> pairs) const {
   const TraversalNode* const a = a_.tree->traversalNodes().data();
   const TraversalNode* const b = b_.tree->traversalNodes().data();
-  const float scaleA = a_.scale, scaleB = b_.scale;
+  const float scaleA = a_.errorScale, scaleB = b_.errorScale;
   float worst = 0;
   for (const NodePair& pair : pairs) worst = std::max(worst, a[pair.a].error * scaleA + b[pair.b].error * scaleB);
   return worst;

@@ -39,6 +39,8 @@ void printAccuracy(const Options& options, const Table& table, const std::vector
   row("  nearer mesh, %: mean / 99 % / max", [](const auto& a) { return errorCell(a.meanStray, a.stray); });
 }
 
+}  // namespace
+
 nlohmann::ordered_json accuracyToJson(const ContactAccuracy& a) {
   nlohmann::ordered_json json;
   json["frames_checked"] = a.frames;
@@ -52,6 +54,8 @@ nlohmann::ordered_json accuracyToJson(const ContactAccuracy& a) {
   json["contact_nearer_mesh_fraction"] = {{"mean", a.meanStray}, {"p99", a.stray.p99}, {"max", a.stray.max}};
   return json;
 }
+
+namespace {
 
 /// What only a simulation has: null, so that every scene's report has the same keys.
 nlohmann::ordered_json nothingSimulated() {

@@ -28,6 +28,9 @@ std::optional<ExactPeerRatio> ratioToExactPeer(const std::vector<ConvergeRun>& r
 void printConvergeTable(const Options& options, const scenes::SourcedTree& tree, const std::string& posesHash,
                         const std::vector<ConvergeRun>& runs);
 
+/// What the exact check found of a shape's contacts.
+nlohmann::ordered_json accuracyToJson(const scenes::ContactAccuracy& accuracy);
+
 nlohmann::ordered_json toJson(const Options& options, const scenes::SourcedTree& tree, const std::string& posesHash,
                               const ConvergeRun& run, const std::optional<ExactPeerRatio>& ratio);
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "converge_scene.h"
 
-#include <string>
 #include <utility>
 
-#include "converge_report.h"
 #include "outputs.h"
 #include "scenes/command/program.h"
 
@@ -13,12 +11,12 @@ namespace {
 
 using Players = std::vector<std::unique_ptr<scenes::Player>>;
 
-Result<Players> makePlayers(const Options& options, const scenes::Model& model) {
+Result<Players> makePlayers(std::span<const Entrant> entrants) {
   Players players;
-  for (const scenes::ShapeKind shape : options.shapes) {
-    scenes::WorldOptions world = options.heap.world;
+  for (const auto& [options, shape, model] : entrants) {
+    scenes::WorldOptions world = options->heap.world;
     world.shape = shape;
-    auto player = scenes::makePlayer(model, options.heap.bodies, world, options.heap.shape);
+    auto player = scenes::makePlayer(*model, options->heap.bodies, world, options->heap.shape);
     if (!player) return player.error();
     players.push_back(std::move(player).value());
   }
@@ -27,20 +25,29 @@ Result<Players> makePlayers(const Options& options, const scenes::Model& model) 
 
 }  // namespace
 
-Status measureConverge(const Options& options, const scenes::SourcedTree& source, const scenes::Model& model) {
-  const auto players = makePlayers(options, model);
+Result<ConvergeRuns> runConverge(std::span<const Entrant> entrants, const std::string& title) {
+  const auto players = makePlayers(entrants);
   if (!players) return players.error();
-  scenes::ProgressLine progress("converge");
+  const Options& options = *entrants.front().options;
+  const scenes::Model& model = *entrants.front().model;
+  scenes::ProgressLine progress(title);
   const auto recording = scenes::recordConverge(model, options.converge);
   if (!recording) return recording.error();
   auto reports = scenes::playRecording(recording.value(), model, players.value(), options.truthEvery,
                                        [&](double fraction) { return progress.show("of the turns", fraction); });
   if (!reports) return reports.error();
+  ConvergeRuns found{recording.value().hash(), {}};
+  for (std::size_t i = 0; i < entrants.size(); ++i)
+    found.runs.push_back({entrants[i].shape, std::move(reports.value()[i])});
+  return found;
+}
 
-  std::vector<ConvergeRun> runs;
-  for (std::size_t i = 0; i < options.shapes.size(); ++i)
-    runs.push_back({options.shapes[i], std::move(reports.value()[i])});
-  const std::string hash = recording.value().hash();
+Status measureConverge(const Options& options, const scenes::SourcedTree& source, const scenes::Model& model) {
+  std::vector<Entrant> entrants;
+  for (const scenes::ShapeKind shape : options.shapes) entrants.push_back({&options, shape, &model});
+  const auto found = runConverge(entrants, "converge");
+  if (!found) return found.error();
+  const auto& [hash, runs] = found.value();
   printConvergeTable(options, source, hash, runs);
   std::vector<nlohmann::ordered_json> objects;
   std::vector<LoggedRun> logged;

@@ -10,6 +10,7 @@
 
 #include "outputs.h"
 #include "scenes/heap/heap_report_json.h"
+#include "scenes/rockfall/rockfall.h"
 #include "table.h"
 
 namespace cairn::frame_budget {
@@ -54,15 +55,17 @@ void printCut(const Table& table, const std::vector<HeapRun>& runs) {
   });
 }
 
-void printEnd(const Table& table, const std::vector<HeapRun>& runs) {
+void printEnd(const Table& table, const std::vector<HeapRun>& runs, bool isSlope) {
   const auto row = [&](const char* title, const std::function<std::string(const HeapReport&)>& cell) {
     table.row(title, [&](std::size_t c) { return cell(runs[c].report); });
   };
   row("at the end, % of size: mean / max (pairs)", [](const auto&) { return std::string(); });
   row("  penetration of bodies", [](const auto& r) { return spreadCell(r.end.depth); });
   row("  gap under load", [](const auto& r) { return spreadCell(r.end.gap); });
-  row("  penetration of the pit", [](const auto& r) { return spreadCell(r.end.pitDepth); });
-  row("  gap under load at the pit", [](const auto& r) { return spreadCell(r.end.pitGap); });
+  row(isSlope ? "  penetration of the slope" : "  penetration of the pit",
+      [](const auto& r) { return spreadCell(r.end.pitDepth); });
+  row(isSlope ? "  gap under load at the slope" : "  gap under load at the pit",
+      [](const auto& r) { return spreadCell(r.end.pitGap); });
   row("peak speed, m/s", [](const auto& r) { return fmt::format("{:.2f}", r.peakSpeed); });
   row("kinetic energy at the end, mJ/kg",
       [](const auto& r) { return fmt::format("{:.3f}", 1000 * r.kineticEnergyEnd); });
@@ -100,9 +103,9 @@ nlohmann::ordered_json courseToJson(const Options& options, const CrushStart& st
 
 void printHeapTable(const Options& options, const scenes::SourcedTree& tree, const CrushStart* start,
                     const std::vector<HeapRun>& runs) {
-  fmt::print("{} of {} x {} ({} triangles, {} leaf spheres), {} steps of 1/60 s, seed {}\n", sceneName(options.scene),
+  fmt::print("{} of {} x {} ({} triangles, {} leaf spheres), {} steps of 1/{} s, seed {}\n", sceneName(options.scene),
              options.heap.bodies, tree.meshName, tree.tree->triangles().size(), tree.tree->leafCount(), options.steps,
-             options.heap.seed);
+             options.scene == Scene::rockfall ? scenes::Rockfall::kStepsPerSecond : 60, options.heap.seed);
   if (start)
     fmt::print("at the start {} pairs are in each other, by {:.1f} % of their size in the mean, at most {:.1f} %\n",
                start->depth.pairs, 100 * start->depth.mean, 100 * start->depth.max);
@@ -118,7 +121,7 @@ void printHeapTable(const Options& options, const scenes::SourcedTree& tree, con
   if (options.heap.isWatched) printSeenError(table, costs);
   if (options.heap.stepsWithoutBudget > 0) printCut(table, runs);
   if (start) printCourse(options, table, runs);
-  printEnd(table, runs);
+  printEnd(table, runs, options.scene == Scene::rockfall);
 }
 
 nlohmann::ordered_json toJson(const Options& options, const scenes::SourcedTree& tree, const CrushStart* start,
@@ -129,6 +132,7 @@ nlohmann::ordered_json toJson(const Options& options, const scenes::SourcedTree&
   json["seen_error_rad"] = options.heap.isWatched && cost
                                ? nlohmann::ordered_json{{"mean", cost->meanSeenError}, {"max", cost->maxSeenError}}
                                : nlohmann::ordered_json(nullptr);
+  if (options.scene == Scene::rockfall) json["time_step_s"] = 1.0 / scenes::Rockfall::kStepsPerSecond;
   if (start) json.update(courseToJson(options, *start, run));
   return json;
 }

@@ -7,14 +7,17 @@
 
 #include "options.h"
 #include "scenes/heap/crush_run.h"
+#include "scenes/truth/contact_accuracy.h"
 
 namespace cairn::frame_budget {
 
-/// One shape's run of `heap` or `crush`.
+/// One shape's run of `heap`, `crush` or `rockfall`.
 struct HeapRun {
   scenes::ShapeKind shape;
   scenes::HeapReport report;
   std::optional<scenes::CrushCourse> course;  ///< of a crush
+  /// Of the last step's contacts between bodies; only when asked for.
+  std::optional<scenes::ContactAccuracy> accuracy{};
 };
 
 /// A table on standard output, one column a shape, and what each costs relative to the first. `start` is that of a

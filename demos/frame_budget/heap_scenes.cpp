@@ -1,21 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heap_scenes.h"
 
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "heap_report.h"
 #include "outputs.h"
 #include "scenes/command/program.h"
 #include "scenes/pictures/heap_picture.h"
 #include "scenes/pictures/povray.h"
+#include "scenes/rockfall/rockfall.h"
 
 namespace cairn::frame_budget {
 namespace {
 
+Result<std::unique_ptr<scenes::BodyScene>> makeScene(const scenes::HeapOptions& options, Scene scene,
+                                                     const scenes::Model& model) {
+  if (scene == Scene::rockfall) {
+    auto rockfall = scenes::Rockfall::create(
+        model, {options.bodies, options.seed, options.stepsWithoutBudget, options.world, options.shape});
+    if (!rockfall) return rockfall.error();
+    return Result<std::unique_ptr<scenes::BodyScene>>(std::move(rockfall).value());
+  }
+  auto heap = scenes::Heap::create(model, options);
+  if (!heap) return heap.error();
+  return Result<std::unique_ptr<scenes::BodyScene>>(std::move(heap).value());
+}
+
+/// Judges contacts between bodies by the poses they were made at.
+Result<scenes::ContactAccuracy> judge(const scenes::BodyScene& scene, std::span<const scenes::BodyMotion> motions,
+                                      const scenes::StepRecord& record) {
+  const scenes::Model& model = scene.model();
+  const auto surface = scenes::ExactSurface::create(model.vertices, model.triangles);
+  if (!surface) return surface.error();
+  std::vector<scenes::ReportedContact> contacts = scene.world().contacts();
+  std::erase_if(contacts, [](const auto& contact) { return contact.first < 0 || contact.second < 0; });
+  scenes::FrameTruth truth(surface.value(), model, motions);
+  scenes::AccuracyJudge judge(model.size);
+  judge.judge(truth, contacts, record);
+  return judge.result();
+}
+
+Status drawPicture(const Options& options, const scenes::BodyScene& scene) {
+  return scenes::renderWithPovray(scenes::heapPicture(static_cast<const scenes::Heap&>(scene)), {}, *options.picture);
+}
+
+}  // namespace
+
+Result<std::optional<scenes::CrushStart>> startOf(const Options& options, const scenes::Model& model) {
+  if (options.scene != Scene::crush) return std::optional<scenes::CrushStart>();
+  auto made = scenes::crushStart(model, options.heap.bodies, options.heap.seed);
+  if (!made) return made.error();
+  return std::optional(std::move(made).value());
+}
+
 Result<HeapRun> runShape(const Options& options, const scenes::Model& model, const scenes::CrushStart* start,
-                         scenes::ShapeKind shape, bool wantsPicture) {
+                         scenes::ShapeKind shape, const ShapeExtras& extras) {
   scenes::HeapOptions heapOptions = options.heap;
   heapOptions.world.shape = shape;
   HeapRun run{shape, {}, {}};
@@ -25,36 +67,36 @@ Result<HeapRun> runShape(const Options& options, const scenes::Model& model, con
     if (!emptyStep) return emptyStep.error();
     run.course = scenes::CrushCourse{.emptyStepCpuUs = emptyStep.value(), .worstPenetration = {}, .resolvedAfter = {}};
   }
-  auto heap = scenes::Heap::create(model, heapOptions);
-  if (!heap) return heap.error();
-  scenes::ProgressLine progress(scenes::shapeName(shape));
+  auto made = makeScene(heapOptions, options.scene, model);
+  if (!made) return made.error();
+  scenes::BodyScene& scene = *made.value();
+  scenes::ProgressLine progress(extras.title.empty() ? scenes::shapeName(shape) : extras.title);
+  std::vector<scenes::BodyMotion> beforeLast = scene.world().motions();
   const auto show = [&](std::uint32_t done) {
+    if (extras.judged && done + 1 == options.steps) beforeLast = scene.world().motions();
     return progress.show("steps", static_cast<double>(done) / options.steps);
   };
-  auto report = start ? scenes::runCrush(*heap.value(), options.steps, *run.course, show)
-                      : scenes::runHeap(*heap.value(), options.steps, show);
+  auto report =
+      start ? scenes::runCrush(scene, options.steps, *run.course, show) : scenes::runHeap(scene, options.steps, show);
   if (!report) return report.error();
   run.report = std::move(report).value();
-  if (wantsPicture) {
-    const Status status = scenes::renderWithPovray(scenes::heapPicture(*heap.value()), {}, *options.picture);
-    if (!status) return status.error();
+  if (extras.judged) {
+    auto accuracy = judge(scene, beforeLast, run.report.records.back());
+    if (!accuracy) return accuracy.error();
+    run.accuracy = std::move(accuracy).value();
   }
+  if (extras.picture)
+    if (const Status drawn = drawPicture(options, scene); !drawn) return drawn.error();
   return run;
 }
 
-}  // namespace
-
 Status measureHeaps(const Options& options, const scenes::SourcedTree& source, const scenes::Model& model) {
-  std::optional<scenes::CrushStart> start;
-  if (options.scene == Scene::crush) {
-    auto made = scenes::crushStart(model, options.heap.bodies, options.heap.seed);
-    if (!made) return made.error();
-    start = std::move(made).value();
-  }
-  const scenes::CrushStart* const startOrNone = start ? &*start : nullptr;
+  const auto start = startOf(options, model);
+  if (!start) return start.error();
+  const scenes::CrushStart* const startOrNone = start.value() ? &*start.value() : nullptr;
   std::vector<HeapRun> runs;
   for (const scenes::ShapeKind shape : options.shapes) {
-    auto run = runShape(options, model, startOrNone, shape, options.picture && runs.empty());
+    auto run = runShape(options, model, startOrNone, shape, {.picture = options.picture && runs.empty()});
     if (!run) return run.error();
     runs.push_back(std::move(run).value());
   }

@@ -18,6 +18,7 @@ enum class Scene : std::uint8_t {
   heap,      ///< bodies dropped in a column into a pit
   crush,     ///< bodies that start deep in each other, in the same pit
   converge,  ///< recorded poses of bodies flying to one point, shown to each shape
+  rockfall,  ///< bodies released above a slope
 };
 
 const char* sceneName(Scene scene);
@@ -37,7 +38,12 @@ struct Options {
   std::optional<std::filesystem::path> picture;
 };
 
-/// The options, or the exit code if the program is to end now (see `parseCommandLine`).
-std::variant<Options, int> parseOptions(int argc, const char* const* argv);
+struct Command {
+  std::vector<Options> measurements;  ///< one, or of a sweep each with one shape
+  bool isSweep = false;
+};
+
+/// The command, or the exit code if the program is to end now (see `parseCommandLine`).
+std::variant<Command, int> parseOptions(int argc, const char* const* argv);
 
 }  // namespace cairn::frame_budget

@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
+#include <cstdio>
 #include <typeinfo>
 
 #include "dispatch/narrow_phase_impl.h"
@@ -65,6 +66,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
     if (isCollecting_) fetchPairsAskedNext(pair);
     if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_)) {
       ++apartPairs_;
+      if (pair.isBrokenPair()) countBroken();
       return;
     }
     if (isCollecting_ && collect(pair, body0, body1)) return;
@@ -94,9 +96,20 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
   return true;
 }
 
+// Bullet's interface cannot return it.
+void NarrowPhase::Impl::countBroken() {
+  ++brokenPairs_;
+  if (hasToldOfBroken_.exchange(true)) return;
+  std::fprintf(
+      stderr,
+      "a body's place, speed or force is no number or endless: its sphere-tree pairs have no contacts until it "
+      "is one again (said once; StepStatistics::brokenPairs counts them)\n");
+}
+
 void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
+  if (pair.settleBroken(body0, body1)) return countBroken();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
   if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, false, budget, scratch))

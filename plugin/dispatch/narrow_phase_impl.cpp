@@ -150,6 +150,7 @@ void NarrowPhase::Impl::endStep() {
   isAnswering_ = true;
   statistics_ = {};
   statistics_.pairs = apartPairs_.exchange(0);
+  statistics_.brokenPairs = brokenPairs_.exchange(0);
   errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 

@@ -62,6 +62,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   // Collecting (narrow_phase_collect.cpp).
   void takeTime(const btDispatcherInfo& info);
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  void countBroken();
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
   bool isWorlds(btOverlappingPairCache& pairs);
@@ -149,7 +150,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   btScalar timeStep_ = 0, sweptTime_ = 0;               // seconds
   ThreadCpuClock::time_point stepBegan_;
-  std::atomic<std::uint32_t> apartPairs_{0};
+  std::atomic<std::uint32_t> apartPairs_{0}, brokenPairs_{0};
+  std::atomic<bool> hasToldOfBroken_{false};
   std::mutex mutex_;                  // guards what follows while algorithms run
   std::vector<TreePair*> collected_;  // null: finished, or destroyed after it was collected
   // The order in which Bullet asks about pairs hardly changes: up to here as in this step, from here on as in the last.

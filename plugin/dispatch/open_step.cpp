@@ -36,7 +36,8 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& 
 void OpenStep::answered(TreePair& pair, bool wasExpected) {
   pair.setAnsweredIn(number_);
   if (!wasExpected) ++newcomers_;
-  if (witnesses_.size() < kMaxWitnesses) witnesses_.push_back(&pair);
+  // What is no number is never where it was.
+  if (witnesses_.size() < kMaxWitnesses && !pair.isBrokenPair()) witnesses_.push_back(&pair);
   if (pair.knownAt() != TreePair::kUnknown) return;
   pair.setKnownAt(known_.size());
   known_.push_back(&pair);

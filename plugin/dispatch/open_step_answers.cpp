@@ -64,6 +64,8 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   open_.answered(pair, wasExpected || pair.isSettled());
   if (pair.isSettled()) {
     ++statistics_.pairs;
+    if (pair.isBrokenPair()) countBroken();
+    statistics_.brokenPairs += brokenPairs_.exchange(0);
     return true;
   }
   if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;

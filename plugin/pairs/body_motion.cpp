@@ -54,6 +54,15 @@ float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& f
          length(angularVelocity(first) - angularVelocity(second)) * disc;
 }
 
+// What is no number, or endless, makes no number of a sum, or an endless one.
+bool isBroken(const btCollisionObjectWrapper& wrapper) {
+  const btTransform& pose = wrapper.getWorldTransform();
+  btVector3 sum = pose.getOrigin() + pose.getBasis()[0] + pose.getBasis()[1] + pose.getBasis()[2];
+  if (const btRigidBody* body = btRigidBody::upcast(wrapper.getCollisionObject()))
+    sum += body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() + body->getTotalTorque();
+  return !std::isfinite(sum.x() + sum.y() + sum.z());
+}
+
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second) {
   const float inverseMasses = inverseMass(first) + inverseMass(second);
   return inverseMasses > 0 ? 1 / inverseMasses : 0;

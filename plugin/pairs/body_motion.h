@@ -29,6 +29,10 @@ float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
 /// per second. `disc`: as above.
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);
 
+/// Whether its place, its speeds or the forces on it are no number or endless: the solver would hand that on to
+/// whatever it touches.
+bool isBroken(const btCollisionObjectWrapper& body);
+
 /// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
 /// is not its own alone, counts as held fast.
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second);

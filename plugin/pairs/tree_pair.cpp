@@ -72,7 +72,9 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
                            bool alsoFromGround, btScalar sweptTime) {
   const float travel = fastTravel(body0, body1, sweptTime);
   isFast_ = travel > 0 || (sweep_ && sweep_->isAnchored());
+  isBroken_ = false;
   if (!stillApart(body0, body1, travel)) {
+    if (settleBroken(body0, body1)) return true;
     roots_ = rootSpheres(body0, body1);
     if ((!roots_ && !alsoFromGround) || !areRootsApart(body0, body1, roots_, btScalar(travel))) return false;
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
@@ -84,6 +86,14 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
                                  otherBody.getCollisionObject()->getWorldTransform().getOrigin()));
   }
   clearManifolds();  // a guard may have been left
+  isSettled_.store(true, std::memory_order_relaxed);
+  return true;
+}
+
+bool TreePair::settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+  if (!isBroken(body0) && !isBroken(body1)) return false;
+  forget();
+  isBroken_ = true;
   isSettled_.store(true, std::memory_order_relaxed);
   return true;
 }

@@ -63,13 +63,17 @@ class alignas(64) TreePair {
   /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
   void reset();
 
-  /// True when there can be no contacts, because the bodies' spheres are apart or nothing touched in an earlier step
-  /// and nothing moved far since: the pair then has none, and needs no more work in this step. Cheap.
-  /// `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where nothing is
-  /// interrupted a traversal says it once for many steps, and pairs keep the order they always had. `sweptTime`:
-  /// seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
+  /// True when there can be no contacts, because the bodies' spheres are apart, or nothing touched in an earlier step
+  /// and nothing moved far since, or `settleBroken`: the pair then has none, and needs no more work in this step.
+  /// Cheap. `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where
+  /// nothing is interrupted a traversal says it once for many steps, and pairs keep the order they always had.
+  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromGround,
                    btScalar sweptTime);
+  /// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
+  bool settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  /// Whether it was settled for that the last time it was.
+  bool isBrokenPair() const { return isBroken_; }
   /// Whether `settleApart` said so for the copies last taken.
   bool isSettled() const { return isSettled_.load(std::memory_order_relaxed); }
   /// Copies the bodies for a deferred answer; false when they are nested too deep for that.
@@ -264,6 +268,7 @@ class alignas(64) TreePair {
   std::unique_ptr<Sweep> sweep_;    // made when it is first needed
   std::span<const Contact> ahead_;  // of this step
   bool isFast_ = false;             // in this step
+  bool isBroken_ = false;           // when it was last settled
   bool wasAhead_ = false;           // contacts ahead were written in the last step
 
   // For steps in which the pair has to wait.

@@ -139,7 +139,8 @@ TEST_F(AccuracyCostProgram, RefusesInOneSentence) {
 TEST_F(AccuracyCostProgram, ListsAndMakesModels) {
   const ProgramResult list = test::runProgram("accuracy_cost", "list");
   EXPECT_EQ(list.exitCode, 0);
-  for (const char* name : {"sampling", "expand-selection", "reductions", "levels", "balance", "interruption"})
+  for (const char* name : {"sampling", "expand-selection", "reductions", "levels", "balance", "interruption",
+                           "error-against-time", "frame-time"})
     EXPECT_NE(list.output.find(name), std::string::npos) << name;
   const std::string made = " -o '" + path("made").string() + "'";
   for (const char* name : {"s-shape", "cube", "block", "cylinder", "cone", "torus"}) {

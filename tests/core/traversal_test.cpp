@@ -223,7 +223,36 @@ TEST(ObstacleTraversal, EveryPointBelowAPlane_IsInAReportedLeaf) {
           EXPECT_TRUE(found.contains({tree.nodeAt(random.leafOfPoint[i]), element})) << "seed " << seed;
     for (const NodePair& p : traversal.leafPairs()) EXPECT_TRUE(obstacle.hits(tree.sphere(p.a), p.b));
     for (const NodePair& p : traversal.leafPairs())
-      EXPECT_FLOAT_EQ(traversal.pairError(p), 2 * tree.error(p.a)) << "world length: tree error times scale";
+      EXPECT_NEAR(traversal.pairError(p), 2 * tree.error(p.a), 2 * tree.error(p.a) * 0x1p-20F)
+          << "world length: tree error times scale";
+  }
+}
+
+// Errors are upper bounds: whatever a scale, a product and a sum round to, they may only grow, and hardly.
+TEST(Traversal, PairErrors_AreNeverBelowTheNodesErrorsInTheWorld) {
+  std::mt19937_64 engine(41);
+  const SphereTree a = std::move(SphereTree::create(test::randomTree(41).data)).value();
+  const SphereTree b = std::move(SphereTree::create(test::randomTree(42).data)).value();
+  const HalfSpaces obstacle({{{0, 0, 1}, 0}});
+  for (int round = 0; round < 100; ++round) {
+    Pose poseA, poseB;
+    poseA.scale = test::uniform(engine, 1e-3, 1);
+    poseB.scale = test::uniform(engine, 1, 1e3);
+    TreePairTraversal pairs;
+    pairs.start(a, b, poseA, poseB, 0);
+    ObstacleTraversal single;
+    const auto scale = static_cast<float>(poseA.scale);
+    single.start(a, scale, obstacle);
+    for (NodeId node = 0; node < 9; ++node) {
+      const NodeId inA = a.nodeAt(node), inB = b.nodeAt(8 - node);
+      const double ofA = static_cast<double>(a.error(inA)), ofB = static_cast<double>(b.error(inB));
+      const double both = ofA * poseA.scale + ofB * poseB.scale, one = ofA * static_cast<double>(scale);
+      const auto stated = static_cast<double>(pairs.pairError({inA, inB}));
+      EXPECT_GE(stated, both);
+      EXPECT_LE(stated, both * (1 + 0x1p-20));
+      EXPECT_GE(static_cast<double>(single.pairError({inA, 0})), one);
+      EXPECT_LE(static_cast<double>(single.pairError({inA, 0})), one * (1 + 0x1p-20));
+    }
   }
 }
 

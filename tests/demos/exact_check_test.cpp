@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "distance_oracle.h"
+#include "brute_force_pairs.h"
 #include "scenes/bodies/rock.h"
 #include "scenes/figures/random.h"
 #include "test_solids.h"
@@ -21,8 +21,6 @@ namespace {
 constexpr double kRounding = 1e-12;
 constexpr double kTolerance = 1e-4;
 
-using Wide = test::DistanceOracle::Wide;
-
 ExactSurface surfaceOf(const test::Solid& solid) {
   auto surface = ExactSurface::create(solid.vertices, solid.triangles);
   EXPECT_TRUE(surface) << surface.error().message;
@@ -31,18 +29,6 @@ ExactSurface surfaceOf(const test::Solid& solid) {
 
 Placement moved(const Vec3d& by) {
   return {Mat3d{}, by};
-}
-
-Placement turned(const Vec3d& axis, double angle, const Vec3d& by) {
-  const btQuaternion q(btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)), btScalar(angle));
-  // In double: Bullet's single-precision matrix would not be orthonormal enough.
-  const double n =
-      std::sqrt(double(q.x()) * q.x() + double(q.y()) * q.y() + double(q.z()) * q.z() + double(q.w()) * q.w());
-  const double x = q.x() / n, y = q.y() / n, z = q.z() / n, w = q.w() / n;
-  return {Mat3d{{Vec3d{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-                 Vec3d{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-                 Vec3d{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}},
-          by};
 }
 
 TEST(ExactCheck_TwoCubes, PenetrationIsTheOverlapOfTheFaces) {
@@ -99,8 +85,8 @@ TEST(ExactCheck_NestedBall, DepthIsThatOfItsDeepestPoint) {
 
 TEST(ExactCheck_EdgeAcrossEdge, GapIsThatOfTheEdges) {
   const ExactSurface cube = surfaceOf(test::cuboid({1, 1, 1}, 1));
-  const Placement below = turned({1, 0, 0}, std::numbers::pi / 4, {0, 0, 0});
-  const Placement above = turned({0, 1, 0}, std::numbers::pi / 4, {0, 0, std::numbers::sqrt2 + 0.1});
+  const Placement below = test::turned({1, 0, 0}, std::numbers::pi / 4, {0, 0, 0});
+  const Placement above = test::turned({0, 1, 0}, std::numbers::pi / 4, {0, 0, std::numbers::sqrt2 + 0.1});
   // Bullet's quaternion is rounded to its scalar: the edges turn by that much around the cubes' centres.
   const double rounding = 8 * std::numeric_limits<btScalar>::epsilon();
   EXPECT_NEAR(surfaceDistance(cube, cube, below.inverse() * above), 0.1, rounding);
@@ -124,7 +110,7 @@ TEST(ExactCheck_TwoRocks, AgreesWithDenseSampling) {
   int penetrating = 0;
   for (int trial = 0; trial < 12; ++trial) {
     const Placement placement =
-        turned(random.direction(), random.uniform(0, 3), random.direction() * random.uniform(0.3, 0.9));
+        test::turned(random.direction(), random.uniform(0, 3), random.direction() * random.uniform(0.3, 0.9));
     double sampledDepth = 0, sampledGap = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < meshA.triangles.size(); ++t) {
       const auto [p, q, r] = meshA.corners(t);
@@ -146,74 +132,6 @@ TEST(ExactCheck_TwoRocks, AgreesWithDenseSampling) {
   }
   EXPECT_GT(penetrating, 2);
   EXPECT_LT(penetrating, 12);
-}
-
-/// Distance of two segments in extended precision, by trying what can be nearest: two ends, an end and a foot, two
-/// feet.
-long double segmentDistance(const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
-  using test::DistanceOracle;
-  long double best = std::min({DistanceOracle::toSegment(a, c, d), DistanceOracle::toSegment(b, c, d),
-                               DistanceOracle::toSegment(c, a, b), DistanceOracle::toSegment(d, a, b)});
-  const Wide u = b - a, v = d - c, w = c - a;
-  const long double uu = lengthSq(u), vv = lengthSq(v), uv = dot(u, v), determinant = uu * vv - uv * uv;
-  if (determinant <= 0) return best;
-  const long double s = (dot(u, w) * vv - dot(v, w) * uv) / determinant;
-  const long double t = (dot(u, w) * uv - dot(v, w) * uu) / determinant;
-  if (s >= 0 && s <= 1 && t >= 0 && t <= 1) best = std::min(best, length((a + u * s) - (c + v * t)));
-  return best;
-}
-
-/// Whether the segment from p to q passes through the triangle, by the signs of volumes.
-bool pierces(const Wide& p, const Wide& q, const std::array<Wide, 3>& t) {
-  const auto volume = [](const Wide& a, const Wide& b, const Wide& c, const Wide& d) {
-    return dot(cross(b - a, c - a), d - a);
-  };
-  if ((volume(t[0], t[1], t[2], p) > 0) == (volume(t[0], t[1], t[2], q) > 0)) return false;
-  const bool first = volume(p, q, t[0], t[1]) > 0;
-  return (volume(p, q, t[1], t[2]) > 0) == first && (volume(p, q, t[2], t[0]) > 0) == first;
-}
-
-/// Least distance of two meshes, 0 where they cross: every triangle against every other.
-long double bruteForceGap(const builder::TriangleMesh& meshA, const builder::TriangleMesh& meshB,
-                          const Placement& bFromA) {
-  long double best = std::numeric_limits<long double>::infinity();
-  for (std::uint32_t i = 0; i < meshA.triangles.size(); ++i)
-    for (std::uint32_t j = 0; j < meshB.triangles.size(); ++j) {
-      std::array<Wide, 3> a, b;
-      for (int k = 0; k < 3; ++k) {
-        a[k] = Wide(bFromA * meshA.corners(i)[k]);
-        b[k] = Wide(meshB.corners(j)[k]);
-      }
-      for (int k = 0; k < 3; ++k) {
-        if (pierces(a[k], a[(k + 1) % 3], b) || pierces(b[k], b[(k + 1) % 3], a)) return 0;
-        best = std::min({best, test::DistanceOracle::toTriangle(a[k], b[0], b[1], b[2]),
-                         test::DistanceOracle::toTriangle(b[k], a[0], a[1], a[2])});
-        for (int l = 0; l < 3; ++l) best = std::min(best, segmentDistance(a[k], a[(k + 1) % 3], b[l], b[(l + 1) % 3]));
-      }
-    }
-  return best;
-}
-
-TEST(ExactCheck_TwoRocks, MeetAndGapAgreeWithBruteForce) {
-  const builder::TriangleMesh meshA = generateRock({5, 1}), meshB = generateRock({6, 1});
-  const auto a = ExactSurface::create(meshA.vertices, meshA.triangles),
-             b = ExactSurface::create(meshB.vertices, meshB.triangles);
-  ASSERT_TRUE(a && b);
-  constexpr std::uint64_t kSeed = 17;
-  Random random(kSeed);
-  int meeting = 0;
-  constexpr int kTrials = 40;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Placement placement =
-        turned(random.direction(), random.uniform(0, 3), random.direction() * random.uniform(0.5, 1.1));
-    const auto gap = static_cast<double>(bruteForceGap(meshA, meshB, placement));
-    EXPECT_EQ(surfacesMeet(a.value(), b.value(), placement), gap == 0) << "seed " << kSeed << " trial " << trial;
-    EXPECT_NEAR(surfaceDistance(a.value(), b.value(), placement), gap, kRounding)
-        << "seed " << kSeed << " trial " << trial;
-    meeting += gap == 0;
-  }
-  EXPECT_GT(meeting, kTrials / 5);
-  EXPECT_LT(meeting, kTrials * 4 / 5);
 }
 
 TEST(ExactCheck_KnownDepth, IsKeptAndOnlyExceededByADeeperOne) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "scene_trees.h"
+#include "scenes/heap/heap.h"
 
 namespace cairn::scenes {
 namespace {

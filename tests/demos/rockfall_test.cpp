@@ -53,9 +53,12 @@ TEST(Slope_HeightAt, IsTheCollisionMeshAndFacesUp) {
   }
 }
 
-std::unique_ptr<Rockfall> makeRockfall(const RockfallOptions& options,
-                                       std::shared_ptr<const SphereTree> tree = test::smallRockTree()) {
-  auto scene = Rockfall::create(std::array{std::move(tree)}, options);
+/// Small rocks pass their own radius in the fewest steps.
+constexpr double kSmall = 0.4, kLarge = 1.1;
+
+std::unique_ptr<Rockfall> makeRockfall(const RockfallOptions& options, double size = kSmall,
+                                       const std::shared_ptr<const SphereTree>& tree = test::smallRockTree()) {
+  auto scene = Rockfall::create(makeModel(tree, size), options);
   EXPECT_TRUE(scene) << scene.error().message;
   return std::move(scene).value();
 }
@@ -70,7 +73,7 @@ std::string hashAfter(Rockfall& scene, std::uint32_t steps) {
 TEST(Rockfall_UnderABudget, LosesNoRockAndMovesDownhill) {
   RockfallOptions options;
   options.rocks = 20;
-  options.budget.operations = 5000;
+  options.world.budget.operations = 5000;
   const auto scene = makeRockfall(options);
   double startX = 0, endX = 0;
   for (const btRigidBody* rock : scene->world().bodies()) startX += rock->getWorldTransform().getOrigin().x();
@@ -86,7 +89,7 @@ TEST(Rockfall_UnderABudget, LosesNoRockAndMovesDownhill) {
 TEST(Rockfall_WithoutAnyBudget, LosesNoRock) {
   RockfallOptions options;
   options.rocks = 30;
-  options.budget.operations = 0;
+  options.world.budget.operations = 0;
   const auto scene = makeRockfall(options);
   for (std::uint32_t second = 0; second < 20; ++second) {
     for (std::uint32_t i = 0; i < Rockfall::kStepsPerSecond; ++i) scene->step();
@@ -98,7 +101,7 @@ TEST(Rockfall_WithoutAnyBudget, LosesNoRock) {
 TEST(Rockfall_OfFineTrees, LosesNoRock) {
   RockfallOptions options;
   options.rocks = 72;
-  const auto scene = makeRockfall(options, test::fineRockTree());
+  const auto scene = makeRockfall(options, kLarge, test::fineRockTree());
   for (std::uint32_t second = 0; second < 5; ++second) {
     for (std::uint32_t i = 0; i < Rockfall::kStepsPerSecond; ++i) scene->step();
     ASSERT_EQ(scene->countLost(), 0U) << "after second " << second;
@@ -108,7 +111,7 @@ TEST(Rockfall_OfFineTrees, LosesNoRock) {
 TEST(Rockfall_SameSeed, GivesTheSameBitsTwice) {
   RockfallOptions options;
   options.rocks = 8;
-  options.budget.operations = 2000;
+  options.world.budget.operations = 2000;
   const std::string first = hashAfter(*makeRockfall(options), 180);
   EXPECT_EQ(hashAfter(*makeRockfall(options), 180), first);
   options.seed = 2;

@@ -82,7 +82,7 @@ int runAll(const Options& options) {
 int main(int argc, char** argv) {
   CLI::App app("Hard cases of builder and plugin: criterion, measured figure, Bullet's best own shape, verdict.");
   cairn::hard::Options options;
-  app.add_option("CASE", options.cases, "G1 to G15, D1 to D16 (default: all)");
+  app.add_option("CASE", options.cases, "G1 to G15, D1 to D16, C1, C2, I1, I2, L1, L2 (default: all)");
   app.add_flag("--quick", options.quick, "seconds instead of minutes: shorter and smaller, as the tests run them");
   app.add_flag("--list", options.list, "name the cases and what they ask, run nothing");
   app.add_option("--json", options.json, "write the table to this file");

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "accuracy_cost/experiments/balance.h"
+#include "accuracy_cost/experiments/error_against_time.h"
 #include "accuracy_cost/experiments/expand_selection.h"
+#include "accuracy_cost/experiments/frame_time.h"
 #include "accuracy_cost/experiments/interruption.h"
 #include "accuracy_cost/experiments/levels.h"
 #include "accuracy_cost/experiments/reductions.h"
@@ -14,8 +16,8 @@ namespace cairn::accuracy_cost {
 
 const std::vector<Experiment>& allExperiments() {
   static const std::vector<Experiment> kAll{
-      samplingExperiment(), expandSelectionExperiment(), reductionsExperiment(),
-      levelsExperiment(),   balanceExperiment(),         interruptionExperiment(),
+      samplingExperiment(), expandSelectionExperiment(), reductionsExperiment(),       levelsExperiment(),
+      balanceExperiment(),  interruptionExperiment(),    errorAgainstTimeExperiment(), frameTimeExperiment(),
   };
   return kAll;
 }

@@ -11,7 +11,8 @@ namespace cairn::accuracy_cost {
 /// How a series looks: places in the house's lists of colours, markers and dashes (figures/gnuplot_script.h).
 struct Look {
   unsigned color = 0, marker = 0, dash = 0;
-  bool line = true;  ///< markers joined by a line
+  bool line = true;     ///< markers joined by a line
+  bool markers = true;  ///< else the line alone
 };
 
 /// Rows of the table as points.

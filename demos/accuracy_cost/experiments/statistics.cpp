@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -52,6 +53,23 @@ Anova anovaOf(const std::vector<std::vector<double>>& groups) {
   anova.f = (squares.between / between) / (squares.within / within);
   anova.p = gsl_cdf_fdist_Q(anova.f, between, within);
   return anova;
+}
+
+MedianInterval medianOf(std::vector<double> values) {
+  assert(!values.empty());
+  std::ranges::sort(values);
+  const std::size_t count = values.size(), half = count / 2;
+  // Chance that the median lies below the k-th least: that at most k of the values do.
+  std::size_t outside = 0;
+  double chance = std::pow(0.5, static_cast<double>(count)), binomial = chance;
+  while (outside < half) {
+    binomial *= static_cast<double>(count - outside) / static_cast<double>(outside + 1);
+    if (2 * (chance + binomial) > 1 - kConfidence) break;
+    chance += binomial;
+    ++outside;
+  }
+  const double median = count % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+  return {median, values[outside], values[count - 1 - outside]};
 }
 
 double geometricMean(std::span<const double> values) {

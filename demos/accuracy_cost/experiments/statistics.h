@@ -20,6 +20,19 @@ inline constexpr double kSignificance = 0.05;
 /// more values than groups.
 Anova anovaOf(const std::vector<std::vector<double>>& groups);
 
+/// A median and what it is certain to lie between.
+struct MedianInterval {
+  double median = 0, low = 0, high = 0;
+};
+inline constexpr double kConfidence = 0.95;
+/// As few values as give an interval of `kConfidence`.
+inline constexpr std::size_t kLeastRepetitions = 6;
+
+/// The median of the values, and the narrowest pair of order statistics, equally far from both ends, that holds the
+/// median they are drawn from with at least `kConfidence` (binomial, whatever the distribution; least and greatest
+/// where there are too few). Precondition: not empty.
+MedianInterval medianOf(std::vector<double> values);
+
 /// exp of the mean logarithm; NaN without values. Precondition: all above 0.
 double geometricMean(std::span<const double> values);
 /// NaN without values.

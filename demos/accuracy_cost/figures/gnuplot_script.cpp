@@ -19,7 +19,7 @@ constexpr std::array kMarkers{7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
 constexpr std::array kDashes{1, 2, 4, 5, 3};
 
 /// Pixels.
-constexpr int kWidth = 1360, kPanelHeight = 300, kTitleHeight = 46, kKeyLine = 24, kKeyMargin = 14;
+constexpr int kWidth = 1360, kPanelHeight = 316, kTitleHeight = 46, kKeyLine = 24, kKeyMargin = 14;
 /// Pixels a letter of the key takes, with its sample.
 constexpr int kLetter = 8, kSample = 64;
 
@@ -43,6 +43,8 @@ const char* colorOf(const Look& look) {
 std::string styleOf(const Look& look) {
   const int marker = kMarkers[look.marker % kMarkers.size()];
   if (!look.line) return fmt::format("with points lc rgb '{}' pt {} ps 1", colorOf(look), marker);
+  if (!look.markers)
+    return fmt::format("with lines lc rgb '{}' lw 1.4 dt {}", colorOf(look), kDashes[look.dash % kDashes.size()]);
   return fmt::format("with linespoints lc rgb '{}' pt {} ps 0.8 lw 1.6 dt {}", colorOf(look), marker,
                      kDashes[look.dash % kDashes.size()]);
 }
@@ -121,7 +123,7 @@ void addAxes(std::string& script, const Panel& panel, const Table& table) {
 
 /// Panels of categories need room for slanted names.
 int bottomOf(const Panel& panel) {
-  return panel.categories.empty() ? 58 : 96;
+  return panel.categories.empty() ? 74 : 104;
 }
 
 void addPanel(std::string& script, const Panel& panel, const Table& table, const std::string& csv) {

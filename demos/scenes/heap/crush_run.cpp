@@ -17,17 +17,17 @@ std::optional<double> timeOfResolution(const std::vector<double>& worst) {
 
 }  // namespace
 
-Result<HeapReport> runCrush(Heap& heap, std::uint32_t steps, CrushCourse& course, const StepCallback& afterStep) {
-  std::vector<std::vector<btTransform>> kept{heap.world().poses()};
-  auto report = runHeap(heap, steps, [&](std::uint32_t done) {
-    if (done % kCourseInterval == 0) kept.push_back(heap.world().poses());
+Result<HeapReport> runCrush(BodyScene& scene, std::uint32_t steps, CrushCourse& course, const StepCallback& afterStep) {
+  std::vector<std::vector<btTransform>> kept{scene.world().poses()};
+  auto report = runHeap(scene, steps, [&](std::uint32_t done) {
+    if (done % kCourseInterval == 0) kept.push_back(scene.world().poses());
     return !afterStep || afterStep(done);
   });
   if (!report) return report.error();
-  const auto surface = ExactSurface::create(heap.model().vertices, heap.model().triangles);
+  const auto surface = ExactSurface::create(scene.model().vertices, scene.model().triangles);
   if (!surface) return surface.error();
   for (const auto& poses : kept)
-    course.worstPenetration.push_back(worstPenetration(surface.value(), heap.model(), poses));
+    course.worstPenetration.push_back(worstPenetration(surface.value(), scene.model(), poses));
   course.resolvedAfter = timeOfResolution(course.worstPenetration);
   return report;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/heap/crush_start.h"
+#include "scenes/heap/heap.h"
 #include "scenes/heap/heap_run.h"
 
 namespace cairn::scenes {
@@ -21,9 +22,10 @@ struct CrushCourse {
 inline constexpr std::uint32_t kCourseInterval = 15;  ///< steps: a quarter of a second
 inline constexpr double kResolvedFraction = 0.03;
 
-/// Runs a heap that stands as it started and adds to `course` how it came apart. The poses to be judged are kept and
+/// Runs a scene that stands as it started and adds to `course` how it came apart. The poses to be judged are kept and
 /// judged at the end: the check must not cool the caches of what is timed. Fails as `runHeap` does.
-Result<HeapReport> runCrush(Heap& heap, std::uint32_t steps, CrushCourse& course, const StepCallback& afterStep = {});
+Result<HeapReport> runCrush(BodyScene& scene, std::uint32_t steps, CrushCourse& course,
+                            const StepCallback& afterStep = {});
 
 /// Median CPU time, us, of the narrow phase when there is nothing to do: the bodies of `options.start` in the same pit,
 /// but weightless and far from each other and from the pit, with a budget of zero operations.

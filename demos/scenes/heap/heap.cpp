@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -55,43 +56,38 @@ Viewer heapViewer(const Pit& pit) {
 Result<std::unique_ptr<Heap>> Heap::create(const Model& model, const HeapOptions& options) {
   assert(options.bodies > 0 && (options.start.empty() || options.start.size() == options.bodies));
   auto heap = std::unique_ptr<Heap>(new Heap(model, options));
-  auto shape = BodyShape::create(options.world.shape, heap->model_, options.shape);
-  if (!shape) return shape.error();
   WorldOptions worldOptions = options.world;
   if (options.isWatched) worldOptions.viewer = heapViewer(heap->pit_);
-  auto world = World::create(worldOptions);
-  if (!world) return world.error();
-  if (options.stepsWithoutBudget > 0)
-    if (const Status status = world.value()->setBudget({}); !status) return status.error();
-  heap->shape_ = std::move(shape).value();
-  heap->world_ = std::move(world).value();
+  if (const Status begun = heap->begin(worldOptions, options.shape); !begun) return begun.error();
   options.start.empty() ? heap->dropBodies(options) : heap->placeBodies(options);
   return heap;
 }
 
 Heap::Heap(const Model& model, const HeapOptions& options)
-    : budget_(options.world.budget),
-      stepsWithoutBudget_(options.stepsWithoutBudget),
-      model_(model),
+    : BodyScene(model, options.world.budget, options.stepsWithoutBudget),
       bodiesPerSide_(bodiesPerSide(options.bodies)),
       pit_(pitHalfWidth(model, options)) {}
+
+Heap::~Heap() {
+  end();
+}
 
 void Heap::placeBodies(const HeapOptions& options) {
   double height = 0;
   for (const btTransform& pose : options.start)
-    height = std::max(height, static_cast<double>(pose.getOrigin().z()) + model_.reach);
-  pit_.build(*world_, options.world.shape, height);
-  for (const btTransform& pose : options.start) world_->addBody(shape_->bullet(), pose, 1, model_.inertia);
+    height = std::max(height, static_cast<double>(pose.getOrigin().z()) + model().reach);
+  pit_.build(ownWorld(), options.world.shape, height);
+  for (const btTransform& pose : options.start) ownWorld().addBody(shape(), pose, 1, model().inertia);
 }
 
 void Heap::dropBodies(const HeapOptions& options) {
-  const double step = spacing(model_);
+  const double step = spacing(model());
   const std::uint32_t perLayer = bodiesPerSide_ * bodiesPerSide_;
   const double columnHeight = step * (options.bodies / perLayer + 1);
-  pit_.build(*world_, options.world.shape, columnHeight);
+  pit_.build(ownWorld(), options.world.shape, columnHeight);
 
   const double columnHalfWidth = step * bodiesPerSide_ / 2;
-  const double jitter = kClearanceFraction * model_.size / 2;
+  const double jitter = kClearanceFraction * model().size / 2;
   for (std::uint32_t i = 0; i < options.bodies; ++i) {
     Random random(options.seed, i);
     const std::uint32_t inLayer = i % perLayer;
@@ -99,9 +95,16 @@ void Heap::dropBodies(const HeapOptions& options) {
         Vec3d(inLayer % bodiesPerSide_ + 0.5, inLayer / bodiesPerSide_ + 0.5, i / perLayer + 0.5) * step -
         Vec3d(columnHalfWidth, columnHalfWidth, 0);
     const btQuaternion rotation = random.rotation();
-    world_->addBody(shape_->bullet(), btTransform(rotation, toBullet(place + random.direction() * jitter)), 1,
-                    model_.inertia);
+    ownWorld().addBody(shape(), btTransform(rotation, toBullet(place + random.direction() * jitter)), 1,
+                       model().inertia);
   }
+}
+
+double Heap::clearance(const PlacedBody& body, const ExactSurface&, std::size_t part) const {
+  const HalfSpace face = pit_.faces()[part];
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : body.vertices) least = std::min(least, dot(face.normal, p) - face.offset);
+  return least;
 }
 
 std::uint32_t Heap::countLost() const {
@@ -109,9 +112,9 @@ std::uint32_t Heap::countLost() const {
     const Vec3d center = fromBullet(body->getWorldTransform().getOrigin());
     if (!isFinite(center)) return true;
     return std::ranges::any_of(
-        pit_.faces(), [&](const HalfSpace& face) { return dot(face.normal, center) < face.offset - model_.size / 2; });
+        pit_.faces(), [&](const HalfSpace& face) { return dot(face.normal, center) < face.offset - model().size / 2; });
   };
-  return static_cast<std::uint32_t>(std::ranges::count_if(world_->bodies(), isLost));
+  return static_cast<std::uint32_t>(std::ranges::count_if(world().bodies(), isLost));
 }
 
 }  // namespace cairn::scenes

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "scenes/world/body_scene.h"
 #include "scenes/world/pit.h"
 
 namespace cairn::scenes {
@@ -27,36 +28,28 @@ Viewer heapViewer(const Pit& pit);
 
 /// Bodies of one mesh in a pit. Unless told where to start they are dropped in a column, at random orientations, no two
 /// touching.
-class Heap {
+class Heap final : public BodyScene {
  public:
   /// Fails for what the shape or the dispatcher refuses.
   static Result<std::unique_ptr<Heap>> create(const Model& model, const HeapOptions& options);
 
-  StepRecord step() { return world_->step(); }
-  std::uint32_t stepsWithoutBudget() const { return stepsWithoutBudget_; }
-  /// From now on the world's budget holds.
-  Status beginBudget() { return world_->setBudget(budget_); }
+  ~Heap() override;
 
-  const World& world() const { return *world_; }
   const Pit& pit() const { return pit_; }
-  const Model& model() const { return model_; }
 
   /// Bodies that left the pit through ground or walls by more than half their size, or whose place is no longer a
   /// number.
-  std::uint32_t countLost() const;
+  std::uint32_t countLost() const override;
+  std::size_t groundParts() const override { return pit_.faces().size(); }
+  double clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t part) const override;
 
  private:
   Heap(const Model& model, const HeapOptions& options);
   void dropBodies(const HeapOptions& options);
   void placeBodies(const HeapOptions& options);
 
-  bullet::StepBudget budget_;
-  std::uint32_t stepsWithoutBudget_;
-  Model model_;
   std::uint32_t bodiesPerSide_;  // of one layer of the column
   Pit pit_;
-  std::unique_ptr<BodyShape> shape_;
-  std::unique_ptr<World> world_;  // last, so that it goes first: it refers to the shapes
 };
 
 }  // namespace cairn::scenes

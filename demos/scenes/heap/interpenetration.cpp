@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/heap/interpenetration.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,51 +23,45 @@ void forOverlappingBoxes(const std::vector<PlacedBody>& bodies, const Visit& vis
       if (bodies[i].box.overlaps(bodies[j].box)) visit(i, j);
 }
 
-double clearance(const PlacedBody& body, const HalfSpace& face) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3d& p : body.vertices) least = std::min(least, dot(face.normal, p) - face.offset);
-  return least;
-}
-
-class HeapCheck {
+class SceneCheck {
  public:
-  HeapCheck(const Heap& heap, const ExactSurface& surface) : heap_(heap), surface_(surface) {
-    for (const btRigidBody* body : heap.world().bodies())
-      bodies_.push_back(placeBody(body->getWorldTransform(), heap.model()));
+  SceneCheck(const BodyScene& scene, const ExactSurface& surface) : scene_(scene), surface_(surface) {
+    for (const btRigidBody* body : scene.world().bodies())
+      bodies_.push_back(placeBody(body->getWorldTransform(), scene.model()));
   }
 
   Interpenetration run() {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       for (std::size_t j = i + 1; j < bodies_.size(); ++j)
         if (bodies_[i].box.overlaps(bodies_[j].box) || isLoaded(i, j)) checkPair(i, j);
-      checkAgainstPit(i);
+      checkAgainstGround(i);
     }
-    const double size = heap_.model().size;
+    const double size = scene_.model().size;
     return {depth_.over(size), gap_.over(size), pitDepth_.over(size), pitGap_.over(size)};
   }
 
  private:
   bool isLoaded(std::size_t i, std::size_t j) const {
-    return heap_.world().loads().isLoaded(static_cast<int>(i), static_cast<int>(j));
+    return scene_.world().loads().isLoaded(static_cast<int>(i), static_cast<int>(j));
   }
 
   void checkPair(std::size_t i, std::size_t j) {
     const Placement jFromI = relativePlacement(bodies_[i].worldFromBody, bodies_[j].worldFromBody);
-    const double depth = mutualPenetration(surface_, surface_, jFromI, kDepthToleranceFraction * heap_.model().size);
+    const double depth = mutualPenetration(surface_, surface_, jFromI, kDepthToleranceFraction * scene_.model().size);
     if (depth > 0) depth_.add(depth);
     if (isLoaded(i, j)) gap_.add(depth > 0 ? 0 : surfaceDistance(surface_, surface_, jFromI));
   }
 
-  void checkAgainstPit(std::size_t i) {
-    const auto faces = heap_.pit().faces();
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const double room = clearance(bodies_[i], faces[f]);
+  void checkAgainstGround(std::size_t i) {
+    for (std::size_t f = 0; f < scene_.groundParts(); ++f) {
+      const double room = scene_.clearance(bodies_[i], surface_, f);
       if (room < 0) pitDepth_.add(-room);
-      if (heap_.world().loads().isLoaded(World::staticNumber(f), static_cast<int>(i))) pitGap_.add(std::max(0.0, room));
+      if (scene_.world().loads().isLoaded(World::staticNumber(f), static_cast<int>(i)))
+        pitGap_.add(std::max(0.0, room));
     }
   }
 
-  const Heap& heap_;
+  const BodyScene& scene_;
   const ExactSurface& surface_;
   std::vector<PlacedBody> bodies_;
   SpreadOfLengths depth_, gap_, pitDepth_, pitGap_;
@@ -98,10 +90,10 @@ double worstPenetration(const ExactSurface& surface, const Model& model, std::sp
   return worst / model.size;
 }
 
-Result<Interpenetration> measureInterpenetration(const Heap& heap) {
-  const auto surface = ExactSurface::create(heap.model().vertices, heap.model().triangles);
+Result<Interpenetration> measureInterpenetration(const BodyScene& scene) {
+  const auto surface = ExactSurface::create(scene.model().vertices, scene.model().triangles);
   if (!surface) return surface.error();
-  return HeapCheck(heap, surface.value()).run();
+  return SceneCheck(scene, surface.value()).run();
 }
 
 }  // namespace cairn::scenes

@@ -82,6 +82,10 @@ std::string complaintIn(const fs::path& log) {
 
 }  // namespace
 
+PictureSize scaledTo(const PictureSize& size, std::uint32_t width) {
+  return {width, static_cast<std::uint32_t>(std::uint64_t{size.height} * width / size.width)};
+}
+
 std::string povrayVector(const Vec3d& v) {
   return fmt::format("<{:.6g},{:.6g},{:.6g}>", v.x, v.y, v.z);
 }

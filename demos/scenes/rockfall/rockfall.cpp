@@ -2,69 +2,74 @@
 #include "scenes/rockfall/rockfall.h"
 
 #include <algorithm>
-#include <cassert>
-#include <utility>
+#include <cmath>
+#include <limits>
 
-#include "scenes/bodies/model.h"
 #include "scenes/figures/random.h"
 
 namespace cairn::scenes {
 namespace {
 
-constexpr double kDensity = 2600;                  // kg/m^3, limestone
-constexpr double kSmallest = 0.4, kLargest = 1.1;  // metres across
 constexpr btScalar kRestitution = btScalar(0.55);  // Bullet multiplies the two bodies': about 0.3 for rock on rock
 
-/// Rocks start on a lattice above the shelf, wide enough for the largest to be apart at any orientation.
-constexpr double kSpacing = 1.5;
+/// Rocks start on a lattice above the shelf, wide enough to be apart at any orientation: wider than this, metres, for
+/// rocks that reach farther than `kRoomiest` across.
+constexpr double kSpacing = 1.5, kRoomiest = 1.3;
+/// Of the lattice's width: how far a rock may be from its place.
+constexpr double kShake = 1.0 / 15;
 constexpr std::uint32_t kAcross = 9, kAlong = 4;
 
-Vec3d releasePoint(std::uint32_t number) {
+Vec3d releasePoint(std::uint32_t number, double apart) {
   const std::uint32_t across = number % kAcross, along = number / kAcross % kAlong, layer = number / (kAcross * kAlong);
-  return {1.5 + kSpacing * along, kSpacing * (across - (kAcross - 1) / 2.0),
-          Slope::kShelfHeight + 1.5 + kSpacing * layer};
+  return {1.5 + apart * along, apart * (across - (kAcross - 1) / 2.0), Slope::kShelfHeight + apart * (1 + layer)};
 }
 
 }  // namespace
 
-Rockfall::Rockfall(const RockfallOptions& options) : slope_(options.seed) {}
+Rockfall::Rockfall(const Model& model, const RockfallOptions& options)
+    : BodyScene(model, options.world.budget, options.stepsWithoutBudget), slope_(options.seed) {}
 
-Result<std::unique_ptr<Rockfall>> Rockfall::create(std::span<const std::shared_ptr<const SphereTree>> trees,
-                                                   const RockfallOptions& options) {
-  assert(!trees.empty());
-  auto scene = std::unique_ptr<Rockfall>(new Rockfall(options));
-  WorldOptions worldOptions;
-  worldOptions.budget = options.budget;
-  worldOptions.timeStep = 1.0 / kStepsPerSecond;
-  auto world = World::create(worldOptions);
-  if (!world) return world.error();
-  scene->world_ = std::move(world).value();
+Rockfall::~Rockfall() {
+  end();
+}
+
+Result<std::unique_ptr<Rockfall>> Rockfall::create(const Model& model, const RockfallOptions& options) {
+  auto scene = std::unique_ptr<Rockfall>(new Rockfall(model, options));
+  WorldOptions world = options.world;
+  world.timeStep = 1.0 / kStepsPerSecond;
+  if (const Status begun = scene->begin(world, options.shape); !begun) return begun.error();
   btRigidBody& ground =
-      scene->world_->addBody(scene->slope_.shape(), btTransform::getIdentity(), 0, btVector3(0, 0, 0));
+      scene->ownWorld().addBody(scene->slope_.shape(), btTransform::getIdentity(), 0, btVector3(0, 0, 0));
   ground.setRestitution(kRestitution);
-  for (std::uint32_t i = 0; i < options.rocks; ++i)
-    if (const Status status = scene->addRock(i, trees[i % trees.size()], options.seed); !status) return status.error();
+  for (std::uint32_t i = 0; i < options.rocks; ++i) scene->addRock(i, options.seed);
   return scene;
 }
 
-Status Rockfall::addRock(std::uint32_t number, std::shared_ptr<const SphereTree> tree, std::uint64_t seed) {
+void Rockfall::addRock(std::uint32_t number, std::uint64_t seed) {
   Random random(seed, number + 1);  // stream 0 is the slope's
-  const double size = random.uniform(kSmallest, kLargest);
-  const Model model = makeModel(tree, size);
-  const double mass = kDensity * tree->mass().volume * model.scale * model.scale * model.scale;
-  auto shape = bullet::SphereTreeShape::create(std::move(tree), bullet::BodyFrame::principalAxes,
-                                               static_cast<btScalar>(model.scale));
-  if (!shape) return shape.error();
-  shapes_.push_back(std::move(shape).value());
-  const Vec3d place = releasePoint(number) + random.direction() * 0.1;
-  btRigidBody& body = world_->addBody(*shapes_.back(), btTransform(random.rotation(), toBullet(place)),
-                                      static_cast<btScalar>(mass), model.inertia * static_cast<btScalar>(mass));
+  const double apart = kSpacing * std::max(1.0, 2 * model().reach / kRoomiest);
+  const Vec3d place = releasePoint(number, apart) + random.direction() * (kShake * apart);
+  btRigidBody& body = ownWorld().addBody(shape(), btTransform(random.rotation(), toBullet(place)), 1, model().inertia);
   body.setRestitution(kRestitution);
-  return {};
+}
+
+/// Corners of the rock against the ground's triangles, and corners of the ground against the rock: between two edges it
+/// may say too much room, or too little depth.
+double Rockfall::clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t) const {
+  double deepest = 0, room = std::numeric_limits<double>::infinity();
+  const auto look = [&](double signedDistance) {
+    deepest = std::max(deepest, -signedDistance);
+    room = std::min(room, std::abs(signedDistance));
+  };
+  for (const Vec3d& p : body.vertices)
+    if (slope_.covers(p.x, p.y)) look(slope_.signedDistance(p));
+  const Placement bodyFromWorld = body.worldFromBody.inverse();
+  for (const Vec3d& p : slope_.cornersIn(body.box.lower, body.box.upper)) look(-surface.depth(bodyFromWorld * p));
+  return deepest > 0 ? -deepest : room;
 }
 
 std::uint32_t Rockfall::countLost() const {
-  return static_cast<std::uint32_t>(std::ranges::count_if(world_->bodies(), [&](const btRigidBody* body) {
+  return static_cast<std::uint32_t>(std::ranges::count_if(world().bodies(), [&](const btRigidBody* body) {
     const Vec3d center = fromBullet(body->getWorldTransform().getOrigin());
     return !isFinite(center) || !slope_.covers(center.x, center.y) || center.z < slope_.heightAt(center.x, center.y);
   }));

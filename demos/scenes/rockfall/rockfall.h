@@ -3,47 +3,42 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <vector>
 
-#include "cairn/bullet/sphere_tree_shape.h"
 #include "scenes/rockfall/slope.h"
-#include "scenes/world/world.h"
+#include "scenes/world/body_scene.h"
 
 namespace cairn::scenes {
 
 struct RockfallOptions {
   std::uint32_t rocks = 100;
-  std::uint64_t seed = 1;
-  bullet::StepBudget budget;
+  std::uint64_t seed = 1;                ///< of the slope and of the rocks' orientations and places
+  std::uint32_t stepsWithoutBudget = 0;  ///< before the world's budget holds
+  WorldOptions world;                    ///< its shape is what the rocks collide as; its time step is the scene's
+  ShapeOptions shape;
 };
 
-/// Rocks released above the shelf of a slope: a few distinct trees, each rock at its own size (0.4 to 1.1 m across) and
-/// mass (2600 kg/m^3), orientation and place. Steps of 1/120 s, because the fastest rocks pass their own radius in 1/60
-/// s.
-class Rockfall {
+/// Rocks of one model and of 1 kg released above the shelf of a slope, which is a mesh of triangles for every shape.
+/// Steps of 1/120 s, because the fastest rocks pass their own radius in 1/60 s.
+class Rockfall final : public BodyScene {
  public:
-  /// `trees` are shared out in turn. Fails for what the shapes or the dispatcher refuse. Precondition: at least one
-  /// tree.
-  static Result<std::unique_ptr<Rockfall>> create(std::span<const std::shared_ptr<const SphereTree>> trees,
-                                                  const RockfallOptions& options);
+  /// Fails for what the shape or the dispatcher refuses.
+  static Result<std::unique_ptr<Rockfall>> create(const Model& model, const RockfallOptions& options);
+  ~Rockfall() override;
 
   static constexpr std::uint32_t kStepsPerSecond = 120;
 
-  StepRecord step() { return world_->step(); }
-  const World& world() const { return *world_; }
   const Slope& slope() const { return slope_; }
 
   /// Rocks whose centre of mass is below the ground or off the map.
-  std::uint32_t countLost() const;
+  std::uint32_t countLost() const override;
+  std::size_t groundParts() const override { return 1; }
+  double clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t part) const override;
 
  private:
-  explicit Rockfall(const RockfallOptions& options);
-  Status addRock(std::uint32_t number, std::shared_ptr<const SphereTree> tree, std::uint64_t seed);
+  Rockfall(const Model& model, const RockfallOptions& options);
+  void addRock(std::uint32_t number, std::uint64_t seed);
 
   Slope slope_;
-  std::vector<std::unique_ptr<bullet::SphereTreeShape>> shapes_;
-  std::unique_ptr<World> world_;  // last, so that it goes first
 };
 
 }  // namespace cairn::scenes

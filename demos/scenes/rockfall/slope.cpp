@@ -24,6 +24,31 @@ double yOf(std::uint32_t row) {
   return kCell * (row - (kRows - 1) / 2.0);
 }
 
+/// A range of cells or grid points along one axis.
+struct Range {
+  std::uint32_t first, last;
+};
+
+/// Grid lines, of `count`, from `low` to `high` cells; at least the nearest.
+Range gridLines(double low, double high, std::uint32_t count) {
+  const auto clamped = [&](double at) { return static_cast<std::uint32_t>(std::clamp(at, 0.0, count - 1.0)); };
+  return {clamped(std::ceil(low)), clamped(std::floor(high))};
+}
+
+double distanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
+  const Vec3d ab = b - a;
+  return distance(p, a + ab * std::clamp(dot(p - a, ab) / lengthSq(ab), 0.0, 1.0));
+}
+
+double distanceToTriangle(const Vec3d& p, const std::array<Vec3d, 3>& t) {
+  const Vec3d normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+  bool isAbove = true;
+  for (int i = 0; i < 3; ++i) isAbove = isAbove && dot(cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) >= 0;
+  if (isAbove) return std::abs(dot(p - t[0], normal));
+  return std::min(
+      {distanceToSegment(p, t[0], t[1]), distanceToSegment(p, t[1], t[2]), distanceToSegment(p, t[2], t[0])});
+}
+
 /// The profile down the slope: corners of risers and benches, straight between.
 double profileHeight(double x) {
   static constexpr std::array<std::array<double, 2>, 12> kCorners{{{0, Slope::kShelfHeight},
@@ -84,6 +109,35 @@ bool Slope::covers(double x, double y) const {
 
 double Slope::gridHeight(std::uint32_t column, std::uint32_t row) const {
   return heights_[row * kColumns + column];
+}
+
+Vec3d Slope::corner(std::uint32_t column, std::uint32_t row) const {
+  return {xOf(column), yOf(row), gridHeight(column, row)};
+}
+
+double Slope::signedDistance(const Vec3d& p) const {
+  const double height = p.z - heightAt(p.x, p.y);
+  // Nothing farther away along the map than straight down can be nearer.
+  const double reach = std::abs(height) / kCell, column = (p.x - xOf(0)) / kCell, row = (p.y - yOf(0)) / kCell;
+  const Range columns = gridLines(std::floor(column - reach), column + reach, kColumns - 1),
+              rows = gridLines(std::floor(row - reach), row + reach, kRows - 1);
+  double nearest = std::abs(height);
+  for (std::uint32_t j = rows.first; j <= rows.last; ++j)
+    for (std::uint32_t i = columns.first; i <= columns.last; ++i) {
+      const Vec3d a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+      nearest = std::min({nearest, distanceToTriangle(p, {a, b, c}), distanceToTriangle(p, {a, c, d})});
+    }
+  return height < 0 ? -nearest : nearest;
+}
+
+std::vector<Vec3d> Slope::cornersIn(const Vec3d& lower, const Vec3d& upper) const {
+  const Range columns = gridLines((lower.x - xOf(0)) / kCell, (upper.x - xOf(0)) / kCell, kColumns),
+              rows = gridLines((lower.y - yOf(0)) / kCell, (upper.y - yOf(0)) / kCell, kRows);
+  std::vector<Vec3d> corners;
+  for (std::uint32_t j = rows.first; j <= rows.last; ++j)
+    for (std::uint32_t i = columns.first; i <= columns.last; ++i)
+      if (const double z = gridHeight(i, j); z >= lower.z && z <= upper.z) corners.push_back(corner(i, j));
+  return corners;
 }
 
 double Slope::heightAt(double x, double y) const {

@@ -27,6 +27,10 @@ class Slope {
   /// Height of the triangle mesh itself over (x, y). Precondition: `covers(x, y)`.
   double heightAt(double x, double y) const;
   bool covers(double x, double y) const;
+  /// Distance of a point from the triangle mesh, negative below it. Precondition: `covers(p.x, p.y)`.
+  double signedDistance(const Vec3d& p) const;
+  /// Corners of the mesh in a box.
+  std::vector<Vec3d> cornersIn(const Vec3d& lower, const Vec3d& upper) const;
 
   static constexpr double kShelfLength = 8;  ///< of the top shelf, from x = 0
   static constexpr double kHalfWidth = 8;    ///< of the part between the banks
@@ -34,6 +38,7 @@ class Slope {
 
  private:
   double gridHeight(std::uint32_t column, std::uint32_t row) const;
+  Vec3d corner(std::uint32_t column, std::uint32_t row) const;
 
   std::vector<double> heights_;  // of the grid points, row by row
   std::vector<btScalar> coordinates_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace cairn::scenes {
 namespace {
@@ -35,6 +36,7 @@ void AccuracyJudge::judgePairs(FrameTruth& truth, const std::vector<BodyPair>& r
     if (std::ranges::binary_search(reported, pair)) continue;
     const double depth = truth.depth(pair) / size_;
     ++found_.missed;
+    silences_.push_back(depth);
     found_.deepestMissed = std::max(found_.deepestMissed, depth);
     if (record.tree && depth > record.tree->worstErrorFraction) ++found_.missedBeyondCertificate;
   }
@@ -56,6 +58,10 @@ ContactAccuracy AccuracyJudge::result() const {
   result.error = quantilesOf(errors_);
   result.meanStray = meanOf(strays_);
   result.stray = quantilesOf(strays_);
+  std::vector<double> answers = errors_;
+  answers.insert(answers.end(), silences_.begin(), silences_.end());
+  result.meanAnswerError = meanOf(answers);
+  result.answerError = quantilesOf(std::move(answers));
   return result;
 }
 

@@ -29,6 +29,9 @@ struct ContactAccuracy {
   /// The same point's distance from the nearer of the two meshes.
   double meanStray = 0;
   Quantiles stray;
+  /// Error of an answer: that of each contact point, and for a missed pair the penetration it is silent about.
+  double meanAnswerError = 0;
+  Quantiles answerError;
 };
 
 /// Judges frame after frame.
@@ -46,7 +49,7 @@ class AccuracyJudge {
   double size_;
   ContactAccuracy found_;
   SpreadOfLengths falseGaps_;
-  std::vector<double> errors_, strays_;
+  std::vector<double> errors_, strays_, silences_;
 };
 
 }  // namespace cairn::scenes

@@ -68,6 +68,8 @@ class World {
 
   StepRecord step();
 
+  double timeStep() const { return options_.timeStep; }
+
   /// Of every step from now on. Shapes other than the tree have none. Fails for one the dispatcher refuses.
   Status setBudget(const bullet::StepBudget& budget);
 

@@ -4,7 +4,10 @@
 namespace cairn::hard {
 
 std::vector<HardCase> dynamicsCases() {
-  return {};
+  return {restForAMinute(),  stackOfTen(),      builtToStand(),  massRatio(),     deepOverlap(),
+          wallShots(),       thinRods(),        tumbling(),      fastSpin(),      flatMeshes(),
+          ballPit(),         heapComesToRest(), smallAndLarge(), farFromOrigin(), sphereCountIndependence(),
+          budgetStarvation()};
 }
 
 }  // namespace cairn::hard

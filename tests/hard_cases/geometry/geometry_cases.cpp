@@ -4,7 +4,9 @@
 namespace cairn::hard {
 
 std::vector<HardCase> geometryCases() {
-  return {onOneSphere()};
+  return {cosphericalPoints(), onOneSphere(), duplicateVertices(), slivers(),        flatSolids(),  tooLittle(),
+          openMeshes(),        nonManifold(), crossingAndNested(), flippedWinding(), brokenFiles(), scaleAndPlace(),
+          rodsAndPlates(),     gaps(),        largeAndStarved()};
 }
 
 }  // namespace cairn::hard

@@ -5,8 +5,8 @@ namespace cairn::hard {
 
 std::vector<HardCase> allHardCases() {
   std::vector<HardCase> all = geometryCases();
-  const std::vector<HardCase> dynamics = dynamicsCases();
-  all.insert(all.end(), dynamics.begin(), dynamics.end());
+  for (const auto& more : {dynamicsCases(), certificateCases(), isolationCases(), longRunCases()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

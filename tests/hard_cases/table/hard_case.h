@@ -22,7 +22,7 @@ struct Measure {
 /// How much of a case is run: `quick` within seconds, for every test run; `whole` as the case's criterion means it.
 enum class Effort { quick, whole };
 
-/// What a case found. Deterministic: the same figures every time, but for those whose unit is a time.
+/// What a case found. Deterministic: the same figures every time, but for those whose unit is a time or memory.
 struct Outcome {
   std::vector<Measure> measures;
   std::string why;  ///< of a miss, or of a limit that differs from the proposed one: one sentence
@@ -30,7 +30,7 @@ struct Outcome {
 
 /// One hard case: builder or plugin at an edge where collision code breaks.
 struct HardCase {
-  std::string id;  ///< "G1" to "G15", "D1" to "D16"
+  std::string id;  ///< "G1" to "G15", "D1" to "D16"; "C1", "C2": certificates; "I1", "I2": isolation; "L1", "L2": long runs
   std::string name;
   std::string criterion;  ///< in words, with where the figure comes from
   Outcome (*run)(Effort effort) = nullptr;
@@ -39,6 +39,9 @@ struct HardCase {
 /// In the order of their numbers.
 std::vector<HardCase> geometryCases();
 std::vector<HardCase> dynamicsCases();
+std::vector<HardCase> certificateCases();
+std::vector<HardCase> isolationCases();
+std::vector<HardCase> longRunCases();
 std::vector<HardCase> allHardCases();
 
 }  // namespace cairn::hard

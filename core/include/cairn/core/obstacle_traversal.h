@@ -32,7 +32,7 @@ class ObstacleTraversal final : public Traversal {
  private:
   const SphereTree* tree_ = nullptr;
   const Obstacle* obstacle_ = nullptr;
-  float scale_ = 1;
+  float errorScale_ = 1;  // world length per tree unit, grown by `kErrorGrowth`
 };
 
 }  // namespace cairn

@@ -14,6 +14,11 @@ namespace cairn {
 
 enum class Progress : std::uint8_t { done, budgetSpent };
 
+/// What a world length per tree unit is multiplied by before errors are, so that a pair's certified error stays an
+/// upper bound: this product, that with an error and the sum of two each round down by at most 2^-24 of themselves;
+/// 2^-21 is more than they do together.
+inline constexpr double kErrorGrowth = 1 + 0x1p-21;
+
 /// An interruptible breadth-first traversal (thesis 2.7.1), owned by whoever wants its answer.
 ///
 /// `refine` works until it is done or the budget refuses a step; called again it goes on where it stopped, and any way

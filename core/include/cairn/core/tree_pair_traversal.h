@@ -27,8 +27,9 @@ class TreePairTraversal final : public Traversal {
   struct Side {
     const SphereTree* tree = nullptr;
     Similarity fromOther;
-    float scale = 1;   // world length per tree unit
-    float margin = 0;  // in tree units, with the rounding slack
+    float scale = 1;       // world length per tree unit
+    float errorScale = 1;  // the same for errors, which may only grow by rounding
+    float margin = 0;      // in tree units, with the rounding slack
   };
   void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose);
 

@@ -38,6 +38,9 @@ struct StepStatistics {
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
+  /// Of these, pairs of which a body's place, speed or force is no number or endless: they have no contacts, so that it
+  /// harms no other. The first one is told on standard error.
+  std::uint32_t brokenPairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< of these, traversals the budget stopped
   std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
   std::uint32_t exactContacts = 0;    ///< of these, measured between source triangles

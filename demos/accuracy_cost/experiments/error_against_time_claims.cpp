@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy_cost/experiments/error_against_time_claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace cairn::accuracy_cost {
+namespace {
+
+/// Errors that matter, of body size: below nobody sees it, above nobody wants it.
+constexpr double kLeastError = 0.001, kGreatestError = 0.05;
+
+/// A row's time over the tree's, with its interval.
+struct Time {
+  double median, low, high;
+};
+
+Time timeOf(const Table& table, std::size_t row) {
+  return {table.number(row, "time_over_tree"), table.number(row, "time_over_tree_low"),
+          table.number(row, "time_over_tree_high")};
+}
+
+/// The fastest of ours that errs no more than this; an error below the least that matters is as good as that.
+std::optional<std::size_t> fastestOfOurs(const Table& table, const Where& scene, const std::string& column,
+                                         double error) {
+  std::optional<std::size_t> best;
+  for (const std::size_t row : table.select(scene)) {
+    if (table.text(row, "side") != "ours" || table.number(row, column) > std::max(error, kLeastError)) continue;
+    if (!best || timeOf(table, row).median < timeOf(table, *best).median) best = row;
+  }
+  return best;
+}
+
+std::string nameOf(const Table& table, std::size_t row) {
+  return fmt::format("{} in {} of {}", table.text(row, "series"), table.text(row, "scene"), table.text(row, "model"));
+}
+
+/// What became of all rivals beside our front.
+struct Fronts {
+  std::size_t rivals = 0;
+  std::vector<std::string> exceptions, ties;
+  double leastFactor = std::numeric_limits<double>::infinity(), greatestFactor = 0;
+};
+
+void compare(const Table& table, const Where& scene, const std::string& column, Fronts& fronts) {
+  for (const std::size_t row : table.select(scene)) {
+    const double error = table.number(row, column);
+    if (table.text(row, "side") == "ours" || !(error <= kGreatestError)) continue;
+    ++fronts.rivals;
+    const Time rival = timeOf(table, row);
+    const auto ours = fastestOfOurs(table, scene, column, error);
+    if (!ours) {
+      fronts.exceptions.push_back(
+          fmt::format("{} ({:.3g} %: none of ours errs as little)", nameOf(table, row), 100 * error));
+      continue;
+    }
+    const Time own = timeOf(table, *ours);
+    fronts.leastFactor = std::min(fronts.leastFactor, rival.median / own.median);
+    fronts.greatestFactor = std::max(fronts.greatestFactor, rival.median / own.median);
+    const std::string text =
+        fmt::format("{} ({:.3g} % in {:.2f} of our time)", nameOf(table, row), 100 * error, rival.median / own.median);
+    if (rival.high < own.low)
+      fronts.exceptions.push_back(text);
+    else if (rival.low <= own.high)
+      fronts.ties.push_back(text);
+  }
+}
+
+void addFront(const Table& table, const std::string& column, const char* which, std::vector<Claim>& claims) {
+  Fronts fronts;
+  for (const std::string& model : table.texts("model"))
+    for (const std::string& scene : table.texts("scene"))
+      compare(table, {{"model", model}, {"scene", scene}}, column, fronts);
+  if (fronts.rivals == 0) return;
+  std::string found = fmt::format("by {} error {} of {} points of rivals are below and left of ours", which,
+                                  fronts.exceptions.size(), fronts.rivals);
+  if (!fronts.exceptions.empty()) found += fmt::format(": {}", fmt::join(fronts.exceptions, "; "));
+  if (!fronts.ties.empty()) found += fmt::format("; as fast within the noise: {}", fmt::join(fronts.ties, "; "));
+  if (fronts.greatestFactor > 0)
+    found += fmt::format("; at no more error than a rival's ours takes 1/{:.2g} to 1/{:.2g} of its time",
+                         fronts.leastFactor, fronts.greatestFactor);
+  claims.push_back({fmt::format("no rival is below and left of ours for any {} error between {} and {} % of size",
+                                which, 100 * kLeastError, 100 * kGreatestError),
+                    fmt::format("for each rival that errs at most {} %, the fastest of ours that errs no more (or at "
+                                "most {} %) is not slower: the interval of its time over the tree's does not lie above "
+                                "the rival's",
+                                100 * kGreatestError, 100 * kLeastError),
+                    found, fronts.exceptions.empty()});
+}
+
+/// That what a tree is silent about is no deeper than it says it may be.
+void addMissed(const Table& table, std::vector<Claim>& claims) {
+  double meeting = 0, missed = 0, beyond = 0, deepest = 0;
+  for (const std::size_t row : table.select({{"side", "ours"}})) {
+    meeting += table.number(row, "meeting_pairs");
+    missed += table.number(row, "missed_pairs");
+    beyond += table.number(row, "missed_beyond_certificate");
+    deepest = std::max(deepest, table.number(row, "missed_depth_max_fraction"));
+  }
+  if (meeting == 0) return;
+  claims.push_back({"a tree misses no pair of bodies that are deeper in each other than it certifies, on any budget",
+                    "of all pairs the exact check finds to meet none without a contact is deeper than the worst "
+                    "certified error of its frame",
+                    fmt::format("of {} meeting pairs trees of all levels and budgets miss {}, the deepest by {:.2g} % "
+                                "of size, {} of them deeper than certified",
+                                meeting, missed, 100 * deepest, beyond),
+                    beyond == 0});
+}
+
+/// How sure times are: not a claim about shapes, but what the others stand on.
+void addNoise(const Table& table, std::vector<Claim>& claims) {
+  constexpr double kWidest = 0.25;
+  std::vector<double> widths;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Time time = timeOf(table, row);
+    if (time.median > 0) widths.push_back((time.high - time.low) / time.median);
+  }
+  if (widths.empty()) return;
+  std::ranges::sort(widths);
+  const double middle = widths[widths.size() / 2];
+  claims.push_back({"ratios of times are known well enough to compare shapes",
+                    fmt::format("half of the intervals are narrower than {:.0f} % of their median", 100 * kWidest),
+                    fmt::format("intervals of 95 % of the ratios are {:.1f} % of the median wide in the middle, {:.1f} "
+                                "% at most",
+                                100 * middle, 100 * widths.back()),
+                    middle < kWidest});
+}
+
+}  // namespace
+
+std::vector<Claim> judgeErrorAgainstTime(const Table& table) {
+  std::vector<Claim> claims;
+  addFront(table, "error_mean_fraction", "mean", claims);
+  addFront(table, "error_p99_fraction", "99 %", claims);
+  addMissed(table, claims);
+  addNoise(table, claims);
+  return claims;
+}
+
+}  // namespace cairn::accuracy_cost

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "accuracy_cost/experiments/claim.h"
+#include "accuracy_cost/experiments/table.h"
+
+namespace cairn::accuracy_cost {
+
+/// The claims of `error-against-time`; exceptions are named in what was found.
+std::vector<Claim> judgeErrorAgainstTime(const Table& table);
+
+}  // namespace cairn::accuracy_cost

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy_cost/experiments/error_against_time.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "accuracy_cost/experiments/error_against_time_claims.h"
+#include "accuracy_cost/experiments/statistics.h"
+#include "accuracy_cost/models/solids.h"
+
+namespace cairn::accuracy_cost {
+namespace {
+
+bool isTime(const std::string& column) {
+  return column.starts_with("time_");
+}
+
+/// A few tori, few frames: seconds.
+Result<Table> smallContest() {
+  ContestExtent extent;
+  extent.converge = {.bodies = 5, .runs = 1, .frames = 160};
+  extent.heap = {.bodies = 6, .from = 30, .frames = 40};
+  extent.repetitions = 3;
+  extent.depth = 2;
+  return measureErrorAgainstTime({{"torus", torus(1, 0.4, 16, 8)}}, extent, 1, {});
+}
+
+TEST(ErrorAgainstTime, HasTheSameErrorsTwiceAndPositiveTimes) {
+  const auto first = smallContest(), second = smallContest();
+  ASSERT_TRUE(first && second) << first.error().message;
+  const Table &a = first.value(), &b = second.value();
+  ASSERT_EQ(a.rows(), b.rows());
+  ASSERT_GT(a.rows(), 2U * 12U) << "both scenes, trees by budget and rivals";
+  double meeting = 0;
+  for (std::size_t row = 0; row < a.rows(); ++row) {
+    for (const std::string& column : a.columns()) {
+      if (!isTime(column)) EXPECT_EQ(a.text(row, column), b.text(row, column)) << "row " << row << ", " << column;
+    }
+    EXPECT_GT(a.number(row, "time_us"), 0);
+    EXPECT_LE(a.number(row, "time_low_us"), a.number(row, "time_us"));
+    EXPECT_GE(a.number(row, "time_high_us"), a.number(row, "time_us"));
+    meeting += a.number(row, "meeting_pairs");
+  }
+  EXPECT_GT(meeting, 0) << "the frames show nothing";
+  EXPECT_FALSE(judgeErrorAgainstTime(a).empty());
+  EXPECT_EQ(errorAgainstTimeExperiment().draw(a).front().panels.size(), 2U);
+}
+
+TEST(ErrorAgainstTime, CancelsAtOnce) {
+  const auto table =
+      measureErrorAgainstTime({{"torus", torus(1, 0.4, 16, 8)}}, {}, 1, [](std::string_view, double) { return false; });
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().message, builder::kCancelled);
+}
+
+/// One row of a contest as its judge sees it.
+struct Row {
+  const char* series;
+  const char* side;
+  double error, time, low, high;
+};
+
+Table contestOf(const std::vector<Row>& rows, int beyondCertificate = 0) {
+  Table table({"model", "scene", "series", "side", "error_mean_fraction", "error_p99_fraction", "meeting_pairs",
+               "missed_pairs", "missed_depth_max_fraction", "missed_beyond_certificate", "time_over_tree",
+               "time_over_tree_low", "time_over_tree_high"});
+  for (const Row& r : rows)
+    table.add("cube", "heap", r.series, r.side, r.error, r.error, 10, beyondCertificate, 0.01, beyondCertificate,
+              r.time, r.low, r.high);
+  return table;
+}
+
+const Row kOurs{"tree", "ours", 0.01, 1, 0.95, 1.05}, kFine{"fine", "ours", 0.0005, 4, 3.9, 4.1};
+
+TEST(ErrorAgainstTimeClaims, TurnWithTheData) {
+  const Row slower{"slow", "rival", 0.01, 3, 2.9, 3.1};
+  EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, kFine, slower}))[0].holds);
+
+  const Row faster{"fast", "rival", 0.01, 0.5, 0.45, 0.55};
+  const Claim beaten = judgeErrorAgainstTime(contestOf({kOurs, kFine, slower, faster}))[0];
+  EXPECT_FALSE(beaten.holds);
+  EXPECT_NE(beaten.found.find("fast in heap of cube"), std::string::npos) << "the exception is named: " << beaten.found;
+
+  const Row level{"level", "rival", 0.01, 0.97, 0.9, 1.04};
+  const Claim tied = judgeErrorAgainstTime(contestOf({kOurs, level}))[0];
+  EXPECT_TRUE(tied.holds) << "within the noise";
+  EXPECT_NE(tied.found.find("level in heap of cube"), std::string::npos) << tied.found;
+
+  const Row exact{"exact", "rival", 0, 10, 9, 11};
+  EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, kFine, exact}))[0].holds) << "below 0.1 % all is as good";
+  EXPECT_FALSE(judgeErrorAgainstTime(contestOf({kOurs, exact}))[0].holds) << "none of ours errs as little";
+  const Row crude{"crude", "rival", 0.06, 0.1, 0.1, 0.1};
+  EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, slower, crude}))[0].holds) << "beyond 5 % nothing counts";
+}
+
+TEST(ErrorAgainstTimeClaims, NoticeAMissedPairAndWideIntervals) {
+  const auto claims = judgeErrorAgainstTime(contestOf({kOurs, kFine}, 1));
+  ASSERT_EQ(claims.size(), 2U) << "no rival, no front";
+  EXPECT_FALSE(claims[0].holds);
+  EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, kFine}))[0].holds);
+  EXPECT_TRUE(claims[1].holds);
+  EXPECT_FALSE(judgeErrorAgainstTime(contestOf({{"tree", "ours", 0.01, 1, 0.5, 1.5}}))[1].holds);
+}
+
+TEST(Statistics_MedianOf, HasTheOrderStatisticsOfTheSignTest) {
+  // Conover 1999, table A3: ends of 95 % intervals for the median are the 1st and 6th of 6 values (96.9 %), the 1st and
+  // 7th of 7 (98.4 %), the 2nd and 8th of 9 (96.1 %), the 2nd and 10th of 11 (98.8 %), the 6th and 15th of 20 (95.9 %).
+  struct Case {
+    int count, low, high;
+  };
+  for (const auto& [count, low, high] : {Case{6, 1, 6}, {7, 1, 7}, {9, 2, 8}, {11, 2, 10}, {20, 6, 15}, {1, 1, 1}}) {
+    std::vector<double> values;
+    for (int i = count; i > 0; --i) values.push_back(i);
+    const MedianInterval interval = medianOf(values);
+    EXPECT_EQ(interval.low, low) << count;
+    EXPECT_EQ(interval.high, high) << count;
+    EXPECT_EQ(interval.median, (count + 1) / 2.0) << count;
+  }
+}
+
+}  // namespace
+}  // namespace cairn::accuracy_cost

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "accuracy_cost/models/solids.h"
+#include "cairn/builder/simplify.h"
+#include "cairn/core/atomic_file.h"
+#include "run_program.h"
+
+namespace cairn::advise {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::contentOf;
+using test::ProgramResult;
+
+/// `cairn advise` on a ring of a few triangles, so that it takes seconds.
+class AdviseProgram : public ::testing::Test {
+ protected:
+  AdviseProgram() {
+    EXPECT_TRUE(writeFileAtomically(path("ring.obj"), builder::objText(accuracy_cost::torus(1, 0.35, 16, 8))));
+  }
+
+  fs::path path(const std::string& name) const { return temporary_.path() / name; }
+  std::string quoted(const std::string& name) const { return "'" + path(name).string() + "'"; }
+  ProgramResult run(const std::string& rest) const {
+    return test::runProgram("cairn", "advise " + quoted("ring.obj") + " --methods combined,octree --depths 1,2 " +
+                                         "--bodies 8 --frames 200 --repeats 1 " + rest);
+  }
+  ProgramResult runJson(const std::string& file, const std::string& rest) const {
+    return run("--json " + quoted(file) + " " + rest);
+  }
+  json read(const std::string& file) const { return json::parse(contentOf(path(file))); }
+
+  test::TemporaryFolder temporary_;
+};
+
+TEST_F(AdviseProgram, RecommendsWhatItsTableSays) {
+  const ProgramResult result = runJson("advice.json", "--budget-us 1e6 --all");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const json document = read("advice.json");
+  ASSERT_EQ(document["trees"].size(), 6U) << "octree has one branching";
+  double least = 1;
+  std::size_t budgets = 0;
+  for (const json& tree : document["trees"]) {
+    EXPECT_FALSE(tree["budgets"].back()["cuts"]);
+    for (const json& rung : tree["budgets"]) {
+      EXPECT_TRUE(rung["fits"]);
+      EXPECT_GE(rung["certified_error_worst_fraction"], rung["certified_error_mean_fraction"]);
+      least = std::min(least, rung["certified_error_mean_fraction"].get<double>());
+      ++budgets;
+    }
+  }
+  const json& chosen = document["recommendation"];
+  EXPECT_EQ(chosen["certified_error_mean_fraction"], least);
+  EXPECT_NE(result.output.find(document["advice"].get<std::string>()), std::string::npos);
+  EXPECT_NE(document["advice"].get<std::string>().find(
+                "set the budget to " + std::to_string(chosen["budget_operations"].get<std::uint64_t>())),
+            std::string::npos);
+
+  std::istringstream lines(result.output);
+  std::size_t rows = 0, arrows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool isRow = line.size() > 40 && (line.find("combined  ") == 3 || line.find("octree  ") == 3);
+    rows += isRow ? 1 : 0;
+    if (!isRow || line.rfind("->", 0) != 0) continue;
+    ++arrows;
+    EXPECT_NE(line.find(chosen["method"].get<std::string>()), std::string::npos) << line;
+    EXPECT_NE(line.find(" " + std::to_string(chosen["budget_operations"].get<std::uint64_t>()) + " "),
+              std::string::npos)
+        << line;
+  }
+  EXPECT_EQ(rows, budgets);
+  EXPECT_EQ(arrows, 1U);
+  for (const char* heading : {"method", "branching", "depth", "spheres", "build s", "certified error", "p99"})
+    EXPECT_NE(result.output.find(heading), std::string::npos) << heading;
+}
+
+TEST_F(AdviseProgram, ErrorsAndOperationsAreTheSameOnEveryRun) {
+  ASSERT_EQ(runJson("one.json", "--budget-us 100 --threads 1").exitCode, 0);
+  ASSERT_EQ(runJson("two.json", "--budget-us 100 --threads 2").exitCode, 0);
+  json one = read("one.json"), two = read("two.json");
+  EXPECT_EQ(one["recording_hash"], two["recording_hash"]);
+  EXPECT_GT(one["busy_frames"], 0);
+  for (json* document : {&one, &two})
+    for (json& tree : (*document)["trees"]) {
+      tree.erase("build_wall_s");
+      for (json& rung : tree["budgets"])
+        for (const char* time : {"narrow_phase_median_us", "narrow_phase_p99_us", "fits"}) rung.erase(time);
+    }
+  EXPECT_EQ(one["trees"], two["trees"]);
+}
+
+TEST_F(AdviseProgram, SaysWhenNothingFits) {
+  const ProgramResult result = runJson("advice.json", "--budget-us 0.001");
+  EXPECT_EQ(result.exitCode, 0) << result.errors;
+  EXPECT_NE(result.output.find("No tree that was tried"), std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find("\n-> combined"), std::string::npos);
+  EXPECT_TRUE(read("advice.json")["recommendation"].is_null());
+}
+
+TEST_F(AdviseProgram, DrawsTheCurves) {
+  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(run("--budget-us 100 --figure " + quoted("curves.svg")).exitCode, 0);
+  EXPECT_NE(contentOf(path("curves.svg")).find("combined 8x2"), std::string::npos);
+  EXPECT_EQ(contentOf(path("curves.png")).substr(1, 3), "PNG");
+  EXPECT_FALSE(fs::exists(path("curves.svg.csv"))) << "nothing of the work is left over";
+}
+
+void expectOneSentence(const ProgramResult& result, int code, const std::string& words) {
+  EXPECT_EQ(result.exitCode, code) << result.errors;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_EQ(result.errors.rfind("cairn advise: ", 0), 0U) << result.errors;
+  EXPECT_NE(result.errors.find(words), std::string::npos) << result.errors;
+  EXPECT_TRUE(result.output.empty()) << result.output;
+}
+
+TEST_F(AdviseProgram, RefusesInOneSentence) {
+  expectOneSentence(run(""), 2, "--budget-us");
+  for (const char* budget : {"0", "-5", "nan", "inf", "much"})
+    expectOneSentence(run("--budget-us " + std::string(budget)), 2, "microseconds");
+  expectOneSentence(run("--budget-us 5 --methods magic"), 2, "magic");
+  expectOneSentence(run("--budget-us 5 --depths 0"), 2, "--depths");
+  expectOneSentence(run("--budget-us 5 --bodies 1"), 2, "--bodies");
+  expectOneSentence(run("--budget-us 5 --figure " + quoted("a.png")), 2, ".svg");
+  expectOneSentence(run("--budget-us 5 --json " + quoted("no/a.json")), 1, "does not exist");
+  expectOneSentence(run("--budget-us 5 --json " + quoted("ring.obj")), 1, "is the same file as");
+  expectOneSentence(test::runProgram("cairn", "advise " + quoted("ring.obj") +
+                                                  " --budget-us 5 --methods octree --depths 1 --frames 1"),
+                    1, "no bodies touch");
+  expectOneSentence(test::runProgram("cairn", "advise " + quoted("none.obj") + " --budget-us 5"), 1, "none.obj");
+  ASSERT_TRUE(writeFileAtomically(path("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  expectOneSentence(test::runProgram("cairn", "advise " + quoted("open.obj") + " --budget-us 5"), 1, "open");
+}
+
+TEST_F(AdviseProgram, StandsBesideCairn) {
+  const ProgramResult help = test::runProgram("cairn", "advise --help");
+  EXPECT_EQ(help.exitCode, 0) << help.errors;
+  EXPECT_NE(help.output.find("cairn advise bunny.obj --bodies 50"), std::string::npos) << help.output;
+  EXPECT_NE(test::runProgram("cairn", "--help").output.find("cairn advise rock.obj"), std::string::npos);
+  fs::copy_file(fs::read_symlink("/proc/self/exe").parent_path() / "cairn", path("cairn"));
+  const std::string alone = quoted("cairn") + " advise rock.obj --budget-us 5 > /dev/null 2> " + quoted("errors");
+  const int status = std::system(alone.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const std::string errors = contentOf(path("errors"));
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+  EXPECT_NE(errors.find("cairn-advise"), std::string::npos) << errors;
+}
+
+TEST_F(AdviseProgram, IsCancelledWithoutAResult) {
+  const std::string program = (fs::read_symlink("/proc/self/exe").parent_path() / "cairn").string();
+  const std::string mesh = path("ring.obj").string(), out = path("advice.json").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    execl(program.c_str(), program.c_str(), "advise", mesh.c_str(), "--budget-us", "100", "--json", out.c_str(),
+          "--repeats", "100", nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(temporary_.path())) ++files;
+  EXPECT_EQ(files, 1U) << "the mesh alone";
+}
+
+}  // namespace
+}  // namespace cairn::advise

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../table/hard_case.h"
+
+namespace cairn::hard {
+
+// One file each, named as these are.
+HardCase singlePrecision();  // C1
+HardCase randomPoses();      // C2
+
+}  // namespace cairn::hard

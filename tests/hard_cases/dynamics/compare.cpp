@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::hard {
+namespace {
+
+bool isBetter(double x, double y, Bound bound) {
+  return bound == Bound::atMost ? x < y : x > y;
+}
+
+}  // namespace
+
+std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figures& ours,
+                                   const std::vector<StockRun>& stock) {
+  std::vector<Measure> measures;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    Measure measure{asked[i].name, ours[i], asked[i].limit, asked[i].bound, asked[i].unit, "", 0};
+    for (const StockRun& run : stock) {
+      const double value = run.figures[i];
+      if (!std::isfinite(value)) continue;
+      if (!measure.stock.empty() && !isBetter(value, measure.stockValue, measure.bound)) continue;
+      measure.stock = run.name;
+      measure.stockValue = value;
+    }
+    measures.push_back(measure);
+  }
+  return measures;
+}
+
+std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& bodies,
+                             const std::function<Figures(const CaseBody&)>& run) {
+  const Figures ours = run(bodies.front());
+  std::vector<StockRun> stock;
+  for (std::size_t i = 1; i < bodies.size(); ++i) stock.push_back({bodies[i].name, run(bodies[i])});
+  return besideTheBest(asked, ours, stock);
+}
+
+Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {
+  Figures worst = runs.front();
+  for (const Figures& run : runs)
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (!std::isfinite(run[i]) || (std::isfinite(worst[i]) && isBetter(worst[i], run[i], asked[i].bound)))
+        worst[i] = run[i];
+  return worst;
+}
+
+Figures medianOf(const std::vector<Figures>& runs) {
+  Figures medians;
+  for (std::size_t i = 0; i < runs.front().size(); ++i) {
+    std::vector<double> all;
+    for (const Figures& run : runs) all.push_back(run[i]);
+    std::ranges::sort(all);
+    medians.push_back(all[all.size() / 2]);
+  }
+  return medians;
+}
+
+}  // namespace cairn::hard

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "../dynamics/compare.h"
+#include "../dynamics/pile.h"
+#include "long_run_cases.h"
+#include "scenes/bodies/model.h"
+#include "scenes/figures/random.h"
+
+// A heap that is knocked about for an hour, one body every second.
+//
+//    | o O\\ |
+//    |oOoOoO| <- !    0 h ........ 1 h
+//    '------'
+namespace cairn::hard {
+namespace {
+
+/// Resident memory of the process, KiB; 0 where the system does not tell.
+double residentKib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6));
+  return 0;
+}
+
+struct Hour {
+  int insane = 0, lost = 0;
+  double energy = 0;      // greatest after a blow's second, J/kg
+  double memory = 0;      // KiB grown since the first tenth
+  double operations = 0;  // mean of the last tenth over that of the first, less 1, per cent
+};
+
+Hour knockAbout(const test::TriedBody& rock, int seconds) {
+  constexpr double kBlow = 2;  // m/s
+  constexpr int kBodies = 12;
+  Pile pile(rock, 1, {.bodies = kBodies, .doSleep = true});
+  scenes::Random random(11);
+  for (int i = 0; i < 5 * test::kStepsPerSecond; ++i) pile.step();
+  Hour hour;
+  double first = 0, last = 0, memory = 0;
+  const int tenth = std::max(1, seconds / 10);
+  for (int second = 0; second < seconds; ++second) {
+    btRigidBody& body = *pile.bodies()[std::size_t(random.uniform(0, kBodies))];
+    body.activate(true);
+    body.applyCentralImpulse(scenes::toBullet(random.direction() * kBlow));
+    for (int i = 0; i < test::kStepsPerSecond; ++i) {
+      pile.step();
+      const double operations = double(pile.world().dispatcher.lastStep().operations);
+      (second < tenth ? first : second >= seconds - tenth ? last : hour.operations) += operations;
+    }
+    hour.energy = std::max(hour.energy, pile.kineticEnergy() / kBodies);
+    if (second == tenth) memory = residentKib();
+  }
+  hour.operations = first > 0 ? 100 * (last / first - 1) : 0;
+  hour.memory = residentKib() - memory;
+  hour.insane = pile.countInsane();
+  hour.lost = pile.countLost();
+  return hour;
+}
+
+Outcome run(Effort effort) {
+  const bool isWhole = effort == Effort::whole;
+  const Hour hour = knockAbout(rocks(1, 1).front().body, isWhole ? 3600 : 20);
+  return {{{"bodies that are no number", double(hour.insane), 0, Bound::atMost, "", "", 0},
+           {"bodies lost", double(hour.lost), 0, Bound::atMost, "", "", 0},
+           {"kinetic energy a second after a blow, most", hour.energy, 2, Bound::atMost, "J/kg", "", 0},
+           {"memory grown", hour.memory, 1024, Bound::atMost, "KiB", "", 0},
+           {"narrow phase, last tenth over first, more", hour.operations, isWhole ? 10.0 : 50.0, Bound::atMost,
+            "% operations", "", 0}},
+          ""};
+}
+
+}  // namespace
+
+HardCase anHourOfBlows() {
+  return {
+      "L2", "an hour of blows",
+      "a heap of 12 rocks, one of them struck by 2 N s every second for an hour: no NaN, nobody lost, no more energy "
+      "than the blow's 2 J/kg, no more than 1 MiB of memory more, the narrow phase's work at the end as at first",
+      run};
+}
+
+}  // namespace cairn::hard

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Zlib
+// A body that is no number, or on its way there, harms no other.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "front_ends.h"
+
+namespace cairn::test {
+namespace {
+
+constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN(), kInf = std::numeric_limits<btScalar>::infinity();
+constexpr btScalar kRadius = btScalar(0.3);
+// What falls from where the upper one lies arrives slower.
+constexpr btScalar kFallSpeed = btScalar(3.5);
+
+enum class Harm { place, axes, speed, spin, force, torque };
+
+void harm(btRigidBody& body, Harm how) {
+  btTransform at = body.getWorldTransform();
+  switch (how) {
+    case Harm::place:
+      at.setOrigin(btVector3(0, kNan, 0));
+      return body.setWorldTransform(at);
+    case Harm::axes:
+      at.getBasis()[1].setX(kNan);
+      return body.setWorldTransform(at);
+    case Harm::speed:
+      return body.setLinearVelocity(btVector3(0, 0, kInf));
+    case Harm::spin:
+      return body.setAngularVelocity(btVector3(kNan, 0, 0));
+    case Harm::force:
+      return body.applyCentralForce(btVector3(0, -kInf, 0));
+    case Harm::torque:
+      return body.applyTorque(btVector3(0, 0, kInf));
+  }
+}
+
+CAIRN_FRONT_END_SUITE(BrokenBody, EveryFrontEnd);
+
+TYPED_TEST(BrokenBody, HarmsNoneOfThoseItTouches) {
+  const auto tree = plainTree(ball(double(kRadius), 6));
+  for (const Harm how : {Harm::place, Harm::axes, Harm::speed, Harm::spin, Harm::force, Harm::torque}) {
+    SCOPED_TRACE(int(how));
+    BulletWorld<TypeParam> w;
+    w.addGround();
+    btRigidBody& broken = w.add(treeShape(tree), 1, btVector3(0, 0, kRadius));
+    btRigidBody& above = w.add(treeShape(tree), 1, btVector3(0, 0, 3 * kRadius));
+    for (btRigidBody* body : {&broken, &above}) body->setActivationState(DISABLE_DEACTIVATION);
+    w.step(5);
+    ASSERT_GT(w.dispatcher.lastStep().contacts, 1U) << "they do not touch: the test shows nothing";
+    ASSERT_EQ(w.dispatcher.lastStep().brokenPairs, 0U);
+    harm(broken, how);
+    w.step();
+    EXPECT_GT(w.dispatcher.lastStep().brokenPairs, 0U);
+    w.step(60);
+    ASSERT_TRUE(isSane(above));
+    EXPECT_LT(above.getLinearVelocity().length(), kFallSpeed) << "something threw it";
+    EXPECT_GT(above.getWorldTransform().getOrigin().z(), 0);
+
+    // And on it goes.
+    broken.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(1, 0, kRadius)));
+    broken.setInterpolationWorldTransform(broken.getWorldTransform());
+    for (const auto& stop : {&btRigidBody::setLinearVelocity, &btRigidBody::setAngularVelocity})
+      (broken.*stop)(btVector3(0, 0, 0));
+    broken.clearForces();
+    broken.updateInertiaTensor();
+    broken.forceActivationState(DISABLE_DEACTIVATION);
+    w.step(30);
+    EXPECT_TRUE(isSane(broken));
+    EXPECT_EQ(w.dispatcher.lastStep().brokenPairs, 0U);
+    EXPECT_NEAR(broken.getWorldTransform().getOrigin().z(), kRadius, 0.05 * double(kRadius));
+  }
+}
+
+TYPED_TEST(BrokenBody, IsToldOnce) {
+  BulletWorld<TypeParam> w;
+  w.addGround();
+  const auto tree = plainTree(ball(double(kRadius), 6));
+  btRigidBody& broken = w.add(treeShape(tree), 1, btVector3(0, 0, kRadius));
+  w.add(treeShape(tree), 1, btVector3(0, 0, 3 * kRadius));  // Bullet asks no more about what touches nothing awake
+  w.step();
+  testing::internal::CaptureStderr();
+  harm(broken, Harm::place);
+  w.step(3);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(told.find("no number"), told.rfind("no number"));
+  EXPECT_NE(told.find("no number"), std::string::npos) << told;
+}
+
+}  // namespace
+}  // namespace cairn::test

@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report's page, made of tiny real runs: report_test.py PROGRAMS. Ends with 77 where jinja2 is not installed."""
+import html.parser
+import json
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+REPORT = SOURCE / "demos/report"
+PROGRAMS = ""
+MEASURED = ["textbook", "expand-selection", "levels"]
+sys.path.insert(0, str(REPORT))
+
+VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
+
+
+class Page(html.parser.HTMLParser):
+    """What a page is made of, and what is wrong with its tags."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.faults, self.tags, self.ids, self.links, self.sources, self.words = [], [], [], [], [], [], []
+        self.feed(text)
+        self.close()
+        self.faults += [f"{tag} is not closed" for tag in self.open]
+        self.text = re.sub(r"\s+", " ", " ".join(self.words))
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        attrs = dict(attrs)
+        self.ids += [attrs["id"]] if "id" in attrs else []
+        self.links += [attrs["href"]] if "href" in attrs else []
+        self.sources += [v for k, v in attrs.items() if k in ("src", "srcset", "data", "poster")]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag in VOID:
+            return
+        if not self.open or self.open.pop() != tag:
+            self.faults.append(f"</{tag}> at {self.getpos()}")
+
+    def handle_data(self, data):
+        if not self.open or self.open[-1] != "style":
+            self.words.append(data)
+
+
+def run(output, *more, programs=None):
+    return subprocess.run([sys.executable, str(REPORT / "measure.py"), "--quick", "-o", str(output), "--programs", programs or PROGRAMS, *more],
+                          capture_output=True, text=True, check=False, timeout=500)
+
+
+def squeezed(text):
+    return re.sub(r"\s+", " ", text).strip()
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        root = Path(cls.folder.name)
+        cls.meshes, cls.out = root / "meshes", root / "out"
+        subprocess.run([f"{PROGRAMS}/accuracy_cost", "models", "cube", "-o", str(cls.meshes)], check=True, stdout=subprocess.DEVNULL)
+        cls.done = run(cls.out, "--models", str(cls.meshes), "--only", ",".join(MEASURED))
+        cls.data = cls.out / "data-quick"
+        cls.html = (cls.out / "index.html").read_text(encoding="utf-8") if (cls.out / "index.html").exists() else ""
+        cls.page = Page(cls.html)
+        cls.record = json.loads((cls.data / "run.json").read_text(encoding="utf-8"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_is_made(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        states = {p["name"]: p["state"] for p in self.record["parts"]}
+        for name in MEASURED:
+            self.assertEqual(states[name], "done")
+
+    def test_is_well_formed(self):
+        self.assertEqual(self.page.faults, [])
+        self.assertEqual(len(self.page.ids), len(set(self.page.ids)), "an id is there twice")
+        for tag in ("html", "head", "title", "main", "nav"):
+            self.assertEqual(self.page.tags.count(tag), 1, tag)
+
+    def test_is_self_contained(self):
+        for tag in ("script", "link", "iframe", "object", "embed", "base"):
+            self.assertNotIn(tag, self.page.tags)
+        for target in self.page.sources:
+            self.assertTrue(target.startswith("data:"), target[:80])
+        for target in self.page.links:
+            self.assertTrue(target.startswith(("#", "data:")), target[:80])
+            if target.startswith("#"):
+                self.assertIn(target[1:], self.page.ids)
+        style = self.html[self.html.index("<style>"):self.html.index("</style>")]
+        self.assertNotIn("@import", style)
+        self.assertNotIn("url(", style)
+
+    def test_names_every_experiment(self):
+        listed = subprocess.run([f"{PROGRAMS}/accuracy_cost", "list"], capture_output=True, text=True, check=True).stdout
+        names = [line.split()[0] for line in listed.splitlines()]
+        self.assertGreaterEqual(len(names), 6)
+        for name in names:
+            self.assertIn(name, self.page.ids)
+
+    def test_names_what_is_missing(self):
+        absent = [p for p in self.record["parts"] if p["state"] != "done"]
+        self.assertGreater(len(absent), 5)
+        missing = self.page.text[self.page.text.rindex("What is missing"):]
+        for part in absent:
+            self.assertIn(f"{part['name']} ): {part['why']}", missing)
+
+    def test_shows_every_command(self):
+        for part in self.record["parts"]:
+            self.assertIn(squeezed(part["command"]), self.page.text)
+            self.assertTrue(part["command"])
+
+    def test_names_machine_commit_and_date(self):
+        for label in ("CPU", "Cores", "Compiler", "System", "Commit", "Date"):
+            self.assertIn(self.record["machine"][label], self.page.text)
+        self.assertRegex(self.record["machine"]["Date"], r"^20\d\d-\d\d-\d\d")
+
+    def test_says_what_the_experiments_say(self):
+        document = json.loads((self.data / "levels.json").read_text(encoding="utf-8"))
+        section = self.page.text
+        self.assertIn(document["verdict"], section)
+        self.assertIn(squeezed(document["thesis_says"]), section)
+        for claim in document["claims"]:
+            self.assertIn(claim["found"][1:], section)
+            self.assertIn(claim["rule"], section)
+        self.assertIn("data:image/" if document["figures"] else "no figure was drawn", self.html)
+
+    def test_shows_the_textbook(self):
+        line = json.loads((self.data / "textbook.json").read_text(encoding="utf-8"))[4]
+        self.assertIn(f"{line['experiment']} {line['quantity']}", self.page.text)
+        self.assertIn(f"{100 * line['shapes']['hull']['error_fraction']:.2f}", self.page.text)
+
+    def test_keeps_what_is_there(self):
+        stamps = {f.name: f.read_bytes() for f in (self.data / "stamps").iterdir()}
+        again = run(self.out, "--models", str(self.meshes), "--only", ",".join(MEASURED))
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("left for all", again.stdout)
+        self.assertEqual(stamps, {f.name: f.read_bytes() for f in (self.data / "stamps").iterdir()})
+
+    def test_says_what_failed_and_ends_with_1(self):
+        with tempfile.TemporaryDirectory() as folder:
+            meshes = Path(folder) / "meshes"
+            meshes.mkdir()
+            (meshes / "open.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+            done = run(f"{folder}/out", "--models", str(meshes), "--only", "textbook,levels")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("levels", done.stderr)
+            page = Page((Path(folder) / "out/index.html").read_text(encoding="utf-8"))
+            self.assertEqual(page.faults, [])
+            self.assertRegex(page.text, r"Failed: .*levels.*open\.obj")
+
+    def test_shows_hard_cases_and_escapes(self):
+        import page
+        with tempfile.TemporaryDirectory() as folder:
+            cases = [{"id": "H1", "name": "a <b>bold</b> pile", "criterion": "x < 1 & y", "measured": 0.25, "stock": "falls", "verdict": "as good as stock", "why": ""}]
+            (Path(folder) / "hard-cases.json").write_text(json.dumps({"cases": cases}), encoding="utf-8")
+            part = next(p for p in self.record["parts"] if p["name"] == "hard-cases")
+            others = [p | ({"state": "failed", "why": "<script>alert(1)</script>"} if p["state"] == "done" else {}) for p in self.record["parts"] if p is not part]
+            record = self.record | {"parts": others + [part | {"state": "done", "seconds": 1}]}
+            made = Page(page.render(record, Path(folder)))
+            self.assertEqual(made.faults, [])
+            self.assertNotIn("b", made.tags)
+            self.assertNotIn("script", made.tags)
+            for text in ("H1 a <b>bold</b> pile", "x < 1 & y", "0.250", "◐ as good as stock"):
+                self.assertIn(text, made.text)
+
+    def test_a_file_that_cannot_be_read_is_named(self):
+        import page
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "textbook.json").write_text('[{"experiment": "R1"}]', encoding="utf-8")
+            (Path(folder) / "levels.json").write_text("{", encoding="utf-8")
+            wanted = [dict(p) for p in self.record["parts"] if p["name"] in ("textbook", "levels")]
+            others = [dict(p) | {"state": "absent", "why": "of no matter"} for p in self.record["parts"] if p["name"] not in ("textbook", "levels")]
+            (Path(folder) / "run.json").write_text(json.dumps(self.record | {"parts": others + wanted}), encoding="utf-8")
+            self.assertEqual(sorted(page.write(folder, f"{folder}/page.html")), ["levels", "textbook"])
+            made = Page(Path(f"{folder}/page.html").read_text(encoding="utf-8"))
+            self.assertEqual(made.faults, [])
+            self.assertEqual(made.text.count("what it left cannot be read"), 4, "in its place and in the list")
+
+    def test_refuses_in_one_sentence(self):
+        unknown = run(self.out, "--only", "no-such")
+        self.assertEqual(unknown.returncode, 2)
+        self.assertIn("textbook", unknown.stderr, "the parts are listed")
+        nowhere = run(self.out, programs=str(self.meshes))
+        self.assertEqual(nowhere.returncode, 1)
+        self.assertEqual(len(nowhere.stderr.strip().splitlines()), 1)
+
+    def test_is_cancelled_without_a_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = [sys.executable, str(REPORT / "measure.py"), "-o", f"{folder}/out", "--programs", PROGRAMS, "--models", str(self.meshes), "--only", "reductions"]
+            child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            deadline = time.monotonic() + 60
+            while not list(Path(folder).glob("out/data/logs/reductions.out.partial")) and time.monotonic() < deadline:
+                time.sleep(0.05)
+            time.sleep(0.5)
+            child.send_signal(signal.SIGINT)
+            self.assertEqual(child.wait(60), 130)
+            left = [f for f in Path(folder).rglob("*") if f.suffix in (".html", ".json", ".csv", ".partial")]
+            self.assertEqual(left, [])
+
+
+class TenMinutes(unittest.TestCase):
+    """--quick ends in time whatever its parts do."""
+
+    @staticmethod
+    def records(folder, seconds, *commands):
+        import measure
+        import parts
+        for name in ("stamps", "logs"):
+            (Path(folder) / name).mkdir()
+        plan = [parts.Part(f"part{i}", "A part", "textbook", list(command), [], 1) for i, command in enumerate(commands)]
+        measuring = measure.Measuring(Path(folder), SOURCE, time.monotonic() + seconds)
+        return measuring.all(plan, set())
+
+    def test_a_part_that_is_too_long_is_stopped_and_the_rest_not_begun(self):
+        with tempfile.TemporaryDirectory() as folder:
+            began = time.monotonic()
+            records = self.records(folder, 2, ["true"], ["sleep", "60"], ["true"])
+            self.assertLess(time.monotonic() - began, 30)
+            self.assertEqual([r["state"] for r in records.values()], ["done", "left out", "left out"])
+            self.assertIn("stopped", records["part1"]["why"])
+            self.assertIn("goes on from here", records["part2"]["why"])
+
+
+class Conclusions(unittest.TestCase):
+    """Verdicts turn with the claims."""
+
+    @staticmethod
+    def verdict(*holds):
+        import conclusions
+        first = conclusions.all_conclusions()[0]
+        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": h} for p, h in zip(first.points, holds) if h is not None]
+        return conclusions.judged({"sampling": {"document": {"claims": claims}, "rows": []}})[0]
+
+    def test_turn_with_the_claims(self):
+        self.assertEqual(self.verdict(True, True, True).verdict, "reproduced")
+        self.assertEqual(self.verdict(True, False, True).verdict, "reproduced in part")
+        self.assertEqual(self.verdict(False, False, False).verdict, "not reproduced")
+        self.assertEqual(self.verdict(None, None, None).verdict, "not measured")
+        self.assertEqual(self.verdict(True, None, True).unmeasured, 1)
+
+    def test_claims_are_those_the_experiments_make(self):
+        """A claim reworded in an experiment would silently leave the summary."""
+        import conclusions
+        texts = "".join(f.read_text(encoding="utf-8") for f in (SOURCE / "demos/accuracy_cost/experiments").glob("*.cpp"))
+        joined = re.sub(r'"\s*\n\s*"', "", texts)
+        for conclusion in conclusions.all_conclusions():
+            for point in conclusion.points:
+                if point.claim:
+                    self.assertIn(f'"{point.claim}', joined)
+
+    def test_read_tables(self):
+        import conclusions
+        rows = [{"model": "m", "construction": c, "interruption": at, "hubbard_worst_ratio": str(h), "octree_worst_ratio": str(o)}
+                for c, at, h, o in (("grid", "500", 1, 0.5), ("hybrid", "500", 1, 0.25), ("cairn adaptive", "500", 0.6, 1), ("cairn adaptive", "1000", 0.4, 1),
+                                    ("combined", "500", 1.0, 1), ("combined optimised", "500", 0.5, 1), ("combined", "completion", 0.4, 1),
+                                    ("combined optimised", "completion", 0.6, 1))]
+        self.assertEqual(conclusions.hybrid_over_grid(rows)[0], True)
+        self.assertIn("0.50 times", conclusions.hybrid_over_grid(rows)[1])
+        self.assertEqual(conclusions.octree_tenth(rows)[0], False)
+        self.assertEqual(conclusions.own_interrupted(rows)[0], True)
+        self.assertIn("40 %", conclusions.own_interrupted(rows)[1])
+        self.assertEqual(conclusions.early_gain(rows)[0], True)
+        self.assertIsNone(conclusions.early_gain(rows[:4]))
+
+
+if __name__ == "__main__":
+    try:
+        import jinja2  # noqa: F401
+    except ImportError:
+        print("skipped: jinja2 is not installed (python3-jinja2)")
+        sys.exit(77)
+    PROGRAMS = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main(verbosity=2)
