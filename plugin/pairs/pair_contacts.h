@@ -44,6 +44,8 @@ class PairContacts {
 
   /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
   bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
+  /// False where `stillApart` is, wherever the bodies are. Cheap.
+  bool mayBeApart(float reach) const { return kept_.mayBeApart(reach); }
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what

@@ -100,7 +100,7 @@ void TreePair::forgetWaiting() {
 
 bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                           float travel) const {
-  if (!subject_.tree) return false;
+  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel)) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
