@@ -139,13 +139,7 @@ class PairContacts {
   // A flat leaf touches with its corners, four as a rule.
   static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 
-  KeptAnswer kept_;  // first, see there
-  std::vector<NodePair> known_;
-  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
-  std::vector<Guard> guards_;
-  ClusterSeeds seeds_{};
-  std::array<Vec3, kMaxClusters> commonNormals_{};
-  std::size_t seenLeafPairs_ = 0;
+  // First what a step looks at in any case.
   // How the bodies stood when a traversal began, and how they have moved since.
   struct Epoch {
     float approach = 0;  // world length by which they may have closed, at most
@@ -158,6 +152,13 @@ class PairContacts {
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
   bool isRetested_ = false;
+  KeptAnswer kept_;  // its beginning as well, see there
+  std::vector<NodePair> known_;
+  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
+  std::vector<Guard> guards_;
+  ClusterSeeds seeds_{};
+  std::array<Vec3, kMaxClusters> commonNormals_{};
+  std::size_t seenLeafPairs_ = 0;
 };
 
 }  // namespace cairn::bullet

@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
 #include <optional>
@@ -111,7 +112,7 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  isBegun_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].take(body0) && bodies_[1].take(body1);
 }
@@ -329,6 +330,24 @@ void TreePair::fetchLists() const {
 void TreePair::fetchLeafPairs() const {
   const std::span<const NodePair> pairs = std::as_const(*counterpart_).traversal().leafPairs();
   fetchAhead(pairs.data(), pairs.size_bytes());
+  fetchPoints();
+}
+
+void TreePair::fetchHeld() const {
+  fetchName();
+  fetchAhead(&motion_, kHeldBytes);
+  for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+}
+
+void TreePair::fetchHeldBodies() const {
+  const btCollisionObjectWrapper& tree = treeIsBody0_ ? body0() : body1();
+  fetchAhead(tree.getCollisionShape(), sizeof(SphereTreeShape));
+  fetchAhead(tree.getCollisionObject(), sizeof(btRigidBody) / 2);
+  for (const btPersistentManifold* m : manifolds_)
+    if (m) fetchAhead(&m->m_companionIdA, sizeof(int));
+}
+
+void TreePair::fetchPoints() const {
   for (const btPersistentManifold* m : manifolds_)
     if (m) fetchAhead(m, static_cast<std::size_t>(m->getNumContacts()) * sizeof(btManifoldPoint));
 }

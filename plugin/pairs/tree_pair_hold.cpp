@@ -45,13 +45,17 @@ void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btS
 }  // namespace
 
 bool TreePair::follow() {
-  isBegun_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].follow() && bodies_[1].follow();
 }
 
-PairNeed TreePair::survey(std::uint64_t usualOperations) {
-  if (isSettled()) return {};
+void TreePair::survey(std::uint64_t usualOperations) {
+  need_ = isSettled() ? PairNeed() : surveyed(usualOperations);
+  isSurveyed_ = true;
+}
+
+PairNeed TreePair::surveyed(std::uint64_t usualOperations) {
   const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
   const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
   const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
@@ -61,11 +65,11 @@ PairNeed TreePair::survey(std::uint64_t usualOperations) {
   const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
   const bool canStandIn = isSame && hasStandIn() && (!isFast_ || kind_ == CounterpartKind::terrain);
   if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
-  const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  moved_ = static_cast<float>(now.displacementSince(motion_.placement));
+  seenNow_ = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+  moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
-  return {error * (1 + waited_), expectedOperations(now, usualOperations), canStandIn || (isHoldingStill_ && !isFast_),
+  return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations), canStandIn || (isHoldingStill_ && !isFast_),
           !isHoldingStill_ || !isDone()};
 }
 
@@ -115,7 +119,11 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   const bool needsStandIn = isNew || !isHoldingStill_ || isFast_;  // what was said last says nothing of what is ahead
   if (needsStandIn) chooseForWhole();
   if (needsStandIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
-  carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
+  // What stands in on a terrain replaces every point: nothing has to follow.
+  if (!needsStandIn || kind_ != CounterpartKind::terrain)
+    carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
+  else
+    axes_ = objects_[1]->getWorldTransform().getBasis();
   if (needsStandIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
   return reportHeld(needsStandIn);
@@ -160,7 +168,7 @@ Contact TreePair::aheadOf(Contact contact) const {
 void TreePair::lookForJump(btScalar timeStep) {
   const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
-  noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
+  noticeSetDown(seenNow_,
                 speedInOther(shape, tree, other) * static_cast<float>(timeStep));
 }
 
@@ -181,7 +189,7 @@ void TreePair::beginHeld(btScalar timeStep) {
   objects_[1] = object1();
   setSizes(tree, *otherBody.getCollisionShape(), 0);
   motion_.placement = relativePlacement(tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  seenAt_ = motion_.placement;
+  seenAt_ = seenNow_ = motion_.placement;
   motion_.smallerSize = smallerSize_;
   motion_.reach = reach_;
   isPlaced_ = true;
