@@ -18,56 +18,86 @@ const TerrainLattice& latticeOf(const btCollisionObjectWrapper& ground) {
   return static_cast<const TerrainShape&>(*ground.getCollisionShape()).lattice();
 }
 
-// The planes of the triangles below a body: it is over few of them, and its points over the same again and again.
-class PlanesBelow {
+// The cells below a body, looked up once: it is over few of them, and its points over the same again and again.
+class CellsBelow {
  public:
-  explicit PlanesBelow(const TerrainLattice& lattice) : lattice_(lattice) {}
+  explicit CellsBelow(const TerrainLattice& lattice) : lattice_(lattice) {}
 
   struct Plane {
-    int index;  // the triangle's
-    bool isMissing;
+    int index = -1;  // the triangle's
+    bool isMissing = false;
     Vec3d normal, corner;
 
     // Height over it.
     double over(const Vec3d& at) const { return dot(normal, at - corner); }
   };
   // Of the triangle below a point; null where there is none. Valid until the next call.
-  const Plane* below(const Vec3d& at);
+  const Plane* planeBelow(const Vec3d& at);
 
  private:
-  const Plane& look(const TerrainLattice::Over& over, int index);
+  struct Cell {
+    double fromX, toX, fromY, toY;
+    std::int64_t column, row;
+    bool isRising;
+    std::array<Plane, 2> planes;  // lower, upper; looked up when they are needed
 
-  static constexpr std::size_t kMost = 8;
+    bool contains(const Vec3d& at) const { return at.x >= fromX && at.x < toX && at.y >= fromY && at.y < toY; }
+    bool isUpperBelow(const Vec3d& at) const {
+      const double u = (at.x - fromX) * (toY - fromY), v = (at.y - fromY) * (toX - fromX);
+      return isRising ? v > u : u + v > (toX - fromX) * (toY - fromY);
+    }
+  };
+  Cell* cellBelow(const Vec3d& at);
+  void look(const Cell& cell, bool isUpper, Plane& plane) const;
+
+  static constexpr std::size_t kMost = 4;
   const TerrainLattice& lattice_;
-  std::array<Plane, kMost> planes_;  // those looked up last
+  std::array<Cell, kMost> cells_;  // those looked up last
   std::size_t count_ = 0;
 };
 
-const PlanesBelow::Plane* PlanesBelow::below(const Vec3d& at) {
-  TerrainLattice::Over over;
-  if (!lattice_.locate(at.x, at.y, over)) return nullptr;
-  const int index = lattice_.indexOf(over.column, over.row, over.isUpper);
+CellsBelow::Cell* CellsBelow::cellBelow(const Vec3d& at) {
   const std::size_t known = std::min(count_, kMost);
   for (std::size_t i = 0; i < known; ++i)
-    if (planes_[i].index == index) return planes_[i].isMissing ? nullptr : &planes_[i];
-  const Plane& plane = look(over, index);
+    if (cells_[i].contains(at)) return &cells_[i];
+  TerrainLattice::Over over;
+  if (!lattice_.locate(at.x, at.y, over)) return nullptr;
+  const auto from = [](std::span<const btScalar> points, std::int64_t i) {
+    return double(points[static_cast<std::size_t>(i)]);
+  };
+  Cell& cell = cells_[count_++ % kMost];
+  cell.fromX = from(lattice_.xs(), over.column);
+  cell.toX = from(lattice_.xs(), over.column + 1);
+  cell.fromY = from(lattice_.ys(), over.row);
+  cell.toY = from(lattice_.ys(), over.row + 1);
+  cell.column = over.column;
+  cell.row = over.row;
+  cell.isRising = lattice_.isRising(over.column, over.row);
+  cell.planes[0].index = cell.planes[1].index = -1;
+  return &cell;
+}
+
+const CellsBelow::Plane* CellsBelow::planeBelow(const Vec3d& at) {
+  Cell* const cell = cellBelow(at);
+  if (!cell) return nullptr;
+  const bool isUpper = cell->isUpperBelow(at);
+  Plane& plane = cell->planes[isUpper ? 1 : 0];
+  if (plane.index < 0) look(*cell, isUpper, plane);
   return plane.isMissing ? nullptr : &plane;
 }
 
-const PlanesBelow::Plane& PlanesBelow::look(const TerrainLattice::Over& over, int index) {
-  Plane& plane = planes_[count_++ % kMost];
+void CellsBelow::look(const Cell& cell, bool isUpper, Plane& plane) const {
   TerrainLattice::Corners corners;
-  plane.index = index;
-  plane.isMissing = !lattice_.corners(over.column, over.row, over.isUpper, corners);
+  plane.index = lattice_.indexOf(cell.column, cell.row, isUpper);
+  plane.isMissing = !lattice_.corners(cell.column, cell.row, isUpper, corners);
   plane.normal = normalized(corners.normal());
   plane.corner = toVec3d(corners.at[0]);
-  return plane;
 }
 
 // Places points of a tree in the pair's frame and in the terrain's.
 struct TreeOverGround {
   const SphereTree& tree;
-  PlanesBelow planes;
+  CellsBelow cells;
   Pose pairFromTree, groundFromTree;
   Mat3d treeFromGround;  // turns
   Mat3d pairFromGround;
@@ -78,7 +108,7 @@ struct TreeOverGround {
   TreeOverGround(const SphereTreeShape& shape, const btTransform& body, const btCollisionObjectWrapper& ground,
                  btScalar wanted)
       : tree(shape.tree()),
-        planes(latticeOf(ground)),
+        cells(latticeOf(ground)),
         pairFromTree(treePose(shape, btTransform(body.getBasis()))),
         pairFromGround(toMat3d(ground.getWorldTransform().getBasis())),
         margin(double(shape.getMargin())),
@@ -97,13 +127,13 @@ struct TreeOverGround {
 bool TreeOverGround::contact(NodeId node, Contact& contact) {
   const Sphere ball = tree.sphere(node);
   const Vec3d center = groundFromTree * Vec3d(ball.center);
-  const PlanesBelow::Plane* plane = planes.below(center);
+  const CellsBelow::Plane* plane = cells.planeBelow(center);
   if (!plane) return false;
   if (plane->over(center) > double(ball.radius) * groundFromTree.scale + margin + reach) return false;
   const SupportBlock& points = tree.support(node);
   const Vec3 point = points.point(supportLane(points, Vec3(treeFromGround * -plane->normal)));
   const Vec3d at = groundFromTree * Vec3d(point);
-  plane = planes.below(at);
+  plane = cells.planeBelow(at);
   if (!plane) return false;
   const double height = plane->over(at);
   contact.gap = static_cast<float>(height - margin);

@@ -137,7 +137,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   PairPlacement placement = place(treeBody, otherBody, threshold);
   setMotion(*placement.treeShape, treeBody, otherBody, timeStep);
   placement.travel = closingSpeed_ * static_cast<float>(timeStep);
-  noticeSetDown(motion_.placement, speedInOther(*placement.treeShape, treeBody, otherBody) * float(timeStep));
+  noticeSetDown(motion_.placement, treeBody, otherBody, timeStep);
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
   counterpart_->place(placement);
@@ -280,9 +280,14 @@ float TreePair::speedInOther(const SphereTreeShape& shape, const btCollisionObje
 
 // What moved farther than its speed explains was set down: how far spheres had overlapped elsewhere, and were allowed
 // to, means nothing here.
-void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
+void TreePair::noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
+                             const btCollisionObjectWrapper& other, btScalar timeStep) {
+  const float ownMotion = kOwnMotionFraction * smallerSize_;
   const auto moved = static_cast<float>(now.displacementSince(seenAt_));
-  if (isPlaced_ && moved > travel + kOwnMotionFraction * smallerSize_) {
+  const auto travel = [&] {
+    return speedInOther(*asSphereTree(tree.getCollisionShape()), tree, other) * static_cast<float>(timeStep);
+  };
+  if (isPlaced_ && moved > ownMotion && moved > travel() + ownMotion) {
     contacts_.forgetGuards();
     if (sweep_) sweep_->forget();
   }

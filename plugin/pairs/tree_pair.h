@@ -193,7 +193,8 @@ class alignas(64) TreePair {
 
   PairNeed surveyed(std::uint64_t usualOperations);
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
-  void noticeSetDown(const RelativePlacement& now, float travel);
+  void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
+                     const btCollisionObjectWrapper& other, btScalar timeStep);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
                             const btCollisionObjectWrapper& other);
   void beginHeld(btScalar timeStep);

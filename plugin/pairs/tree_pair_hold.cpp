@@ -167,9 +167,7 @@ Contact TreePair::aheadOf(Contact contact) const {
 
 void TreePair::lookForJump(btScalar timeStep) {
   const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
-  const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
-  noticeSetDown(seenNow_,
-                speedInOther(shape, tree, other) * static_cast<float>(timeStep));
+  noticeSetDown(seenNow_, tree, other, timeStep);
 }
 
 // Its traversal began here, but what it says is as old as before.
