@@ -140,6 +140,7 @@ class PairContacts {
   static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 
   // First what a step looks at in any case.
+  std::vector<Guard> guards_;
   // How the bodies stood when a traversal began, and how they have moved since.
   struct Epoch {
     float approach = 0;  // world length by which they may have closed, at most
@@ -155,7 +156,6 @@ class PairContacts {
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
   std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
-  std::vector<Guard> guards_;
   ClusterSeeds seeds_{};
   std::array<Vec3, kMaxClusters> commonNormals_{};
   std::size_t seenLeafPairs_ = 0;

@@ -4,7 +4,6 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
-#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
 #include <optional>
@@ -79,6 +78,8 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
+    treeObject_ = treeBody.getCollisionObject();
+    treeShape_ = treeBody.getCollisionShape();
     adopt(asSphereTree(treeBody.getCollisionShape()), *otherBody.getCollisionShape());
     forgetWaiting();
     contacts_.settleApart(toVec3(treeBody.getCollisionObject()->getWorldTransform().getOrigin() -
@@ -114,6 +115,9 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
   isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
+  const btCollisionObjectWrapper& tree = asSphereTree(body0.getCollisionShape()) ? body0 : body1;
+  treeObject_ = tree.getCollisionObject();
+  treeShape_ = tree.getCollisionShape();
   return bodies_[0].take(body0) && bodies_[1].take(body1);
 }
 
@@ -345,9 +349,8 @@ void TreePair::fetchHeld() const {
 }
 
 void TreePair::fetchHeldBodies() const {
-  const btCollisionObjectWrapper& tree = treeIsBody0_ ? body0() : body1();
-  fetchAhead(tree.getCollisionShape(), sizeof(SphereTreeShape));
-  fetchAhead(tree.getCollisionObject(), sizeof(btRigidBody) / 2);
+  fetchAhead(treeObject_, kBodyBytes);
+  fetchAhead(treeShape_, sizeof(SphereTreeShape));
   for (const btPersistentManifold* m : manifolds_)
     if (m) fetchAhead(&m->m_companionIdA, sizeof(int));
 }

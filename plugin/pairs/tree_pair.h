@@ -133,9 +133,11 @@ class alignas(64) TreePair {
 
   /// What `settleApart` looks at.
   void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
-  /// What `collect` writes, and if it is to follow what `survey` looks at, unless the pair was settled in the last step.
-  /// Looks at the former.
+  /// The body whose tree it is, its shape, and unless the pair was settled in the last step what `collect` writes, and
+  /// if that is to follow what `survey` looks at. Looks at the former.
   void fetchCopies(bool forSurvey) const {
+    fetchAhead(treeObject_, kBodyBytes);
+    fetchAhead(treeShape_, sizeof(SphereTreeShape));
     if (isSettled()) return;
     for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
     if (forSurvey) fetchAhead(&motion_, kSurveyBytes);
@@ -189,7 +191,8 @@ class alignas(64) TreePair {
     std::uint64_t fieldMark = 0;  // if it is a field, which may be given other data: see `DistanceField::mark`
   };
 
-  static constexpr std::size_t kSubjectBytes = 320, kCopyBytes = 128, kSurveyBytes = 512, kHeldBytes = 832;
+  static constexpr std::size_t kSubjectBytes = 384, kCopyBytes = 192, kSurveyBytes = 512, kHeldBytes = 832;
+  static constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
 
   PairNeed surveyed(std::uint64_t usualOperations);
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
@@ -256,6 +259,9 @@ class alignas(64) TreePair {
   PairNeed need_;            // of this step, if it was surveyed
   bool isSurveyed_ = false;  // in this step
   bool isFast_ = false;      // in this step
+  // The tree's, when it was last collected. Only fetched, never followed: they may be gone.
+  const btCollisionObject* treeObject_ = nullptr;
+  const btCollisionShape* treeShape_ = nullptr;
   Subject subject_;
   PairContacts contacts_;
 
@@ -279,7 +285,7 @@ class alignas(64) TreePair {
   std::uint64_t fullOperations_ = 0;  // that the last complete one took
 
   std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
-  const btCollisionObject* objects_[2] = {};  // in the manifolds' order
+  const btCollisionObject* objects_[2] = {};       // in the manifolds' order
   btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
   btVector3 origin_{0, 0, 0};
   int wholeAt_ = -1;  // which manifold holds the spheres of whole bodies

@@ -69,8 +69,8 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations) {
   moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
-  return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations), canStandIn || (isHoldingStill_ && !isFast_),
-          !isHoldingStill_ || !isDone()};
+  return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
+          canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !isDone()};
 }
 
 // Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
