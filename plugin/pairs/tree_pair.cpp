@@ -78,8 +78,7 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
-    treeObject_ = treeBody.getCollisionObject();
-    treeShape_ = treeBody.getCollisionShape();
+    rememberBody(treeBody);
     adopt(asSphereTree(treeBody.getCollisionShape()), *otherBody.getCollisionShape());
     forgetWaiting();
     contacts_.settleApart(toVec3(treeBody.getCollisionObject()->getWorldTransform().getOrigin() -
@@ -115,10 +114,13 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
   isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
-  const btCollisionObjectWrapper& tree = asSphereTree(body0.getCollisionShape()) ? body0 : body1;
-  treeObject_ = tree.getCollisionObject();
-  treeShape_ = tree.getCollisionShape();
+  rememberBody(asSphereTree(body0.getCollisionShape()) ? body0 : body1);
   return bodies_[0].take(body0) && bodies_[1].take(body1);
+}
+
+void TreePair::rememberBody(const btCollisionObjectWrapper& tree) {
+  treeObject_.store(tree.getCollisionObject(), std::memory_order_relaxed);
+  treeShape_.store(tree.getCollisionShape(), std::memory_order_relaxed);
 }
 
 PairKey TreePair::key(std::size_t arrival) const {
@@ -349,8 +351,7 @@ void TreePair::fetchHeld() const {
 }
 
 void TreePair::fetchHeldBodies() const {
-  fetchAhead(treeObject_, kBodyBytes);
-  fetchAhead(treeShape_, sizeof(SphereTreeShape));
+  fetchBody();
   for (const btPersistentManifold* m : manifolds_)
     if (m) fetchAhead(&m->m_companionIdA, sizeof(int));
 }

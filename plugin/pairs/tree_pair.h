@@ -136,8 +136,7 @@ class alignas(64) TreePair {
   /// The body whose tree it is, its shape, and unless the pair was settled in the last step what `collect` writes, and
   /// if that is to follow what `survey` looks at. Looks at the former.
   void fetchCopies(bool forSurvey) const {
-    fetchAhead(treeObject_, kBodyBytes);
-    fetchAhead(treeShape_, sizeof(SphereTreeShape));
+    fetchBody();
     if (isSettled()) return;
     for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
     if (forSurvey) fetchAhead(&motion_, kSurveyBytes);
@@ -151,6 +150,10 @@ class alignas(64) TreePair {
   /// What `hold` looks at, likewise in three goes.
   void fetchHeld() const;
   void fetchHeldBodies() const;
+  void fetchBody() const {
+    fetchAhead(treeObject_.load(std::memory_order_relaxed), kBodyBytes);
+    fetchAhead(treeShape_.load(std::memory_order_relaxed), sizeof(SphereTreeShape));
+  }
   void fetchPoints() const;
 
   /// Allocates now what else a first step on a budget would.
@@ -195,6 +198,7 @@ class alignas(64) TreePair {
   static constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
 
   PairNeed surveyed(std::uint64_t usualOperations);
+  void rememberBody(const btCollisionObjectWrapper& tree);
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
                      const btCollisionObjectWrapper& other, btScalar timeStep);
@@ -259,9 +263,9 @@ class alignas(64) TreePair {
   PairNeed need_;            // of this step, if it was surveyed
   bool isSurveyed_ = false;  // in this step
   bool isFast_ = false;      // in this step
-  // The tree's, when it was last collected. Only fetched, never followed: they may be gone.
-  const btCollisionObject* treeObject_ = nullptr;
-  const btCollisionShape* treeShape_ = nullptr;
+  // The tree's, when Bullet last asked. Only fetched, also by other threads, and never followed: they may be gone.
+  std::atomic<const btCollisionObject*> treeObject_{nullptr};
+  std::atomic<const btCollisionShape*> treeShape_{nullptr};
   Subject subject_;
   PairContacts contacts_;
 
