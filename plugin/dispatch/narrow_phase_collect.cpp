@@ -83,13 +83,15 @@ void NarrowPhase::Impl::fetchPairsAskedNext(TreePair& pair) {
   // Several threads may ask: what one reads, another may have written.
   const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
   if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed)) next->fetchSubject();
-  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed)) next->fetchCopies();
+  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed)) next->fetchCopies(isPlanned());
   asked(at).store(&pair, std::memory_order_relaxed);
 }
 
 bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1) {
   if (!pair.collect(body0, body1)) return false;
+  // While it is in the cache.
+  if (isPlanned()) pair.survey(static_cast<std::uint64_t>(usualOperations_));
   const std::lock_guard lock(mutex_);
   pair.setCollectedAt(collected_.size());
   collected_.push_back(&pair);

@@ -283,8 +283,10 @@ void NarrowPhase::Impl::dismiss(std::size_t index) {
 
 void NarrowPhase::Impl::nameNewPairs() {
   newPairs_.clear();
-  for (std::size_t i = 0; i < collected_.size(); ++i)
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    if (i + kNamesAhead < collected_.size()) collected_[i + kNamesAhead]->fetchName();
     if (collected_[i]->isUnnamed()) newPairs_.push_back({collected_[i]->key(i), collected_[i]});
+  }
   std::sort(newPairs_.begin(), newPairs_.end(), [](const NewPair& x, const NewPair& y) { return x.key < y.key; });
   for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
 }

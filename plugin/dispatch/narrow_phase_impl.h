@@ -76,11 +76,13 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void orderPairs();
   void nameNewPairs();
   StepMeans means() const;
+  bool isPlanned() const;
   void planStep();
   void refinePairs();
   Progress serveAlone(std::size_t index);
   void promiseHolding();
   void holdPairs();
+  void fetchHeldAfter(std::size_t index) const;
   void finishBegunPairs();
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
@@ -142,6 +144,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.
   static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
+  static constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2, kNamesAhead = 8;
   std::uint32_t updated_ = 0;  // pairs begun in this step
   bool isScarce_ = false;      // the last step left pairs unresolved
   std::uint64_t step_ = 0;     // that were collected

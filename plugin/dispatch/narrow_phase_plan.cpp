@@ -17,15 +17,18 @@ StepMeans NarrowPhase::Impl::means() const {
 }
 
 // Not while other policies than guards stand in: their answers cannot wait.
+bool NarrowPhase::Impl::isPlanned() const {
+  return mayBeInterrupted() && policy_ == Unresolved::guard;
+}
+
 void NarrowPhase::Impl::planStep() {
   plan_.clear();
-  if (!mayBeInterrupted() || policy_ != Unresolved::guard) return;
-  const auto usual = static_cast<std::uint64_t>(usualOperations_);
-  for (std::size_t i = 0; i < collected_.size(); ++i) {
-    if (i + kStatesAhead < collected_.size()) collected_[i + kStatesAhead]->fetchState();
-    plan_.add(collected_[i]->survey(usual));
+  if (!isPlanned()) return;
+  for (TreePair* pair : collected_) {
+    if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_));
+    plan_.add(pair->need());
   }
-  if (plan_.isTooMuchFor(means(), updatePace_))
+  if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
       if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
   plan_.decide(means(), updatePace_, holdingPace_);
@@ -63,7 +66,7 @@ void NarrowPhase::Impl::holdPairs() {
   const auto began = Budget::Clock::now();
   double expected = 0;
   for (std::size_t i = 0; i < collected_.size(); ++i) {
-    fetchPairsAfter(i);
+    fetchHeldAfter(i);
     if (!collected_[i]) continue;
     TreePair& pair = *collected_[i];
     pair.withdrawPromise(left_);
@@ -76,6 +79,15 @@ void NarrowPhase::Impl::holdPairs() {
     dismiss(i);
   }
   if (left_.hasDeadline()) holdingPace_.finished(expected, Budget::Clock::now() - began);
+}
+
+void NarrowPhase::Impl::fetchHeldAfter(std::size_t index) const {
+  const auto after = [&](std::size_t ahead) {
+    return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
+  };
+  if (const TreePair* pair = after(kHeldAhead)) pair->fetchHeld();
+  if (const TreePair* pair = after(kHeldBodiesAhead)) pair->fetchHeldBodies();
+  if (const TreePair* pair = after(kHeldPointsAhead)) pair->fetchPoints();
 }
 
 void NarrowPhase::Impl::finishBegunPairs() {

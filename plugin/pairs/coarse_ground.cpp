@@ -18,11 +18,88 @@ const TerrainLattice& latticeOf(const btCollisionObjectWrapper& ground) {
   return static_cast<const TerrainShape&>(*ground.getCollisionShape()).lattice();
 }
 
+// The cells below a body, looked up once: it is over few of them, and its points over the same again and again.
+class CellsBelow {
+ public:
+  explicit CellsBelow(const TerrainLattice& lattice) : lattice_(lattice) {}
+
+  struct Plane {
+    int index = -1;  // the triangle's
+    bool isMissing = false;
+    Vec3d normal, corner;
+
+    // Height over it.
+    double over(const Vec3d& at) const { return dot(normal, at - corner); }
+  };
+  // Of the triangle below a point; null where there is none. Valid until the next call.
+  const Plane* planeBelow(const Vec3d& at);
+
+ private:
+  struct Cell {
+    double fromX, toX, fromY, toY;
+    std::int64_t column, row;
+    bool isRising;
+    std::array<Plane, 2> planes;  // lower, upper; looked up when they are needed
+
+    bool contains(const Vec3d& at) const { return at.x >= fromX && at.x < toX && at.y >= fromY && at.y < toY; }
+    bool isUpperBelow(const Vec3d& at) const {
+      const double u = (at.x - fromX) * (toY - fromY), v = (at.y - fromY) * (toX - fromX);
+      return isRising ? v > u : u + v > (toX - fromX) * (toY - fromY);
+    }
+  };
+  Cell* cellBelow(const Vec3d& at);
+  void look(const Cell& cell, bool isUpper, Plane& plane) const;
+
+  static constexpr std::size_t kMost = 4;
+  const TerrainLattice& lattice_;
+  std::array<Cell, kMost> cells_;  // those looked up last
+  std::size_t count_ = 0;
+};
+
+CellsBelow::Cell* CellsBelow::cellBelow(const Vec3d& at) {
+  const std::size_t known = std::min(count_, kMost);
+  for (std::size_t i = 0; i < known; ++i)
+    if (cells_[i].contains(at)) return &cells_[i];
+  TerrainLattice::Over over;
+  if (!lattice_.locate(at.x, at.y, over)) return nullptr;
+  const auto from = [](std::span<const btScalar> points, std::int64_t i) {
+    return double(points[static_cast<std::size_t>(i)]);
+  };
+  Cell& cell = cells_[count_++ % kMost];
+  cell.fromX = from(lattice_.xs(), over.column);
+  cell.toX = from(lattice_.xs(), over.column + 1);
+  cell.fromY = from(lattice_.ys(), over.row);
+  cell.toY = from(lattice_.ys(), over.row + 1);
+  cell.column = over.column;
+  cell.row = over.row;
+  cell.isRising = lattice_.isRising(over.column, over.row);
+  cell.planes[0].index = cell.planes[1].index = -1;
+  return &cell;
+}
+
+const CellsBelow::Plane* CellsBelow::planeBelow(const Vec3d& at) {
+  Cell* const cell = cellBelow(at);
+  if (!cell) return nullptr;
+  const bool isUpper = cell->isUpperBelow(at);
+  Plane& plane = cell->planes[isUpper ? 1 : 0];
+  if (plane.index < 0) look(*cell, isUpper, plane);
+  return plane.isMissing ? nullptr : &plane;
+}
+
+void CellsBelow::look(const Cell& cell, bool isUpper, Plane& plane) const {
+  TerrainLattice::Corners corners;
+  plane.index = lattice_.indexOf(cell.column, cell.row, isUpper);
+  plane.isMissing = !lattice_.corners(cell.column, cell.row, isUpper, corners);
+  plane.normal = normalized(corners.normal());
+  plane.corner = toVec3d(corners.at[0]);
+}
+
 // Places points of a tree in the pair's frame and in the terrain's.
 struct TreeOverGround {
   const SphereTree& tree;
-  const TerrainLattice& lattice;
+  CellsBelow cells;
   Pose pairFromTree, groundFromTree;
+  Mat3d treeFromGround;  // turns
   Mat3d pairFromGround;
   double margin, reach;
 
@@ -31,7 +108,7 @@ struct TreeOverGround {
   TreeOverGround(const SphereTreeShape& shape, const btTransform& body, const btCollisionObjectWrapper& ground,
                  btScalar wanted)
       : tree(shape.tree()),
-        lattice(latticeOf(ground)),
+        cells(latticeOf(ground)),
         pairFromTree(treePose(shape, btTransform(body.getBasis()))),
         pairFromGround(toMat3d(ground.getWorldTransform().getBasis())),
         margin(double(shape.getMargin())),
@@ -40,37 +117,31 @@ struct TreeOverGround {
     const Vec3d way = toVec3d(body.getOrigin()) - toVec3d(ground.getWorldTransform().getOrigin());
     groundFromTree = {groundFromPair * pairFromTree.rotation, groundFromPair * (way + pairFromTree.translation),
                       pairFromTree.scale};
+    treeFromGround = transpose(groundFromTree.rotation);
   }
 
   // Of a node, if it has one.
-  bool contact(NodeId node, Contact& contact) const;
+  bool contact(NodeId node, Contact& contact);
 };
 
-// Height over the plane of the triangle below a point; false where there is none.
-bool measure(const TerrainLattice& lattice, const Vec3d& at, Vec3d& normal, double& height, int& index) {
-  TerrainLattice::Corners below;
-  if (!lattice.cornersOver(at.x, at.y, below, index)) return false;
-  normal = normalized(below.normal());
-  height = dot(normal, at - toVec3d(below.at[0]));
-  return true;
-}
-
-bool TreeOverGround::contact(NodeId node, Contact& contact) const {
+bool TreeOverGround::contact(NodeId node, Contact& contact) {
   const Sphere ball = tree.sphere(node);
-  Vec3d normal;
-  double height = 0;
-  int index = 0;
-  if (!measure(lattice, groundFromTree * Vec3d(ball.center), normal, height, index)) return false;
-  if (height > double(ball.radius) * groundFromTree.scale + margin + reach) return false;
+  const Vec3d center = groundFromTree * Vec3d(ball.center);
+  const CellsBelow::Plane* plane = cells.planeBelow(center);
+  if (!plane) return false;
+  if (plane->over(center) > double(ball.radius) * groundFromTree.scale + margin + reach) return false;
   const SupportBlock& points = tree.support(node);
-  const Vec3 point = points.point(supportLane(points, Vec3(transpose(groundFromTree.rotation) * -normal)));
-  if (!measure(lattice, groundFromTree * Vec3d(point), normal, height, index)) return false;
+  const Vec3 point = points.point(supportLane(points, Vec3(treeFromGround * -plane->normal)));
+  const Vec3d at = groundFromTree * Vec3d(point);
+  plane = cells.planeBelow(at);
+  if (!plane) return false;
+  const double height = plane->over(at);
   contact.gap = static_cast<float>(height - margin);
   if (double(contact.gap) >= reach) return false;
-  contact.normal = Vec3(pairFromGround * normal);
+  contact.normal = Vec3(pairFromGround * plane->normal);
   contact.position = Vec3(pairFromTree * Vec3d(point)) - contact.normal * static_cast<float>(0.5 * (height + margin));
   contact.pair = {node, 0};
-  contact.id = {static_cast<int>(tree.level(node)), static_cast<int>(node), 0, index};
+  contact.id = {static_cast<int>(tree.level(node)), static_cast<int>(node), 0, plane->index};
   return true;
 }
 
@@ -78,7 +149,7 @@ bool TreeOverGround::contact(NodeId node, Contact& contact) const {
 
 CoarseGround::CoarseGround(const btCollisionObjectWrapper& tree, const btCollisionObjectWrapper& ground,
                            btScalar reach) {
-  const TreeOverGround placed(tree, ground, reach);
+  TreeOverGround placed(tree, ground, reach);
   const std::uint32_t family = placed.tree.childFamily(kRootNode);
   const std::uint32_t nodes = placed.tree.familySize(family);
   for (std::uint32_t lane = 0; lane < nodes; ++lane)
@@ -97,7 +168,10 @@ bool isClearOfGround(const btCollisionObjectWrapper& tree, const btCollisionObje
   const Vec3d inGround = transpose(toMat3d(groundPose.getBasis())) * (way + toVec3d(arm));
   const btScalar wanted = radius + btScalar(kSpeculativeFraction) * shape.size() + travel;
   const auto reach = double(wanted + btScalar(kOverlapSlack) * 4 * (arm.length() + wanted));
-  return groundBelow(latticeOf(ground), inGround, reach).leastDistance() > reach;
+  // What is no higher than that is no farther either; most that are asked about stand on the ground.
+  const TerrainLattice& lattice = latticeOf(ground);
+  if (inGround.z - lattice.heightOver(inGround.x, inGround.y) <= reach) return false;
+  return groundBelow(lattice, inGround, reach).leastDistance() > reach;
 }
 
 }  // namespace cairn::bullet

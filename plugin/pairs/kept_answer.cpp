@@ -34,7 +34,7 @@ bool KeptAnswer::holdsAt(const RelativePlacement& now, float reach) const {
 }
 
 bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
-  if (leastGap_ < reach) return false;
+  if (!mayBeApart(reach)) return false;
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 

@@ -33,6 +33,8 @@ class KeptAnswer {
   bool holdsAt(const RelativePlacement& now, float reach) const;
   /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
   bool isApartAt(const RelativePlacement& now, float reach) const;
+  /// False where that is, wherever they are.
+  bool mayBeApart(float reach) const { return leastGap_ >= reach; }
 
   /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
   /// quarter of the reach, so that what was no contact then is no overlap now.

@@ -44,6 +44,8 @@ class PairContacts {
 
   /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
   bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
+  /// False where `stillApart` is, wherever the bodies are. Cheap.
+  bool mayBeApart(float reach) const { return kept_.mayBeApart(reach); }
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
@@ -137,13 +139,8 @@ class PairContacts {
   // A flat leaf touches with its corners, four as a rule.
   static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 
-  KeptAnswer kept_;  // first, see there
-  std::vector<NodePair> known_;
-  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
+  // First what a step looks at in any case.
   std::vector<Guard> guards_;
-  ClusterSeeds seeds_{};
-  std::array<Vec3, kMaxClusters> commonNormals_{};
-  std::size_t seenLeafPairs_ = 0;
   // How the bodies stood when a traversal began, and how they have moved since.
   struct Epoch {
     float approach = 0;  // world length by which they may have closed, at most
@@ -156,6 +153,12 @@ class PairContacts {
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
   bool isRetested_ = false;
+  KeptAnswer kept_;  // its beginning as well, see there
+  std::vector<NodePair> known_;
+  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
+  ClusterSeeds seeds_{};
+  std::array<Vec3, kMaxClusters> commonNormals_{};
+  std::size_t seenLeafPairs_ = 0;
 };
 
 }  // namespace cairn::bullet

@@ -80,6 +80,7 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
+    rememberBody(treeBody);
     adopt(asSphereTree(treeBody.getCollisionShape()), *otherBody.getCollisionShape());
     forgetWaiting();
     contacts_.settleApart(toVec3(treeBody.getCollisionObject()->getWorldTransform().getOrigin() -
@@ -110,7 +111,7 @@ void TreePair::forgetWaiting() {
 
 bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                           float travel) const {
-  if (!subject_.tree) return false;
+  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel)) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
@@ -121,9 +122,15 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  isBegun_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
+  rememberBody(asSphereTree(body0.getCollisionShape()) ? body0 : body1);
   return bodies_[0].take(body0) && bodies_[1].take(body1);
+}
+
+void TreePair::rememberBody(const btCollisionObjectWrapper& tree) {
+  treeObject_.store(tree.getCollisionObject(), std::memory_order_relaxed);
+  treeShape_.store(tree.getCollisionShape(), std::memory_order_relaxed);
 }
 
 PairKey TreePair::key(std::size_t arrival) const {
@@ -146,7 +153,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   PairPlacement placement = place(treeBody, otherBody, threshold);
   setMotion(*placement.treeShape, treeBody, otherBody, timeStep);
   placement.travel = closingSpeed_ * static_cast<float>(timeStep);
-  noticeSetDown(motion_.placement, speedInOther(*placement.treeShape, treeBody, otherBody) * float(timeStep));
+  noticeSetDown(motion_.placement, treeBody, otherBody, timeStep);
   isPlaced_ = isBegun_ = true;
   moved_ = 0;
   counterpart_->place(placement);
@@ -289,9 +296,14 @@ float TreePair::speedInOther(const SphereTreeShape& shape, const btCollisionObje
 
 // What moved farther than its speed explains was set down: how far spheres had overlapped elsewhere, and were allowed
 // to, means nothing here.
-void TreePair::noticeSetDown(const RelativePlacement& now, float travel) {
+void TreePair::noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
+                             const btCollisionObjectWrapper& other, btScalar timeStep) {
+  const float ownMotion = kOwnMotionFraction * smallerSize_;
   const auto moved = static_cast<float>(now.displacementSince(seenAt_));
-  if (isPlaced_ && moved > travel + kOwnMotionFraction * smallerSize_) {
+  const auto travel = [&] {
+    return speedInOther(*asSphereTree(tree.getCollisionShape()), tree, other) * static_cast<float>(timeStep);
+  };
+  if (isPlaced_ && moved > ownMotion && moved > travel() + ownMotion) {
     contacts_.forgetGuards();
     if (sweep_) sweep_->forget();
   }
@@ -339,6 +351,22 @@ void TreePair::fetchLists() const {
 void TreePair::fetchLeafPairs() const {
   const std::span<const NodePair> pairs = std::as_const(*counterpart_).traversal().leafPairs();
   fetchAhead(pairs.data(), pairs.size_bytes());
+  fetchPoints();
+}
+
+void TreePair::fetchHeld() const {
+  fetchName();
+  fetchAhead(&motion_, kHeldBytes);
+  for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+}
+
+void TreePair::fetchHeldBodies() const {
+  fetchBody();
+  for (const btPersistentManifold* m : manifolds_)
+    if (m) fetchAhead(&m->m_companionIdA, sizeof(int));
+}
+
+void TreePair::fetchPoints() const {
   for (const btPersistentManifold* m : manifolds_)
     if (m) fetchAhead(m, static_cast<std::size_t>(m->getNumContacts()) * sizeof(btManifoldPoint));
 }

@@ -111,9 +111,12 @@ class alignas(64) TreePair {
   PairReport finish(btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy, Budget& budget,
                     ContactScratch& scratch);
 
-  /// What the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
+  /// Finds what the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
   /// `usualOperations`: what pairs were resolved with lately.
-  PairNeed survey(std::uint64_t usualOperations);
+  void survey(std::uint64_t usualOperations);
+  /// Whether that was done since it was collected, and what it found.
+  bool isSurveyed() const { return isSurveyed_; }
+  const PairNeed& need() const { return need_; }
   /// What a priority is told before anything is done for the pair. Precondition: as for `survey`.
   ScheduledPair described() const;
   /// Instead of all the above: the manifolds' points follow the bodies, and where the last answer no longer counts the
@@ -134,15 +137,28 @@ class alignas(64) TreePair {
 
   /// What `settleApart` looks at.
   void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
-  /// What `collect` writes, unless the pair was settled in the last step. Looks at the former.
-  void fetchCopies() const {
-    if (!isSettled())
-      for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+  /// The body whose tree it is, its shape, and unless the pair was settled in the last step what `collect` writes, and
+  /// if that is to follow what `survey` looks at. Looks at the former.
+  void fetchCopies(bool forSurvey) const {
+    fetchBody();
+    if (isSettled()) return;
+    for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+    if (forSurvey) fetchAhead(&motion_, kSurveyBytes);
   }
+  /// What `setId` and `need` look at.
+  void fetchName() const { fetchAhead(this, 1); }
   /// What is looked at from `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
   void fetchState() const;
   void fetchLists() const;
   void fetchLeafPairs() const;
+  /// What `hold` looks at, likewise in three goes.
+  void fetchHeld() const;
+  void fetchHeldBodies() const;
+  void fetchBody() const {
+    fetchAhead(treeObject_.load(std::memory_order_relaxed), kBodyBytes);
+    fetchAhead(treeShape_.load(std::memory_order_relaxed), sizeof(SphereTreeShape));
+  }
+  void fetchPoints() const;
 
   /// Allocates now what else a first step on a budget would.
   void expectInterruptions() { contacts_.makeRoomForRetests(); }
@@ -182,10 +198,14 @@ class alignas(64) TreePair {
     std::uint64_t fieldMark = 0;  // if it is a field, which may be given other data: see `DistanceField::mark`
   };
 
-  static constexpr std::size_t kSubjectBytes = 320, kCopyBytes = 128;
+  static constexpr std::size_t kSubjectBytes = 384, kCopyBytes = 192, kSurveyBytes = 512, kHeldBytes = 832;
+  static constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
 
+  PairNeed surveyed(std::uint64_t usualOperations);
+  void rememberBody(const btCollisionObjectWrapper& tree);
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
-  void noticeSetDown(const RelativePlacement& now, float travel);
+  void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
+                     const btCollisionObjectWrapper& other, btScalar timeStep);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
                             const btCollisionObjectWrapper& other);
   void beginHeld(btScalar timeStep);
@@ -244,35 +264,24 @@ class alignas(64) TreePair {
   float speculative_ = 0;
   std::uint64_t id_ = kUnnamed;
   std::size_t collectedAt_ = kNotCollected;
+  PairNeed need_;            // of this step, if it was surveyed
+  bool isSurveyed_ = false;  // in this step
+  bool isFast_ = false;      // in this step
+  bool isBroken_ = false;    // when it was last settled
+  // The tree's, when Bullet last asked. Only fetched, also by other threads, and never followed: they may be gone.
+  std::atomic<const btCollisionObject*> treeObject_{nullptr};
+  std::atomic<const btCollisionShape*> treeShape_{nullptr};
   Subject subject_;
   PairContacts contacts_;
 
-  std::unique_ptr<Counterpart> counterpart_;
-  std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
-  const btCollisionObject* objects_[2] = {};  // in the manifolds' order
-
-  btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
-  btVector3 origin_{0, 0, 0};
+  // Then what tells what it needs where there is not enough for all.
   RelativeMotion motion_;
+  RelativePlacement seenAt_, seenNow_;  // in the last step; in this, if it was surveyed
+  std::optional<RootSpheres> roots_;    // of this step
   float smallerSize_ = 0;
   float reach_ = 0;  // contacts with a gap below this are wanted
-  bool treeIsSmaller_ = true;
-  float closingSpeed_ = 0;
-  float reducedMass_ = 0;
-  Vec3d center_;  // of the smaller body, world frame
-  Promise promised_;
-
-  RelativePlacement seenAt_;  // in the last step
-
-  // For bodies that move far in a step.
-  std::unique_ptr<Sweep> sweep_;    // made when it is first needed
-  std::span<const Contact> ahead_;  // of this step
-  bool isFast_ = false;             // in this step
-  bool isBroken_ = false;           // when it was last settled
-  bool wasAhead_ = false;           // contacts ahead were written in the last step
-
+  std::unique_ptr<Counterpart> counterpart_;
   // For steps in which the pair has to wait.
-  std::optional<RootSpheres> roots_;  // of this step
   bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
   bool isBegun_ = false;              // in this step
   bool isHeld_ = false;               // in the step before
@@ -281,9 +290,24 @@ class alignas(64) TreePair {
   float untold_ = 0;                  // the same, when it was begun in this step: nobody has counted it yet
   double waited_ = 0;                 // steps
   double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
-  int wholeAt_ = -1;                  // which manifold holds the spheres of whole bodies
   std::uint64_t spent_ = 0;           // operations, on the traversal at hand
   std::uint64_t fullOperations_ = 0;  // that the last complete one took
+
+  std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
+  const btCollisionObject* objects_[2] = {};       // in the manifolds' order
+  btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of the second object, where the manifolds' normals stand
+  btVector3 origin_{0, 0, 0};
+  int wholeAt_ = -1;  // which manifold holds the spheres of whole bodies
+  bool treeIsSmaller_ = true;
+  bool wasAhead_ = false;  // contacts ahead were written in the last step
+  float closingSpeed_ = 0;
+  float reducedMass_ = 0;
+  Vec3d center_;  // of the smaller body, world frame
+  Promise promised_;
+  // For bodies that move far in a step.
+  std::unique_ptr<Sweep> sweep_;    // made when it is first needed
+  std::span<const Contact> ahead_;  // of this step
+
   std::size_t knownAt_ = kUnknown;
   std::uint64_t answeredIn_ = 0;        // open steps count from 1
   std::array<BodySnapshot, 2> bodies_;  // last, because they hardly ever need all their room

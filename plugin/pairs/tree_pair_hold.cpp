@@ -42,16 +42,32 @@ void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btS
   }
 }
 
+// How far they would have to move, at least, to have their boxes apart; negative when they are.
+float overlapOfBoxes(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
+  btVector3 lowerA, upperA, lowerB, upperB;
+  a.getCollisionShape()->getAabb(a.getWorldTransform(), lowerA, upperA);
+  b.getCollisionShape()->getAabb(b.getWorldTransform(), lowerB, upperB);
+  btVector3 overlap = upperA;
+  overlap.setMin(upperB);
+  lowerA.setMax(lowerB);
+  overlap -= lowerA;
+  return static_cast<float>(overlap[overlap.minAxis()]);
+}
+
 }  // namespace
 
 bool TreePair::follow() {
-  isBegun_ = isHoldingStill_ = false;
+  isBegun_ = isHoldingStill_ = isSurveyed_ = false;
   isSettled_.store(false, std::memory_order_relaxed);
   return bodies_[0].follow() && bodies_[1].follow();
 }
 
-PairNeed TreePair::survey(std::uint64_t usualOperations) {
-  if (isSettled()) return {};
+void TreePair::survey(std::uint64_t usualOperations) {
+  need_ = isSettled() ? PairNeed() : surveyed(usualOperations);
+  isSurveyed_ = true;
+}
+
+PairNeed TreePair::surveyed(std::uint64_t usualOperations) {
   const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
   const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
   const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
@@ -61,12 +77,12 @@ PairNeed TreePair::survey(std::uint64_t usualOperations) {
   const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
   const bool canStandIn = isSame && hasStandIn() && (!isFast_ || kind_ == CounterpartKind::terrain);
   if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
-  const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  moved_ = static_cast<float>(now.displacementSince(motion_.placement));
+  seenNow_ = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
+  moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
-  return {error * (1 + waited_), expectedOperations(now, usualOperations), canStandIn || (isHoldingStill_ && !isFast_),
-          !isHoldingStill_ || !isDone()};
+  return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
+          canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !isDone()};
 }
 
 // Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
@@ -115,7 +131,11 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   const bool needsStandIn = isNew || !isHoldingStill_ || isFast_;  // what was said last says nothing of what is ahead
   if (needsStandIn) chooseForWhole();
   if (needsStandIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
-  carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
+  // What stands in on a terrain replaces every point: nothing has to follow.
+  if (!needsStandIn || kind_ != CounterpartKind::terrain)
+    carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
+  else
+    axes_ = objects_[1]->getWorldTransform().getBasis();
   if (needsStandIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
   return reportHeld(needsStandIn);
@@ -159,9 +179,7 @@ Contact TreePair::aheadOf(Contact contact) const {
 
 void TreePair::lookForJump(btScalar timeStep) {
   const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
-  const SphereTreeShape& shape = *asSphereTree(tree.getCollisionShape());
-  noticeSetDown(relativePlacement(shape, tree.getWorldTransform(), other.getWorldTransform()),
-                speedInOther(shape, tree, other) * static_cast<float>(timeStep));
+  noticeSetDown(seenNow_, tree, other, timeStep);
 }
 
 // Its traversal began here, but what it says is as old as before.
@@ -181,7 +199,7 @@ void TreePair::beginHeld(btScalar timeStep) {
   objects_[1] = object1();
   setSizes(tree, *otherBody.getCollisionShape(), 0);
   motion_.placement = relativePlacement(tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  seenAt_ = motion_.placement;
+  seenAt_ = seenNow_ = motion_.placement;
   motion_.smallerSize = smallerSize_;
   motion_.reach = reach_;
   isPlaced_ = true;
@@ -190,6 +208,9 @@ void TreePair::beginHeld(btScalar timeStep) {
   const float travel = speedInOther(tree, treeBody, otherBody) * static_cast<float>(timeStep);
   contacts_.answerAged(travel);
   heldError_ = double(travel / smallerSize_);
+  // Boxes deeper in each other than that were so a step ago, too: bodies that were set down there.
+  if (kind_ == CounterpartKind::tree && overlapOfBoxes(treeBody, otherBody) > travel)
+    heldError_ = std::max(heldError_, standInErrorFraction());
 }
 
 // A manifold of its own, if one is free; on a terrain, where all others end, the one that says most.

@@ -102,30 +102,6 @@ bool TerrainLattice::corners(std::int64_t column, std::int64_t row, bool isUpper
   return !std::isnan(corners.at[0].z() + corners.at[1].z() + corners.at[2].z());
 }
 
-std::int64_t TerrainLattice::cellAt(std::span<const btScalar> points, double at) const {
-  const auto point = [&](std::int64_t i) { return double(points[static_cast<std::size_t>(i)]); };
-  const auto cells = static_cast<std::int64_t>(points.size()) - 1;
-  if (!(at >= point(0) && at <= point(cells))) return -1;
-  std::int64_t cell = std::min(static_cast<std::int64_t>((at - point(0)) * perCell_), cells - 1);
-  while (cell > 0 && point(cell) > at) --cell;
-  while (cell + 1 < cells && point(cell + 1) <= at) ++cell;
-  return cell;
-}
-
-bool TerrainLattice::locate(double x, double y, Over& over) const {
-  over.column = cellAt(xs_, x);
-  over.row = cellAt(ys_, y);
-  if (over.column < 0 || over.row < 0) return false;
-  const auto within = [](std::span<const btScalar> points, std::int64_t i, double at) {
-    const double from = double(points[static_cast<std::size_t>(i)]);
-    return (at - from) / (double(points[static_cast<std::size_t>(i + 1)]) - from);
-  };
-  over.u = within(xs_, over.column, x);
-  over.v = within(ys_, over.row, y);
-  over.isUpper = isRising(over.column, over.row) ? over.v > over.u : over.u + over.v > 1;
-  return true;
-}
-
 bool TerrainLattice::cornersOver(double x, double y, Corners& corners, int& index) const {
   Over over;
   if (!locate(x, y, over)) return false;

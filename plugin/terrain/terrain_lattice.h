@@ -85,7 +85,16 @@ class TerrainLattice {
   /// The most that ground rises, metres a metre, in the blocks below a square; infinite where ground is missing there
   /// or beside it. Precondition: cells of this lattice.
   float steepest(const IndexRange& columns, const IndexRange& rows) const;
-  /// The triangle over (x, y); on a border the one at greater x and y. False where there is none.
+  /// A triangle's place: its cell, and where in it.
+  struct Over {
+    std::int64_t column, row;
+    double u, v;  ///< from 0 to 1 across the cell
+    bool isUpper;
+  };
+  /// The place over (x, y), whether or not it has a triangle; on a border the one at greater x and y. False outside the
+  /// grid.
+  bool locate(double x, double y, Over& over) const;
+  /// The triangle over (x, y), likewise. False where there is none.
   bool cornersOver(double x, double y, Corners& corners, int& index) const;
   bool cornersOver(double x, double y, Corners& corners) const {
     int index = 0;
@@ -113,13 +122,6 @@ class TerrainLattice {
   IndexRange touching(std::span<const btScalar> points, btScalar from, btScalar to) const;
   /// The last cell that begins at `at` or before; -1 where there is none.
   std::int64_t cellAt(std::span<const btScalar> points, double at) const;
-  struct Over {
-    std::int64_t column, row;
-    double u, v;  ///< from 0 to 1 across the cell
-    bool isUpper;
-  };
-  /// False outside the grid.
-  bool locate(double x, double y, Over& over) const;
   float steepestOfCell(std::int64_t column, std::int64_t row) const;
   void boundBlocks();
 
@@ -130,6 +132,30 @@ class TerrainLattice {
   std::vector<HeightBounds> blocks_;  // of their triangles, row by row
   std::vector<float> steepest_;       // of the same
 };
+
+inline std::int64_t TerrainLattice::cellAt(std::span<const btScalar> points, double at) const {
+  const auto point = [&](std::int64_t i) { return double(points[static_cast<std::size_t>(i)]); };
+  const auto cells = static_cast<std::int64_t>(points.size()) - 1;
+  if (!(at >= point(0) && at <= point(cells))) return -1;
+  std::int64_t cell = std::min(static_cast<std::int64_t>((at - point(0)) * perCell_), cells - 1);
+  while (cell > 0 && point(cell) > at) --cell;
+  while (cell + 1 < cells && point(cell + 1) <= at) ++cell;
+  return cell;
+}
+
+inline bool TerrainLattice::locate(double x, double y, Over& over) const {
+  over.column = cellAt(xs_, x);
+  over.row = cellAt(ys_, y);
+  if (over.column < 0 || over.row < 0) return false;
+  const auto within = [](std::span<const btScalar> points, std::int64_t i, double at) {
+    const double from = double(points[static_cast<std::size_t>(i)]);
+    return (at - from) / (double(points[static_cast<std::size_t>(i + 1)]) - from);
+  };
+  over.u = within(xs_, over.column, x);
+  over.v = within(ys_, over.row, y);
+  over.isUpper = isRising(over.column, over.row) ? over.v > over.u : over.u + over.v > 1;
+  return true;
+}
 
 template <class Visit>
 void TerrainLattice::forEachCell(const btVector3& lower, const btVector3& upper, const Visit& visit) const {

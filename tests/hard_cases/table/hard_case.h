@@ -30,7 +30,8 @@ struct Outcome {
 
 /// One hard case: builder or plugin at an edge where collision code breaks.
 struct HardCase {
-  std::string id;  ///< "G1" to "G15", "D1" to "D16"; "C1", "C2": certificates; "I1", "I2": isolation; "L1", "L2": long runs
+  std::string
+      id;  ///< "G1" to "G15", "D1" to "D16"; "C1", "C2": certificates; "I1", "I2": isolation; "L1", "L2": long runs
   std::string name;
   std::string criterion;  ///< in words, with where the figure comes from
   Outcome (*run)(Effort effort) = nullptr;

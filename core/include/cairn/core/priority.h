@@ -43,6 +43,8 @@ class Priority {
   /// policies that do not care. Asked before `begin`, for pairs not yet begun too: `traversal` is null,
   /// `unansweredError` 0.
   virtual double importance(const ScheduledPair& /*pair*/) const { return 1; }
+  /// Whether `importance` is to be asked at all. False saves describing every pair of a step that has too little.
+  virtual bool hasImportances() const { return true; }
   /// Who looks at the scene from the next step on; nothing: nobody. Policies that do not care ignore it.
   /// Precondition: `checkViewer` accepts it.
   virtual void setViewer(const std::optional<Viewer>& /*viewer*/) {}

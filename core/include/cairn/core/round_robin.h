@@ -15,6 +15,7 @@ namespace cairn {
 /// lets one turn through.
 class RoundRobin final : public Priority {
  public:
+  bool hasImportances() const override { return false; }
   void begin(std::span<const ScheduledPair> pairs) override;
   std::optional<std::size_t> next() override;
   void turnEnded(std::size_t pair, Progress progress) override;
