@@ -183,21 +183,5 @@ TEST(HeldPairs_Statistics, OfBodiesSetDownInEachOtherErrByTheirWholeSpheres) {
   }
 }
 
-// What came here by itself may be as deep as its way, no deeper.
-TEST(HeldPairs_Statistics, OfBodiesThatCameNearErrByTheirWay) {
-  BulletWorld<> w;
-  w.world.setGravity(btVector3(0, 0, 0));
-  const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));
-  w.add(cube, 1, btVector3(0, 0, 0));
-  constexpr double kWay = 0.1, kStep = 1.0 / 60;
-  w.add(cube, 1, btVector3(btScalar(1 - kWay / 2), 0, 0)).setLinearVelocity(btVector3(btScalar(-kWay / kStep), 0, 0));
-  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
-  w.world.getDispatchInfo().m_timeStep = btScalar(kStep);
-  w.world.performDiscreteCollisionDetection();
-  w.world.performDiscreteCollisionDetection();  // the first is answered by whole spheres in any case
-  ASSERT_EQ(w.dispatcher.lastStep().unresolvedPairs, 1U) << "resolved: the test shows nothing";
-  EXPECT_NEAR(w.dispatcher.lastStep().worstErrorFraction, kWay / double(cube->size()), 1e-4);
-}
-
 }  // namespace
 }  // namespace cairn::test
