@@ -5,9 +5,11 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include "cairn/builder/progress.h"
 #include "cairn/core/atomic_file.h"
@@ -21,15 +23,6 @@ int refuse(const Error& error) {
 
 namespace {
 
-bool sameFile(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  if (std::filesystem::exists(a, ignored) && std::filesystem::exists(b, ignored))
-    // Two outputs may go to one device or pipe; only a file would be lost.
-    return std::filesystem::is_regular_file(a, ignored) && std::filesystem::equivalent(a, b, ignored);
-  return std::filesystem::weakly_canonical(behindLinks(a), ignored) ==
-         std::filesystem::weakly_canonical(behindLinks(b), ignored);
-}
-
 std::string checkSeed(const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -40,17 +33,9 @@ std::string checkSeed(const std::string& text) {
 }  // namespace
 
 Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
-  std::vector<std::string> others = inputs;
-  for (const std::string& output : outputs) {
-    if (output.empty() || output == "-") continue;
-    if (Status s = checkWritable(output); !s) return s;
-    for (const std::string& other : others) {
-      if (sameFile(output, other))
-        return Error{fmt::format("{}: the output is the same file as {}; name another one", output, other)};
-    }
-    others.push_back(output);
-  }
-  return {};
+  std::vector<std::filesystem::path> files;
+  std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(files), [](const auto& name) { return name != "-"; });
+  return cairn::checkOutputs({inputs.begin(), inputs.end()}, files);
 }
 
 CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& about) {

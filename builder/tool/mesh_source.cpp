@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include "cairn/builder/import.h"
@@ -56,6 +57,15 @@ Json wrapJson(const MeshSource& source) {
           {"farthest_from_original_at_least_fraction", source.wrap->farthestLower / diagonal}};
 }
 
+/// CLI11's own ranges let NaN through.
+std::function<std::string(const std::string&)> isWithin(double least, double most) {
+  return [least, most](const std::string& text) {
+    double value = 0;
+    const bool within = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+    return within ? std::string() : fmt::format("'{}' is not a number from {} to {}", text, least, most);
+  };
+}
+
 }  // namespace
 
 void addMeshSource(CLI::App& command, MeshSourceOptions& options) {
@@ -73,13 +83,13 @@ void addMeshSource(CLI::App& command, MeshSourceOptions& options) {
   command
       .add_option("--wrap-alpha", options.wrapOptions.alpha,
                   "Openings narrower than about this fraction of the diagonal are closed")
-      ->check(CLI::Range(builder::kLeastAlpha, builder::kMostAlpha))
+      ->check(isWithin(builder::kLeastAlpha, builder::kMostAlpha))
       ->needs(wrap)
       ->capture_default_str();
   command
       .add_option("--wrap-offset", options.wrapOptions.offset,
                   "About how far outside the mesh the skin lies, as a fraction of the diagonal")
-      ->check(CLI::Range(builder::kLeastOffset, builder::kMostOffset))
+      ->check(isWithin(builder::kLeastOffset, builder::kMostOffset))
       ->needs(wrap)
       ->capture_default_str();
   command.add_option("--mesh-output", options.output,

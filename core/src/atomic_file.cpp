@@ -95,6 +95,14 @@ bool mayWrite([[maybe_unused]] const fs::path& path) {
 #endif
 }
 
+bool isSameFile(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  if (fs::exists(a, ignored) && fs::exists(b, ignored))
+    // Two outputs may go to one device or pipe; only a file would be lost.
+    return fs::is_regular_file(a, ignored) && fs::equivalent(a, b, ignored);
+  return fs::weakly_canonical(behindLinks(a), ignored) == fs::weakly_canonical(behindLinks(b), ignored);
+}
+
 }  // namespace
 
 fs::path behindLinks(fs::path path) {
@@ -142,6 +150,19 @@ Status checkWritable(const fs::path& path) {
   if (!fs::is_directory(folder, ignored))
     return refuse("the folder " + folder.string() + " does not exist; create it first");
   if (!mayWrite(folder)) return refuse("the folder " + folder.string() + " may not be written; choose another one");
+  return {};
+}
+
+Status checkOutputs(const std::vector<fs::path>& inputs, const std::vector<fs::path>& outputs) {
+  std::vector<fs::path> others = inputs;
+  for (const fs::path& output : outputs) {
+    if (output.empty()) continue;
+    if (Status s = checkWritable(output); !s) return s;
+    for (const fs::path& other : others)
+      if (!other.empty() && isSameFile(output, other))
+        return Error{output.string() + ": the output is the same file as " + other.string() + "; name another one"};
+    others.push_back(output);
+  }
   return {};
 }
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <system_error>
 #include <thread>
+#include <vector>
 
 #include "accuracy_cost/figures/draw.h"
 #include "advise/report.h"
@@ -24,13 +24,13 @@ constexpr const char* kProgram = "cairn advise";
 
 /// What can be refused before minutes of measuring.
 Status checkOutputs(const Options& options) {
-  for (const auto& file : {options.json, options.figure})
-    if (file) {
-      std::error_code different;
-      if (std::filesystem::equivalent(*file, options.mesh, different))
-        return Error{file->string() + " is the same file as the mesh; name another"};
-      if (Status writable = checkWritable(*file); !writable) return writable;
-    }
+  std::vector<std::filesystem::path> files;
+  if (options.json) files.push_back(*options.json);
+  if (options.figure) {
+    files.push_back(*options.figure);
+    files.push_back(std::filesystem::path(*options.figure).replace_extension(".png"));
+  }
+  if (Status distinct = cairn::checkOutputs({options.mesh}, files); !distinct) return distinct;
   return options.figure ? accuracy_cost::checkGnuplot() : Status();
 }
 

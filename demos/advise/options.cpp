@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 
 #include "scenes/command/program.h"
@@ -84,6 +85,10 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   options.trial.seed = std::stoull(seed);
   if (options.figure && options.figure->extension() != ".svg")
     return scenes::refuseUsage("cairn advise", {"--figure wants a name that ends in .svg (--help lists the options)"});
+  const auto needsEight = [](builder::Method method) { return builder::dividesByEight(method); };
+  if (std::ranges::all_of(options.trial.methods, needsEight) &&
+      std::ranges::find(options.trial.branchings, 8U) == options.trial.branchings.end())
+    return scenes::refuseUsage("cairn advise", {"octrees have 8 children: add 8 to --branching, or another method"});
   return options;
 }
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "accuracy_cost/figures/draw.h"
 #include "cairn/core/atomic_file.h"
@@ -16,6 +19,26 @@ namespace {
 constexpr std::size_t kCurves = 6;
 /// Letters of the longest bar.
 constexpr double kBar = 48;
+
+/// Empty, of a name nobody else has, gone with this. Its path is empty where none could be made.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "cairn-advise-XXXXXX").string();
+    if (mkdtemp(name.data())) path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 /// The choice, or the cheapest where nothing fits.
 Choice shownChoice(const Advice& advice) {
@@ -166,12 +189,12 @@ Status drawCurves(const Advice& advice, const std::filesystem::path& svg) {
                       fmt::format("{}: {} bodies, budget by budget", advice.mesh, advice.trial.bodies),
                       2,
                       {mean, worst}};
-  const std::filesystem::path csv = svg.string() + ".csv";
+  const ScratchFolder scratch;
+  if (scratch.path().empty()) return Error{"no temporary folder could be made to draw in; free some space"};
+  const std::filesystem::path csv = scratch.path() / "curves.csv";
   if (Status written = writeFileAtomically(csv, table.csv()); !written) return written;
   const auto folder = svg.has_parent_path() ? svg.parent_path() : std::filesystem::path(".");
   const auto drawn = drawFigure(figure, table, csv, folder);
-  std::error_code ignored;
-  std::filesystem::remove(csv, ignored);
   return drawn ? Status() : drawn.error();
 }
 

@@ -49,14 +49,6 @@ Choices choicesOf(const std::string& text, const Apply& apply) {
   return choices;
 }
 
-/// A number, or nothing for "none" and for no text at all.
-template <class Number>
-std::optional<Number> numberOf(const std::string& item) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-  return error == std::errc() && end != item.data() ? std::optional(value) : std::nullopt;
-}
-
 std::uint32_t defaultBodies(Scene scene) {
   return scene == Scene::heap || scene == Scene::rockfall ? 100 : 20;
 }

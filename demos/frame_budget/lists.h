@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,15 @@ namespace cairn::frame_budget {
 
 /// What stands between the commas; of an empty text, one empty item.
 std::vector<std::string> itemsOf(std::string_view text);
+
+/// The number the whole of a text is, in decimal; nothing for any other text, "none" among them.
+template <class Number>
+std::optional<Number> numberOf(std::string_view text) {
+  Number value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
+}
 
 /// For `CLI::Option::check`: the first item that `refuse` has something to say about decides.
 std::function<std::string(const std::string&)> eachItem(std::function<std::string(const std::string&)> refuse);

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -56,16 +57,16 @@ bool isNone(const std::string& text) {
   return text == "none";
 }
 
-// CLI11's own ranges let NaN through.
+// CLI11's own ranges let NaN through, and read more than `numberOf` does.
 std::string refuseNoFraction(const std::string& text) {
-  double value = 0;
-  const bool isFraction = CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1;
+  const double value = numberOf<double>(text).value_or(-1);
+  const bool isFraction = value >= 0 && value <= 1;
   return isFraction || isNone(text) ? std::string() : "'" + text + "' is not a fraction from 0 to 1";
 }
 
 std::string refuseNoMicroseconds(const std::string& text) {
-  double value = 0;
-  const bool isNumber = CLI::detail::lexical_cast(text, value) && value >= 0;
+  const double value = numberOf<double>(text).value_or(-1);
+  const bool isNumber = value >= 0 && std::isfinite(value);
   return isNumber || isNone(text) ? std::string() : "'" + text + "' is not a number of microseconds, 0 or more";
 }
 
@@ -74,8 +75,8 @@ std::string refuseNoOperations(const std::string& text) {
 }
 
 std::string refuseNoBodies(const std::string& text) {
-  static CLI::Range range(1U, 100000U);
-  return range(text);
+  const std::uint32_t bodies = numberOf<std::uint32_t>(text).value_or(0);
+  return bodies >= 1 && bodies <= 100000 ? std::string() : "'" + text + "' is not a number of bodies from 1 to 100000";
 }
 
 /// Whether anything but the shapes has several items.

@@ -18,10 +18,9 @@ nlohmann::ordered_json treeToJson(const scenes::SourcedTree& source) {
 }  // namespace
 
 Status checkOutputs(const Options& options) {
-  for (const auto& output : {options.json, options.csv, options.picture})
-    if (output)
-      if (Status writable = checkWritable(*output); !writable) return writable;
-  return {};
+  const auto orNone = [](const auto& path) { return path ? std::filesystem::path(*path) : std::filesystem::path(); };
+  return cairn::checkOutputs({orNone(options.source.mesh), orNone(options.source.tree)},
+                             {orNone(options.json), orNone(options.csv), orNone(options.picture)});
 }
 
 Status writeOutputs(const Options& options, const std::vector<nlohmann::ordered_json>& objects,

@@ -5,6 +5,7 @@ import argparse
 import hashlib
 import json
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -190,13 +191,20 @@ def main():
     source = Path(__file__).resolve().parents[2]
     output, programs = Path(asked.output).resolve(), Path(asked.programs).resolve()
     data = output / ("data-quick" if asked.quick else "data")
-    for folder in ("", "stamps", "logs", "gallery", "models"):
-        (data / folder).mkdir(parents=True, exist_ok=True)
+    try:
+        for folder in ("", "stamps", "logs", "gallery", "models"):
+            (data / folder).mkdir(parents=True, exist_ok=True)
+    except OSError as failure:
+        print(f"report: {failure.filename}: {failure.strerror}; name another folder with -o", file=sys.stderr)
+        return 1
     if not os.access(programs / "accuracy_cost", os.X_OK):
         print(f"report: there is no accuracy_cost in {programs}; ./cairn.sh report builds it first", file=sys.stderr)
         return 1
     plan = parts.Plan(source, programs, data, asked.quick, asked.models and str(Path(asked.models).resolve()), asked.archive).parts()
     chosen = {name for name in asked.only.split(",") if name}
+    if asked.only and not chosen:
+        print(f"report: --only names no part; they are {', '.join(p.name for p in plan)}", file=sys.stderr)
+        return 2
     if unknown := chosen - {part.name for part in plan}:
         print(f"report: there is no part {sorted(unknown)[0]}; they are {', '.join(p.name for p in plan)}", file=sys.stderr)
         return 2
@@ -207,7 +215,9 @@ def main():
     except Cancelled:
         print("report: cancelled; the same command goes on from here.", file=sys.stderr)
         return 130
-    command = "./cairn.sh report" + (" --quick" if asked.quick else "")
+    command = shlex.join(["./cairn.sh", "report", *(["--quick"] if asked.quick else []),
+                          *(["--only", asked.only] if asked.only else []),
+                          *(["--models", Path(asked.models).name] if asked.models else [])])
     run = {"quick": asked.quick, "command": command, "machine": about, "seconds": time.monotonic() - begun,
            "parts": list(records.values())}
     (data / "run.json").write_text(json.dumps(run, indent=1), encoding="utf-8")

@@ -138,6 +138,11 @@ TEST_F(AdviseProgram, RefusesInOneSentence) {
   expectOneSentence(test::runProgram("cairn", "advise " + quoted("ring.obj") +
                                                   " --budget-us 5 --methods octree --depths 1 --frames 1"),
                     1, "no bodies touch");
+  expectOneSentence(test::runProgram("cairn", "advise " + quoted("ring.obj") +
+                                                  " --budget-us 5 --methods octree,solid-octree --branching 4"),
+                    2, "octrees have 8 children");
+  expectOneSentence(run("--budget-us 5 --json " + quoted("a.svg") + " --figure " + quoted("a.svg")), 1,
+                    "is the same file as");
   expectOneSentence(test::runProgram("cairn", "advise " + quoted("none.obj") + " --budget-us 5"), 1, "none.obj");
   ASSERT_TRUE(writeFileAtomically(path("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   expectOneSentence(test::runProgram("cairn", "advise " + quoted("open.obj") + " --budget-us 5"), 1, "open");

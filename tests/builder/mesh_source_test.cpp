@@ -103,6 +103,7 @@ TEST_F(MeshSource, ImpossibleOptionsAreWrongUsage) {
   expectRefused(build("open.obj", "--wrap-alpha 0.1"), 2, "--wrap");
   expectRefused(build("open.obj", "--wrap --wrap-alpha 0"), 2, "--wrap-alpha");
   expectRefused(build("open.obj", "--wrap --wrap-alpha 1.5"), 2, "--wrap-alpha");
+  expectRefused(build("open.obj", "--wrap --wrap-alpha nan"), 2, "--wrap-alpha");
   expectRefused(build("open.obj", "--wrap --wrap-offset 0.5"), 2, "--wrap-offset");
   expectRefused(build("open.obj", "--wrap --wrap-offset x"), 2, "--wrap-offset");
   expectRefused(build("open.obj", "--mesh-output " + quoted("m.ply")), 2, "--mesh-output");

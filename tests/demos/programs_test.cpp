@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
 #include "run_program.h"
 #include "scene_trees.h"
@@ -67,7 +68,12 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"frame_budget", "--budget-ops -5", "--budget-ops"},
         WrongUsage{"frame_budget", "--budget-us -0.5", "--budget-us"},
         WrongUsage{"frame_budget", "--budget-us nan", "--budget-us"},
-        WrongUsage{"frame_budget", "--bodies 0", "--bodies"},
+        WrongUsage{"frame_budget", "--bodies 0", "--bodies"}, WrongUsage{"frame_budget", "--bodies 0x10", "--bodies"},
+        WrongUsage{"frame_budget", "--bodies +5", "--bodies"},
+        WrongUsage{"frame_budget", "--budget-us +100", "--budget-us"},
+        WrongUsage{"frame_budget", "--budget-us 0x10", "--budget-us"},
+        WrongUsage{"frame_budget", "--budget-us 1e400", "--budget-us"},
+        WrongUsage{"frame_budget", "--margin-fraction +0.01", "--margin-fraction"},
         WrongUsage{"frame_budget", "--priority loudest", "use round-robin, two-class, worst-error or perceptual"},
         WrongUsage{"frame_budget", "--unresolved hope", "use guard, repel, ignore or compensate"},
         WrongUsage{"frame_budget", "--method magic", "magic"},
@@ -93,6 +99,20 @@ TEST(Programs_UnwritableOutput, IsNoticedBeforeTheWork) {
     EXPECT_EQ(result.exitCode, 1) << arguments;
     expectOneSentence(result, program, "does not exist; create it first");
   }
+}
+
+TEST(Programs_Output, NeverReplacesAnInputOrAnother) {
+  const TemporaryFolder folder;
+  const std::string mesh = "'" + (folder.path() / "m.obj").string() + "'",
+                    out = "'" + (folder.path() / "o").string() + "'";
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "m.obj", std::string_view("a mesh")));
+  for (const std::string& arguments :
+       {"--mesh " + mesh + " --json " + mesh, "--mesh " + mesh + " --csv " + mesh, "--json " + out + " --csv " + out}) {
+    const ProgramResult result = runProgram("frame_budget", "--steps 1000000 " + arguments);
+    EXPECT_EQ(result.exitCode, 1) << arguments;
+    expectOneSentence(result, "frame_budget", "is the same file as");
+  }
+  EXPECT_EQ(contentOf((folder.path() / "m.obj").string()), "a mesh");
 }
 
 TEST(Programs_UnreadableInput, IsOneSentenceThatNamesTheFileAndExitCodeOne) {

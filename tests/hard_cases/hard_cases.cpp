@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "cairn/core/atomic_file.h"
+#include "scenes/command/program.h"
 #include "table/print.h"
 #include "table/verdict.h"
 
@@ -87,6 +88,8 @@ int main(int argc, char** argv) {
   app.add_flag("--list", options.list, "name the cases and what they ask, run nothing");
   app.add_option("--json", options.json, "write the table to this file");
   app.footer("\nExamples:\n  hard_cases --quick\n  hard_cases D15 D16 --json starved.json");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = cairn::scenes::parseCommandLine(app, argc, argv)) return *code;
+  if (const cairn::Status writable = cairn::checkOutputs({}, {options.json}); !writable)
+    return cairn::scenes::refuse("hard_cases", writable.error());
   return cairn::hard::runAll(options);
 }

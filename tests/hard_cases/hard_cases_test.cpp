@@ -13,12 +13,18 @@ namespace {
 
 class HardCases : public testing::TestWithParam<HardCase> {};
 
-// A miss has a reason beside it; what has a reason and holds after all is to be told otherwise.
-TEST_P(HardCases, Holds) {
+// Misses of quick runs that docs/hard-cases.md tells of. Any other is news, and so is one of these that holds.
+const std::set<std::string>& knownMisses() {
+  static const std::set<std::string> misses{"D11"};
+  return misses;
+}
+
+TEST_P(HardCases, HoldsButForKnownMisses) {
   const Outcome outcome = GetParam().run(Effort::quick);
   const std::string lines = linesOf(GetParam(), outcome, 0);
   for (const Measure& measure : outcome.measures)
     EXPECT_TRUE(std::isfinite(measure.value)) << measure.name << "\n" << lines;
+  EXPECT_EQ(verdictOn(outcome) == Verdict::misses, knownMisses().contains(GetParam().id)) << lines;
   if (verdictOn(outcome) == Verdict::misses) EXPECT_FALSE(outcome.why.empty()) << lines;
 }
 

@@ -33,6 +33,11 @@ std::filesystem::path behindLinks(std::filesystem::path path);
 /// result it is to hold.
 Status checkWritable(const std::filesystem::path& path);
 
+/// Whether every output could be written and is neither an input nor another output, whatever names they go by. To be
+/// asked before any work. Empty paths are passed over.
+Status checkOutputs(const std::vector<std::filesystem::path>& inputs,
+                    const std::vector<std::filesystem::path>& outputs);
+
 /// Whole content of a file, or an error that names it.
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path);
 
