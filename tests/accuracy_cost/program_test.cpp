@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
+#include "accuracy_cost/figures/draw.h"
 #include "accuracy_cost/models/model.h"
 #include "accuracy_cost/models/solids.h"
 #include "cairn/builder/import.h"
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
+#include "interrupted_program.h"
 #include "run_program.h"
 
 namespace cairn::accuracy_cost {
@@ -41,7 +40,6 @@ class AccuracyCostProgram : public ::testing::Test {
     return test::runProgram("accuracy_cost", "run " + experiment + " --quick --models '" + path("meshes").string() +
                                                  "' -o '" + path(folder).string() + "' " + rest);
   }
-  static bool hasGnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
 
   test::TemporaryFolder temporary_;
 };
@@ -91,7 +89,7 @@ TEST_F(AccuracyCostProgram, KeepsWhatIsThereAndMeasuresWhatChanged) {
 }
 
 TEST_F(AccuracyCostProgram, DrawsFiguresOfATableThatIsThere) {
-  if (!hasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  if (const Status there = checkGnuplot(); !there) GTEST_SKIP() << there.error().message;
   ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
   const std::string table = contentOf(path("out/expand-selection.csv"));
   const ProgramResult drawn = run("expand-selection", "out", "");
@@ -156,22 +154,9 @@ TEST_F(AccuracyCostProgram, ListsAndMakesModels) {
 TEST_F(AccuracyCostProgram, IsCancelledWithoutAResult) {
   addMesh("torus", torus(1, 0.35, 40, 20));
   const std::string program = (fs::read_symlink("/proc/self/exe").parent_path() / "accuracy_cost").string();
-  const std::string meshes = path("meshes").string(), out = path("out").string();
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    execl(program.c_str(), program.c_str(), "run", "levels", "--models", meshes.c_str(), "-o", out.c_str(),
-          "--no-figures", nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::vector<std::string> arguments{
+      "run", "levels", "--models", path("meshes").string(), "-o", path("out").string(), "--no-figures"};
+  EXPECT_EQ(test::exitCodeAfterSignal(program, arguments, SIGINT, std::chrono::milliseconds(700)), 130);
   EXPECT_FALSE(fs::exists(path("out/levels.json")));
   EXPECT_FALSE(fs::exists(path("out/levels.csv")));
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,11 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <thread>
 
+#include "accuracy_cost/figures/draw.h"
 #include "accuracy_cost/models/solids.h"
 #include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
+#include "interrupted_program.h"
 #include "run_program.h"
 
 namespace cairn::advise {
@@ -110,7 +109,7 @@ TEST_F(AdviseProgram, SaysWhenNothingFits) {
 }
 
 TEST_F(AdviseProgram, DrawsTheCurves) {
-  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  if (const Status there = accuracy_cost::checkGnuplot(); !there) GTEST_SKIP() << there.error().message;
   ASSERT_EQ(run("--budget-us 100 --figure " + quoted("curves.svg")).exitCode, 0);
   EXPECT_NE(contentOf(path("curves.svg")).find("combined 8x2"), std::string::npos);
   EXPECT_EQ(contentOf(path("curves.png")).substr(1, 3), "PNG");
@@ -164,22 +163,9 @@ TEST_F(AdviseProgram, StandsBesideCairn) {
 
 TEST_F(AdviseProgram, IsCancelledWithoutAResult) {
   const std::string program = (fs::read_symlink("/proc/self/exe").parent_path() / "cairn").string();
-  const std::string mesh = path("ring.obj").string(), out = path("advice.json").string();
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    execl(program.c_str(), program.c_str(), "advise", mesh.c_str(), "--budget-us", "100", "--json", out.c_str(),
-          "--repeats", "100", nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::vector<std::string> arguments{"advise", path("ring.obj").string(),    "--budget-us", "100",
+                                           "--json", path("advice.json").string(), "--repeats",   "100"};
+  EXPECT_EQ(test::exitCodeAfterSignal(program, arguments, SIGINT, std::chrono::milliseconds(700)), 130);
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(temporary_.path())) ++files;
   EXPECT_EQ(files, 1U) << "the mesh alone";
