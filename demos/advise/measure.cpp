@@ -144,7 +144,8 @@ std::uint64_t mostOperations(const Take& take) {
   return most;
 }
 
-/// Every budget of a tree that cuts something, then none; each as often as the others, in turns.
+/// Every budget of a tree that cuts something, then none, in turns; what none takes is played once more, to know which
+/// cut.
 Result<std::vector<Take>> playTree(const scenes::Recording& recording, const scenes::Model& model, const Trial& trial,
                                    const std::function<bool()>& keepGoing) {
   std::vector<Take> takes;
