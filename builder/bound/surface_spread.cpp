@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "spheres/piece.h"
+#include "balls/piece.h"
 
 namespace cairn::builder {
 namespace {

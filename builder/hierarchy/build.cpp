@@ -13,10 +13,10 @@
 #include "hierarchy/build_options.h"
 #include "hierarchy/grow_in_body.h"
 #include "hierarchy/grow_levels.h"
-#include "hierarchy/method_traits.h"
 #include "hierarchy/region_tree.h"
 #include "hierarchy/tree_data.h"
 #include "medial/hubbard_medial.h"
+#include "regions/method_traits.h"
 #include "surface/convexity.h"
 
 namespace cairn::builder {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "hierarchy/cover_level.h"
 #include "hierarchy/region_tree.h"
+#include "levels/cover_level.h"
 
 namespace cairn::builder {
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "hierarchy/body_frame.h"
-#include "hierarchy/complete_level.h"
 #include "hierarchy/divide_among_leaves.h"
-#include "hierarchy/fit_families.h"
-#include "hierarchy/two_levels.h"
+#include "levels/complete_level.h"
+#include "levels/fit_families.h"
+#include "levels/two_levels.h"
 
 namespace cairn::builder {
 

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <utility>
 
-#include "hierarchy/drop_spheres.h"
-#include "hierarchy/lookahead.h"
+#include "regions/drop_spheres.h"
+#include "regions/lookahead.h"
 
 namespace cairn::builder {
 

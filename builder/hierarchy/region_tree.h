@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "hierarchy/region.h"
-#include "hierarchy/split_region.h"
+#include "regions/region.h"
+#include "regions/split_region.h"
 
 namespace cairn::builder {
 

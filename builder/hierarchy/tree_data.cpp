@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "certify/protrusion.h"
-#include "hierarchy/region_normals.h"
-#include "hierarchy/support_points.h"
+#include "regions/region_normals.h"
+#include "regions/support_points.h"
 #include "surface/mass_properties.h"
 
 namespace cairn::builder {

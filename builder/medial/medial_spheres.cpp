@@ -6,8 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "balls/depth_field.h"
 #include "medial/voronoi_diagram.h"
-#include "spheres/depth_field.h"
 
 namespace cairn::builder {
 

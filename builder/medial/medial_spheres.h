@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "balls/point_set.h"
 #include "cairn/builder/ball.h"
-#include "spheres/point_set.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {

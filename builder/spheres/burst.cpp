@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "spheres/enclosing_ball.h"
+#include "balls/enclosing_ball.h"
 
 namespace cairn::builder {
 

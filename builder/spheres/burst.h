@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "spheres/sphere_set.h"
+#include "balls/sphere_set.h"
 
 namespace cairn::builder {
 

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "balls/farthest_sample.h"
 #include "spheres/expand_selection.h"
-#include "spheres/farthest_sample.h"
 
 namespace cairn::builder {
 

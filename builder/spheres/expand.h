@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "balls/sphere_set.h"
 #include "cairn/builder/expand_choices.h"
-#include "spheres/sphere_set.h"
 
 namespace cairn::builder {
 

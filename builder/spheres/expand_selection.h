@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "balls/point_set.h"
 #include "cairn/builder/expand_choices.h"
 #include "spheres/held_sets.h"
-#include "spheres/point_set.h"
 
 namespace cairn::builder {
 

@@ -6,9 +6,9 @@
 #include <cassert>
 #include <limits>
 
-#include "spheres/downhill_simplex.h"
-#include "spheres/enclosing_ball.h"
-#include "spheres/farthest_sample.h"
+#include "balls/enclosing_ball.h"
+#include "balls/farthest_sample.h"
+#include "cover/downhill_simplex.h"
 #include "spheres/oriented_grid.h"
 
 namespace cairn::builder {

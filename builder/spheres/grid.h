@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spheres/sphere_set.h"
+#include "balls/sphere_set.h"
 
 namespace cairn::builder {
 

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "balls/nearest_ball.h"
 #include "spheres/hubbard_error.h"
-#include "spheres/nearest_ball.h"
 
 namespace cairn::builder {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "balls/depth_field.h"
+#include "balls/piece.h"
 #include "medial/hubbard_medial.h"
-#include "spheres/depth_field.h"
-#include "spheres/piece.h"
 
 namespace cairn::builder {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "spheres/ritter_ball.h"
+#include "balls/ritter_ball.h"
 
 namespace cairn::builder {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "balls/enclosing_ball.h"
 #include "medial/hubbard_medial.h"
-#include "spheres/enclosing_ball.h"
 
 namespace cairn::builder {
 

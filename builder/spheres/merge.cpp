@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "spheres/enclosing_ball.h"
+#include "balls/enclosing_ball.h"
 
 namespace cairn::builder {
 

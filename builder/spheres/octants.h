@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
+#include "balls/piece.h"
 #include "cairn/builder/ball.h"
 #include "cairn/builder/triangle_mesh.h"
-#include "spheres/piece.h"
 
 namespace cairn::builder {
 

@@ -7,13 +7,13 @@
 #include <numeric>
 #include <string>
 
+#include "balls/piece.h"
+#include "cover/grow_to_cover.h"
 #include "medial/hubbard_medial.h"
 #include "spheres/burst.h"
 #include "spheres/expand.h"
-#include "spheres/grow_to_cover.h"
 #include "spheres/hubbard.h"
 #include "spheres/merge.h"
-#include "spheres/piece.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {

@@ -5,9 +5,9 @@
 #include <cassert>
 #include <optional>
 
-#include "spheres/ball_fit.h"
-#include "spheres/downhill_simplex.h"
-#include "spheres/enclosing_ball.h"
+#include "balls/ball_fit.h"
+#include "balls/enclosing_ball.h"
+#include "cover/downhill_simplex.h"
 
 namespace cairn::builder {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "builder_meshes.h"
-#include "hierarchy/drop_spheres.h"
 #include "hierarchy/region_tree.h"
+#include "regions/drop_spheres.h"
 
 namespace cairn::builder {
 namespace {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "balls/enclosing_ball.h"
 #include "bound/outside_points.h"
 #include "bound/surface_spread.h"
 #include "builder_meshes.h"
@@ -16,7 +17,6 @@
 #include "cairn/builder/certify.h"
 #include "certify/protrusion.h"
 #include "distance_oracle.h"
-#include "spheres/enclosing_ball.h"
 
 namespace cairn::builder {
 namespace {

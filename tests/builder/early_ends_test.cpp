@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "balls/enclosing_ball.h"
 #include "builder_meshes.h"
 #include "certify/protrusion.h"
-#include "hierarchy/method_traits.h"
-#include "hierarchy/split_region.h"
-#include "spheres/enclosing_ball.h"
+#include "regions/method_traits.h"
+#include "regions/split_region.h"
 
 namespace cairn::builder {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spheres/enclosing_ball.h"
+#include "balls/enclosing_ball.h"
 
 #include <gtest/gtest.h>
 

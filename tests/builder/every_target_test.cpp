@@ -13,12 +13,12 @@
 #include <span>
 #include <vector>
 
+#include "balls/point_set.h"
+#include "balls/sphere_set.h"
 #include "builder_meshes.h"
+#include "cover/holders.h"
+#include "cover/piece_costs.h"
 #include "spheres/held_sets.h"
-#include "spheres/holders.h"
-#include "spheres/piece_costs.h"
-#include "spheres/point_set.h"
-#include "spheres/sphere_set.h"
 
 namespace cairn::builder {
 namespace {

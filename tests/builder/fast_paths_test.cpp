@@ -10,14 +10,14 @@
 #include <random>
 #include <vector>
 
+#include "balls/farthest_sample.h"
+#include "balls/nearest_ball.h"
+#include "balls/stand_off.h"
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
 #include "medial/hubbard_medial.h"
-#include "spheres/farthest_sample.h"
 #include "spheres/hubbard.h"
 #include "spheres/hubbard_error.h"
-#include "spheres/nearest_ball.h"
-#include "spheres/stand_off.h"
 
 namespace cairn::builder {
 namespace {

@@ -13,9 +13,9 @@
 #include "cairn/builder/build.h"
 #include "cairn/builder/certify.h"
 #include "hierarchy/cut_again.h"
-#include "hierarchy/method_traits.h"
-#include "hierarchy/split_region.h"
 #include "placed_mesh.h"
+#include "regions/method_traits.h"
+#include "regions/split_region.h"
 
 namespace cairn::builder {
 namespace {

@@ -10,9 +10,9 @@
 #include "cairn/builder/certify.h"
 #include "cairn/core/state_hash.h"
 #include "cairn/core/tree_file.h"
-#include "hierarchy/region_normals.h"
 #include "hierarchy/region_tree.h"
-#include "hierarchy/support_points.h"
+#include "regions/region_normals.h"
+#include "regions/support_points.h"
 
 namespace cairn::builder {
 namespace {

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "balls/point_set.h"
+#include "balls/ritter_ball.h"
 #include "builder_meshes.h"
 #include "medial/gap_crossing.h"
 #include "medial/hubbard_medial.h"
 #include "spheres/hubbard.h"
 #include "spheres/hubbard_error.h"
-#include "spheres/point_set.h"
-#include "spheres/ritter_ball.h"
 #include "surface/planar_clusters.h"
 
 namespace cairn::builder {

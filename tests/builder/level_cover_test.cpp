@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole levels at once: assignment to families against brute force, and what optimising a level promises.
-#include "spheres/level_cover.h"
+#include "cover/level_cover.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
 #include "cairn/builder/certify.h"
-#include "hierarchy/cover_level.h"
-#include "hierarchy/relieve_level.h"
-#include "spheres/capacity_assignment.h"
+#include "cover/capacity_assignment.h"
+#include "levels/cover_level.h"
+#include "levels/relieve_level.h"
 
 namespace cairn::builder {
 namespace {

@@ -7,11 +7,11 @@
 #include <set>
 #include <vector>
 
+#include "balls/farthest_sample.h"
+#include "balls/piece.h"
 #include "builder_meshes.h"
 #include "medial/medial_spheres.h"
 #include "medial/voronoi_diagram.h"
-#include "spheres/farthest_sample.h"
-#include "spheres/piece.h"
 
 namespace cairn::builder {
 namespace {

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "balls/ball_fit.h"
+#include "balls/piece.h"
 #include "builder_meshes.h"
-#include "spheres/ball_fit.h"
+#include "cover/downhill_simplex.h"
+#include "cover/optimise_one_by_one.h"
 #include "spheres/burst.h"
-#include "spheres/downhill_simplex.h"
 #include "spheres/expand.h"
 #include "spheres/grid.h"
-#include "spheres/optimise_one_by_one.h"
 #include "spheres/oriented_grid.h"
-#include "spheres/piece.h"
 #include "spheres/spawn.h"
 
 namespace cairn::builder {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families for the parts of a surface: what each search promises, checked from its result alone.
-#include "hierarchy/share_parts.h"
+#include "levels/share_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "builder_meshes.h"
-#include "hierarchy/group_parts.h"
-#include "spheres/capacity_assignment.h"
+#include "cover/capacity_assignment.h"
+#include "levels/group_parts.h"
 #include "surface/convexity.h"
 
 namespace cairn::builder {

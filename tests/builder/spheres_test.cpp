@@ -6,16 +6,16 @@
 #include <numeric>
 #include <vector>
 
+#include "balls/ball_fit.h"
+#include "balls/depth_field.h"
+#include "balls/enclosing_ball.h"
 #include "builder_meshes.h"
 #include "certify/protrusion.h"
-#include "spheres/ball_fit.h"
-#include "spheres/depth_field.h"
-#include "spheres/divide.h"
-#include "spheres/enclosing_ball.h"
+#include "cover/divide.h"
+#include "cover/optimise.h"
 #include "spheres/expand.h"
 #include "spheres/merge.h"
 #include "spheres/octants.h"
-#include "spheres/optimise.h"
 
 namespace cairn::builder {
 namespace {

@@ -12,8 +12,8 @@
 #include "cairn/builder/expand_choices.h"
 #include "cairn/builder/medial_axis.h"
 #include "cairn/builder/reduce_balls.h"
+#include "cover/grow_to_cover.h"
 #include "medial/hubbard_medial.h"
-#include "spheres/grow_to_cover.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {

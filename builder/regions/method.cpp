@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "cairn/builder/build.h"
+#include "regions/method_traits.h"
+
+namespace cairn::builder {
+
+namespace {
+
+constexpr std::array kMethods{
+    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels, GrownIn::mesh},
+    MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres,
+                 GrownIn::body},
+    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::mesh},
+    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
+    MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
+};
+
+/// In the order of the enumeration.
+constexpr std::array<const char*, 3> kOptimisers{"none", "thesis", "cairn"};
+
+}  // namespace
+
+std::span<const MethodTraits> allMethods() {
+  return kMethods;
+}
+
+const MethodTraits& traitsOf(Method method) {
+  const auto* const found =
+      std::find_if(kMethods.begin(), kMethods.end(), [method](const MethodTraits& t) { return t.method == method; });
+  assert(found != kMethods.end());
+  return *found;
+}
+
+Result<Method> parseMethod(const std::string& name) {
+  std::string known;
+  for (const MethodTraits& traits : kMethods) {
+    if (name == traits.name) return traits.method;
+    known += (known.empty() ? "" : ", ") + std::string(traits.name);
+  }
+  return Error{"there is no method '" + name + "'; choose one of " + known};
+}
+
+const char* methodName(Method method) {
+  return traitsOf(method).name;
+}
+
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names;
+  for (const MethodTraits& traits : kMethods) names.emplace_back(traits.name);
+  return names;
+}
+
+Result<Optimiser> parseOptimiser(const std::string& name) {
+  const auto* const found = std::find(kOptimisers.begin(), kOptimisers.end(), name);
+  if (found == kOptimisers.end())
+    return Error{"there is no optimisation '" + name + "'; choose one of none, thesis, cairn"};
+  return static_cast<Optimiser>(found - kOptimisers.begin());
+}
+
+const char* optimiserName(Optimiser optimiser) {
+  return kOptimisers[static_cast<std::size_t>(optimiser)];
+}
+
+std::vector<std::string> optimiserNames() {
+  return {kOptimisers.begin(), kOptimisers.end()};
+}
+
+bool fitsRegions(Method method) {
+  return traitsOf(method).division == Division::spheres;
+}
+
+bool dividesByEight(Method method) {
+  return traitsOf(method).division == Division::cubes;
+}
+
+}  // namespace cairn::builder

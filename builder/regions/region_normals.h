@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "balls/piece.h"
+#include "cairn/core/sphere_tree.h"
+
+namespace cairn::builder {
+
+/// The outward unit normal of every source triangle of a region, once each, with the area the region has of it.
+struct FacingArea {
+  Vec3d normal;
+  double area = 0;
+};
+std::vector<FacingArea> facingAreas(std::span<const Piece> pieces, const TriangleMesh& mesh);
+
+/// Up to `kMaxFaceNormals` directions most of the region faces, by area, largest first: each the mean normal of the
+/// area within a few degrees of it. A planar region gets its own normal, exactly up to rounding; a round one its mean
+/// direction.
+std::vector<Vec3> dominantNormals(std::span<const FacingArea> areas);
+
+/// The smallest cone that holds all the normals, rounded outward; the whole sphere when they span a half space or more.
+NormalCone normalConeOf(std::span<const FacingArea> areas);
+
+}  // namespace cairn::builder
