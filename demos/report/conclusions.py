@@ -156,7 +156,7 @@ def all_conclusions():
 def _settle(point, experiment):
     """Whether a point holds, by the experiment it names."""
     if experiment is None:
-        point.why = f"{point.experiment} is not there"
+        point.why = f"the experiment {point.experiment} is not in this report"
         return
     if point.judge:
         answer = point.judge(experiment["rows"])
@@ -169,7 +169,7 @@ def _settle(point, experiment):
         if claim["thesis"] == point.claim:
             point.holds, point.found, point.rule = claim["holds"], claim["found"], claim["rule"]
             return
-    point.why = f"{point.experiment} makes no such claim"
+    point.why = f"the experiment {point.experiment} has not measured it (--quick measures less)"
 
 
 def judged(experiments):
@@ -182,6 +182,6 @@ def judged(experiments):
         measured = [holds for holds in counted if holds is not None]
         conclusion.counted, conclusion.held = len(counted), sum(measured)
         conclusion.unmeasured = len(counted) - len(measured)
-        if measured:
-            conclusion.verdict = REPRODUCED if all(measured) else IN_PART if any(measured) else NOT
+        if measured:  # what was not measured is not reproduced either
+            conclusion.verdict = REPRODUCED if all(measured) and not conclusion.unmeasured else IN_PART if any(measured) else NOT
     return result

@@ -309,6 +309,8 @@ class Conclusions(unittest.TestCase):
         self.assertEqual(self.verdict(False, False, False).verdict, "not reproduced")
         self.assertEqual(self.verdict(None, None, None).verdict, "not measured")
         self.assertEqual(self.verdict(True, None, True).unmeasured, 1)
+        self.assertEqual(self.verdict(True, None, True).verdict, "reproduced in part", "what was not measured was not found again")
+        self.assertEqual(self.verdict(None, False, None).verdict, "not reproduced")
 
     def test_claims_are_those_the_experiments_make(self):
         """A claim reworded in an experiment would silently leave the summary."""

@@ -80,7 +80,7 @@ void addFront(const Table& table, const std::string& column, const char* which, 
   if (!fronts.exceptions.empty()) found += fmt::format(": {}", fmt::join(fronts.exceptions, "; "));
   if (!fronts.ties.empty()) found += fmt::format("; as fast within the noise: {}", fmt::join(fronts.ties, "; "));
   if (fronts.greatestFactor > 0)
-    found += fmt::format("; at no more error than a rival's ours takes 1/{:.2g} to 1/{:.2g} of its time",
+    found += fmt::format("; at no more error than a rival's ours takes 1/{:.3g} to 1/{:.3g} of its time",
                          fronts.leastFactor, fronts.greatestFactor);
   claims.push_back(
       {fmt::format("no rival is below and left of ours for any {} error of a pair between {} and {} % of size", which,

@@ -141,16 +141,21 @@ std::vector<Course> coursesOf(const Table& table, const std::string& model, cons
   return courses;
 }
 
-std::string textOf(const MedianInterval& m) {
+std::string ratioText(const MedianInterval& m) {
   return fmt::format("{:.3g} ({:.3g} to {:.3g})", m.median, m.low, m.high);
+}
+
+std::string microsecondsText(const MedianInterval& m) {
+  return fmt::format("{:.0f} ({:.0f} to {:.0f}) µs", m.median, m.low, m.high);
 }
 
 /// What both claims go by, in one clause.
 std::string courseText(const Course& course) {
   return fmt::format(
-      "the slowest step in a thousand takes {} µs, {} times its median and {} times the budget of {:.0f} µs; {} % of "
+      "the slowest step in a thousand takes {}, {} times its median and {} times the budget of {:.0f} µs; {} % of "
       "the steps take longer than the tree is allowed",
-      textOf(course.slowest), textOf(course.overMedian), textOf(course.overBudget), course.budget, textOf(course.late));
+      microsecondsText(course.slowest), ratioText(course.overMedian), ratioText(course.overBudget), course.budget,
+      ratioText(course.late));
 }
 
 Claim flatClaim(const std::string& place, const Course& ours) {
