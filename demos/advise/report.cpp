@@ -122,8 +122,8 @@ std::string tableText(const Advice& advice, bool all) {
   text += "Median and p99 are of all steps, of all playings together, in which bodies touch.\n";
   if (advice.trial.sieveUs)
     text +=
-        "Every tree was played on every budget; those clearly behind less often than the best (--thorough: all alike, "
-        "and more of them).\n";
+        "Every tree was played on every budget; those clearly behind less often than the best. --thorough plays all "
+        "alike and, unless methods are named, tries adaptive too, which takes long to build and often errs less.\n";
   return text;
 }
 
