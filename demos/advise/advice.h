@@ -17,7 +17,7 @@ struct Rung {
   std::uint64_t budget = 0;              ///< operations; without a cut, the most a step took
   bool cuts = true;                      ///< false: nothing was left unresolved
   double meanOperations = 0;             ///< a step
-  double medianUs = 0, p99Us = 0;        ///< of the whole narrow phase, CPU time a step
+  double medianUs = 0, p99Us = 0;        ///< of the whole narrow phase, CPU time a step, over all steps of all playings
   double meanError = 0, worstError = 0;  ///< mean over the steps of the pairs' mean; worst pair of any step
   double unresolvedPairs = 0;            ///< share of all pairs
 };
@@ -28,6 +28,7 @@ struct Candidate {
   std::uint32_t branching = 8, depth = 3;
   std::uint32_t spheres = 0;  ///< of all levels
   double buildSeconds = 0;
+  std::uint32_t playings = 0;  ///< of each budget
   std::vector<Rung> rungs;
 };
 

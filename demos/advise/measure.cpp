@@ -7,12 +7,13 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "advise/sieve.h"
+#include "advise/take.h"
 #include "scenes/converge/converge.h"
-#include "scenes/converge/player.h"
-#include "scenes/figures/quantiles.h"
 
 namespace cairn::advise {
 namespace {
@@ -23,15 +24,18 @@ constexpr double kBodySize = 1;
 constexpr std::array<std::uint64_t, 9> kBudgets{25, 50, 100, 200, 400, 800, 1600, 3200, 6400};
 /// Shares of the work that are done when the trees are built, and when the poses are recorded too.
 constexpr double kBuilt = 0.5, kRecorded = 0.55;
+/// Share of the playing that is done when every tree has been played once and a sieve is to follow.
+constexpr double kSieved = 0.6;
 
 Error cancelled() {
   return Error{std::string(builder::kCancelled)};
 }
 
-/// A tree in a body.
+/// A tree in a body, at every budget.
 struct Contender {
   Candidate candidate;
   scenes::Model model;
+  std::vector<Take> takes;
 };
 
 std::vector<Candidate> candidatesOf(const Trial& trial) {
@@ -73,7 +77,7 @@ Result<std::vector<Contender>> buildTrees(const builder::TriangleMesh& mesh, con
     candidate.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     candidate.spheres = tree.value().nodeCount();
     contenders.push_back(
-        {candidate, scenes::makeModel(std::make_shared<const SphereTree>(std::move(tree).value()), kBodySize)});
+        {candidate, scenes::makeModel(std::make_shared<const SphereTree>(std::move(tree).value()), kBodySize), {}});
     // Poses are of the body frame: all trees have to mean the same by it.
     if (contenders.back().model.vertices != contenders.front().model.vertices)
       return Error{nameOf(candidate) + ": the tree's body frame is not that of the others"};
@@ -81,123 +85,121 @@ Result<std::vector<Contender>> buildTrees(const builder::TriangleMesh& mesh, con
   return contenders;
 }
 
-/// What a tree did on one budget, frame by frame; times are the least of all repeats.
-class Take {
+/// All trees at one recording: who has been played how often.
+class Race {
  public:
-  explicit Take(std::optional<std::uint64_t> budget) : budget_(budget) {}
+  Race(const scenes::Recording& recording, std::vector<Contender>& contenders, const Trial& trial,
+       const builder::ProgressCallback& progress)
+      : recording_(recording), contenders_(contenders), trial_(trial), progress_(progress) {}
 
-  Status play(const scenes::Recording& recording, const scenes::Model& model) {
-    scenes::WorldOptions world;
-    if (budget_) world.budget.operations = static_cast<std::int64_t>(*budget_);
-    const auto player = scenes::makePlayer(model, recording.bodies, world, {});
-    if (!player) return player.error();
-    const bool isFirst = records_.empty();
-    for (std::uint32_t frame = 0; frame < recording.framesPerRun; ++frame) {
-      const scenes::StepRecord record = player.value()->show(recording.frame(0, frame));
-      if (isFirst) {
-        records_.push_back(record);
-      } else {
-        double& us = records_[frame].narrowPhaseCpuUs;
-        us = std::min(us, record.narrowPhaseCpuUs);
-      }
+  /// Every budget of every tree that cuts something, then none: once, or with nothing to sieve by as often as all are.
+  Status playAll() {
+    for (Contender& contender : contenders_)
+      if (Status played = playFirst(contender); !played) return played;
+    for (Contender& contender : contenders_) settle(contender);
+    return trial_.sieveUs || frames_.empty() ? Status() : playUpTo(all(), full());
+  }
+
+  /// Plays the better half again as often as they have been played, and the better half of these, until few are left;
+  /// these, and whoever would then be chosen, as often as all may be. Precondition: there are busy frames.
+  Status sieve() {
+    std::vector<std::size_t> running = all();
+    for (std::uint32_t playings = 2; running.size() > kFinalists; playings *= 2) {
+      running = betterHalf(candidates(), running, *trial_.sieveUs);
+      if (Status played = playUpTo(running, std::min(playings, full())); !played) return played;
     }
+    if (Status played = playUpTo(running, full()); !played) return played;
+    for (std::size_t chosen = choice(); contenders_[chosen].candidate.playings < full(); chosen = choice())
+      if (Status played = playUpTo({chosen}, full()); !played) return played;
     return {};
   }
 
-  const std::vector<scenes::StepRecord>& records() const { return records_; }
-
-  Rung rung(const std::vector<std::uint32_t>& frames) const {
-    Rung rung;
-    std::vector<double> times;
-    std::uint64_t most = 0;
-    double operations = 0, errors = 0, pairs = 0, unresolved = 0;
-    for (const std::uint32_t frame : frames) {
-      const bullet::StepStatistics& tree = *records_[frame].tree;
-      times.push_back(records_[frame].narrowPhaseCpuUs);
-      most = std::max(most, tree.operations);
-      operations += static_cast<double>(tree.operations);
-      errors += tree.meanErrorFraction;
-      rung.worstError = std::max(rung.worstError, tree.worstErrorFraction);
-      pairs += tree.pairs;
-      unresolved += tree.unresolvedPairs;
-    }
-    const auto count = static_cast<double>(frames.size());
-    const scenes::Quantiles quantiles = scenes::quantilesOf(std::move(times));
-    rung.budget = budget_.value_or(most);
-    rung.cuts = unresolved > 0;
-    rung.meanOperations = operations / count;
-    rung.medianUs = quantiles.median;
-    rung.p99Us = quantiles.p99;
-    rung.meanError = errors / count;
-    rung.unresolvedPairs = pairs > 0 ? unresolved / pairs : 0;
-    return rung;
+  const std::vector<std::uint32_t>& busyFrames() const { return frames_; }
+  std::vector<Candidate> candidates() const {
+    std::vector<Candidate> list;
+    for (const Contender& contender : contenders_) list.push_back(contender.candidate);
+    return list;
   }
 
  private:
-  std::optional<std::uint64_t> budget_;
-  std::vector<scenes::StepRecord> records_;
+  std::uint32_t full() const { return 1 + trial_.repeats; }
+
+  std::vector<std::size_t> all() const {
+    std::vector<std::size_t> places(contenders_.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+  }
+
+  std::size_t choice() const {
+    const std::vector<Candidate> list = candidates();
+    return bestChoice(list, *trial_.sieveUs).value_or(cheapestChoice(list)).candidate;
+  }
+
+  Status playFirst(Contender& contender) {
+    Take whole(std::nullopt);
+    if (Status played = play(whole, contender); !played) return played;
+    for (const std::uint64_t each : kBudgets)
+      if (each * trial_.bodies < whole.mostOperations()) contender.takes.emplace_back(each * trial_.bodies);
+    for (Take& take : contender.takes)
+      if (Status played = play(take, contender); !played) return played;
+    if (&contender == &contenders_.front()) frames_ = whole.busyFrames();
+    contender.takes.push_back(std::move(whole));
+    ++begun_;
+    return {};
+  }
+
+  /// Those that have been played less often, in turns.
+  Status playUpTo(const std::vector<std::size_t>& places, std::uint32_t playings) {
+    for (std::uint32_t done = 1; done < playings; ++done)
+      for (const std::size_t place : places) {
+        Contender& contender = contenders_[place];
+        if (contender.candidate.playings > done) continue;
+        for (Take& take : contender.takes)
+          if (Status played = play(take, contender); !played) return played;
+        settle(contender);
+      }
+    return {};
+  }
+
+  Status play(Take& take, const Contender& contender) {
+    const double share = static_cast<double>(begun_) / static_cast<double>(contenders_.size());
+    const double done = kRecorded + share * (1 - kRecorded) * (trial_.sieveUs ? kSieved : 1.0 / full());
+    if (progress_ && !progress_(nameOf(contender.candidate), done)) return cancelled();
+    return take.play(recording_, contender.model);
+  }
+
+  void settle(Contender& contender) const {
+    contender.candidate.playings = contender.takes.front().playings();
+    contender.candidate.rungs.clear();
+    if (frames_.empty()) return;
+    for (const Take& take : contender.takes) contender.candidate.rungs.push_back(take.rung(frames_));
+  }
+
+  const scenes::Recording& recording_;
+  std::vector<Contender>& contenders_;
+  const Trial& trial_;
+  const builder::ProgressCallback& progress_;
+  std::vector<std::uint32_t> frames_;  ///< in which bodies touch, as the first tree sees them when nothing is cut
+  std::size_t begun_ = 0;              ///< trees that have been played at all
 };
-
-std::uint64_t mostOperations(const Take& take) {
-  std::uint64_t most = 0;
-  for (const scenes::StepRecord& record : take.records()) most = std::max(most, record.tree->operations);
-  return most;
-}
-
-/// Every budget of a tree that cuts something, then none, in turns; what none takes is played once more, to know which
-/// cut.
-Result<std::vector<Take>> playTree(const scenes::Recording& recording, const scenes::Model& model, const Trial& trial,
-                                   const std::function<bool()>& keepGoing) {
-  std::vector<Take> takes;
-  Take whole(std::nullopt);
-  if (Status played = whole.play(recording, model); !played) return played.error();
-  for (const std::uint64_t each : kBudgets)
-    if (each * trial.bodies < mostOperations(whole)) takes.emplace_back(each * trial.bodies);
-  takes.push_back(std::move(whole));
-  for (std::uint32_t repeat = 0; repeat < trial.repeats; ++repeat)
-    for (Take& take : takes) {
-      if (!keepGoing()) return cancelled();
-      if (Status played = take.play(recording, model); !played) return played.error();
-    }
-  return takes;
-}
-
-/// The frames in which the bodies touch, as the first tree sees it when nothing is cut.
-std::vector<std::uint32_t> busyFrames(const Take& whole) {
-  std::vector<std::uint32_t> frames;
-  for (std::uint32_t frame = 0; frame < whole.records().size(); ++frame)
-    if (whole.records()[frame].contacts > 0) frames.push_back(frame);
-  return frames;
-}
 
 }  // namespace
 
 Result<Measured> measure(const builder::TriangleMesh& mesh, const Trial& trial,
                          const builder::ProgressCallback& progress) {
-  const auto tell = [&](const std::string& what, double fraction) { return !progress || progress(what, fraction); };
   auto contenders = buildTrees(mesh, trial, progress);
   if (!contenders) return contenders.error();
-  if (!tell("recording poses", kBuilt)) return cancelled();
+  if (progress && !progress("recording poses", kBuilt)) return cancelled();
   const auto recording =
       scenes::recordConverge(contenders.value().front().model,
                              {.bodies = trial.bodies, .runs = 1, .frames = trial.frames, .seed = trial.seed});
   if (!recording) return recording.error();
-  Measured measured;
-  measured.recording = recording.value().hash();
-  std::vector<std::uint32_t> frames;
-  for (std::size_t i = 0; i < contenders.value().size(); ++i) {
-    Contender& contender = contenders.value()[i];
-    const double done = static_cast<double>(i) / static_cast<double>(contenders.value().size());
-    const auto keepGoing = [&] { return tell(nameOf(contender.candidate), kRecorded + (1 - kRecorded) * done); };
-    const auto takes = playTree(recording.value(), contender.model, trial, keepGoing);
-    if (!takes) return takes.error();
-    if (i == 0) frames = busyFrames(takes.value().back());
-    if (frames.empty()) return Error{"no bodies touch: give more of them with --bodies, or more --frames"};
-    for (const Take& take : takes.value()) contender.candidate.rungs.push_back(take.rung(frames));
-    measured.candidates.push_back(std::move(contender.candidate));
-  }
-  measured.busyFrames = static_cast<std::uint32_t>(frames.size());
-  return measured;
+  Race race(recording.value(), contenders.value(), trial, progress);
+  if (Status played = race.playAll(); !played) return played.error();
+  if (race.busyFrames().empty()) return Error{"no bodies touch: give more of them with --bodies, or more --frames"};
+  if (trial.sieveUs)
+    if (Status played = race.sieve(); !played) return played.error();
+  return Measured{race.candidates(), static_cast<std::uint32_t>(race.busyFrames().size()), recording.value().hash()};
 }
 
 }  // namespace cairn::advise

@@ -24,7 +24,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  cairn advise bunny.obj --bodies 50 --budget-us 1000\n"
     "  cairn advise rock.obj --budget-us 300 --methods combined,adaptive --depths 2,3 --json advice.json\n"
-    "  cairn advise rock.obj --budget-us 300 --figure advice.svg";
+    "  cairn advise rock.obj --budget-us 300 --figure advice.svg\n"
+    "  cairn advise rock.obj --budget-us 300 --thorough";
 
 std::string refuseNoTime(const std::string& text) {
   double value = 0;
@@ -45,6 +46,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   Options options;
   std::vector<std::string> methods;
   std::string seed = "1";
+  bool thorough = false;
   for (const builder::Method method : options.trial.methods) methods.emplace_back(builder::methodName(method));
   app.add_option("MESH", options.mesh, "closed mesh, any format assimp reads")->required();
   app.add_option("--budget-us", options.budgetUs, "microseconds the narrow phase may take in a step")
@@ -68,7 +70,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   app.add_option("--frames", options.trial.frames, "steps of 1/60 s that are recorded")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
-  app.add_option("--repeats", options.trial.repeats, "how often each is timed again; the fastest time of a step counts")
+  app.add_option("--repeats", options.trial.repeats,
+                 "how often each is played after the first time; all steps of all playings count")
       ->check(CLI::Range(1U, 100U))
       ->capture_default_str();
   app.add_option("--seed", seed, "of places, speeds and trees")
@@ -76,6 +79,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
       ->capture_default_str();
   app.add_option("--threads", options.threads, "that build trees, 0: one per core; nothing but time depends on it")
       ->check(CLI::Range(0U, 1024U));
+  app.add_flag("--thorough", thorough,
+               "try adaptive too (unless methods are named) and play all trees equally often: minutes instead of one");
   app.add_flag("--all", options.all, "print every budget of every tree, not the best of each alone");
   app.add_option("--json", options.json, "write all figures to this file too");
   app.add_option("--figure", options.figure, "draw the curves: FILE.svg, and FILE.png beside it (needs gnuplot)");
@@ -83,6 +88,12 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   options.trial.methods.clear();
   for (const std::string& name : methods) options.trial.methods.push_back(builder::parseMethod(name).value());
   options.trial.seed = std::stoull(seed);
+  if (thorough) {
+    // The method that takes as long to build as all others together.
+    if (app["--methods"]->count() == 0) options.trial.methods.push_back(builder::Method::adaptive);
+  } else {
+    options.trial.sieveUs = options.budgetUs;
+  }
   if (options.figure && options.figure->extension() != ".svg")
     return scenes::refuseUsage("cairn advise", {"--figure wants a name that ends in .svg (--help lists the options)"});
   const auto needsEight = [](builder::Method method) { return builder::dividesByEight(method); };

@@ -48,10 +48,10 @@ Choice shownChoice(const Advice& advice) {
 
 std::string rowText(const Candidate& candidate, const Rung& rung, const char* mark) {
   return fmt::format(
-      "{} {:<12} {:>9} {:>5} {:>7} {:>8.2f} {:>10} {:>10.0f} {:>9.0f} {:>8.0f} {:>8.3g} {:>8.3g} {:>10.1f}\n", mark,
-      builder::methodName(candidate.method), candidate.branching, candidate.depth, candidate.spheres,
-      candidate.buildSeconds, rung.budget, rung.meanOperations, rung.medianUs, rung.p99Us, 100 * rung.meanError,
-      100 * rung.worstError, 100 * rung.unresolvedPairs);
+      "{} {:<12} {:>9} {:>5} {:>7} {:>8.2f} {:>8} {:>10} {:>10.0f} {:>9.0f} {:>8.0f} {:>8.3g} {:>8.3g} {:>10.1f}\n",
+      mark, builder::methodName(candidate.method), candidate.branching, candidate.depth, candidate.spheres,
+      candidate.buildSeconds, candidate.playings, rung.budget, rung.meanOperations, rung.medianUs, rung.p99Us,
+      100 * rung.meanError, 100 * rung.worstError, 100 * rung.unresolvedPairs);
 }
 
 /// The rung a tree is shown with: the best that fits, else its cheapest.
@@ -82,7 +82,8 @@ nlohmann::ordered_json candidateJson(const Candidate& candidate) {
           {"branching", candidate.branching},
           {"depth", candidate.depth},
           {"spheres", candidate.spheres},
-          {"build_wall_s", candidate.buildSeconds}};
+          {"build_wall_s", candidate.buildSeconds},
+          {"playings", candidate.playings}};
 }
 
 std::string labelOf(const Candidate& candidate) {
@@ -107,18 +108,23 @@ std::vector<std::size_t> shownTrees(const Advice& advice) {
 
 std::string tableText(const Advice& advice, bool all) {
   std::string text =
-      "                                                 operations a step    narrow phase, us  certified error, %  "
-      "unresolved\n"
-      "   method       branching depth spheres  build s     budget       mean    median      p99     mean    worst    "
-      "pairs %\n";
+      "                                                          operations a step    narrow phase, us  certified "
+      "error, %  unresolved\n"
+      "   method       branching depth spheres  build s playings     budget       mean    median      p99     mean    "
+      "worst    pairs %\n";
   const auto& candidates = advice.measured.candidates;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::size_t shown = shownRung(candidates[i], advice.budgetUs);
     for (std::size_t j = 0; j < candidates[i].rungs.size(); ++j)
       if (all || j == shown) text += rowText(candidates[i], candidates[i].rungs[j], markOf(advice, {i, j}));
   }
-  return text +
-         fmt::format("-> what to use; > takes longer than {:g} us in more than one of 100 steps\n", advice.budgetUs);
+  text += fmt::format("-> what to use; > takes longer than {:g} us in more than one of 100 steps\n", advice.budgetUs);
+  text += "Median and p99 are of all steps, of all playings together, in which bodies touch.\n";
+  if (advice.trial.sieveUs)
+    text +=
+        "Every tree was played on every budget; those clearly behind less often than the best. --thorough plays all "
+        "alike and, unless methods are named, tries adaptive too, which takes long to build and often errs less.\n";
+  return text;
 }
 
 std::string curveText(const Advice& advice) {
@@ -156,6 +162,8 @@ nlohmann::ordered_json toJson(const Advice& advice) {
           {"frames", advice.trial.frames},
           {"busy_frames", advice.measured.busyFrames},
           {"seed", advice.trial.seed},
+          {"thorough", !advice.trial.sieveUs},
+          {"times_are_of", "all steps of all playings in which bodies touch"},
           {"recording_hash", advice.measured.recording},
           {"budget_us", advice.budgetUs},
           {"operations_per_us", operationsPerUs(whole)},
@@ -169,7 +177,7 @@ Status drawCurves(const Advice& advice, const std::filesystem::path& svg) {
   Table table({"tree", "p99_us", "error_mean_fraction", "error_worst_fraction"});
   Panel mean{.title = "mean certified error",
              .x = "p99_us",
-             .xAxis = {"narrow phase, us (99 % of the steps)", true, 1},
+             .xAxis = {"narrow phase, µs a step (99 % of the steps)", true, 1},
              .yAxis = {"% of the size", true, 100},
              .series = {}};
   Panel worst = mean;

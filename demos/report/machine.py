@@ -51,6 +51,10 @@ def _commit(source):
     return commit + (", with changes that are not committed" if changed else "")
 
 
+def now():
+    return datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+
+
 def describe(source, build):
     """Label and value, in the order they are shown; what cannot be found out says so."""
     facts = {
@@ -61,7 +65,7 @@ def describe(source, build):
                                         f"{platform.system()} {platform.release()}") if t),
         "Compiler": _compiler(build),
         "Commit": _commit(source),
-        "Date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
+        "Date": now(),
         "Load when it began": "%.1f %.1f %.1f (1, 5, 15 minutes)" % os.getloadavg(),
     }
     return {label: value or "not known" for label, value in facts.items()}

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes a report: runs what is not there yet, then has the page written. ./cairn.sh report calls it."""
 import argparse
-import hashlib
 import json
 import os
 import shlex
@@ -12,6 +11,7 @@ import sys
 import time
 from pathlib import Path
 
+import keys
 import machine
 import parts
 
@@ -24,14 +24,6 @@ class Cancelled(Exception):
     """Ctrl-C."""
 
 
-def key_of(part):
-    """All that what a part leaves depends on: the command and the programs."""
-    digest = hashlib.sha256("\0".join(part.command).encode())
-    for program in part.programs:
-        digest.update(Path(program).read_bytes() if os.path.exists(program) else b"")
-    return digest.hexdigest()
-
-
 def clock(seconds):
     if seconds < 90:
         return f"{seconds:.0f} s"
@@ -41,8 +33,10 @@ def clock(seconds):
 class Measuring:
     """Runs the parts of a plan one after another, keeping those that are done."""
 
-    def __init__(self, data, source, deadline):
+    def __init__(self, data, source, deadline, about, command):
+        """`about`: what the machine and the checkout are now (machine.describe); `command`: of the report."""
         self.data, self.source, self.deadline = data, source, deadline
+        self.about, self.command = about, command
         self.child = None
         self.cancelled = False
         signal.signal(signal.SIGINT, self._cancel)
@@ -56,13 +50,21 @@ class Measuring:
     def _stamp(self, part):
         return self.data / "stamps" / f"{part.name}.json"
 
+    def _key(self, part):
+        return keys.key_of(part.command, part.programs + part.inputs, self.about)
+
+    def _made(self):
+        """When, of what and by what a part is made; it stays with what the part leaves."""
+        return {"date": machine.now(), "commit": self.about["Commit"], "command": self.command, "cpu": self.about["CPU"],
+                "load": "%.1f" % os.getloadavg()[0]}
+
     def kept(self, part):
-        """What the last run left of a part, if it was of the same command and programs."""
+        """What an earlier run left of a part, if its key is the same."""
         try:
             stamp = json.loads(self._stamp(part).read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return None
-        same = stamp.get("key") == key_of(part) and all((self.data / o).exists() for o in part.outputs)
+        same = stamp.get("key") == self._key(part) and "made" in stamp and all((self.data / o).exists() for o in part.outputs)
         return stamp if same else None
 
     def expected(self, part):
@@ -106,7 +108,7 @@ class Measuring:
     def make(self, part):
         """One part, whatever becomes of it: its state and why."""
         self._forget(part)  # what is there is of other programs or settings
-        started = time.monotonic()
+        started, made = time.monotonic(), self._made()
         try:
             code, said = self._run(part)
         except Cancelled:
@@ -121,11 +123,19 @@ class Measuring:
         if code is None:
             return {"state": "left out", "why": f"it was stopped when the {QUICK_SECONDS // 60} minutes of --quick were over"}
         if there and code == 0:
-            stamp = {"key": key_of(part), "seconds": seconds}
+            stamp = {"key": self._key(part), "seconds": seconds, "made": made}
             self._stamp(part).write_text(json.dumps(stamp), encoding="utf-8")
-            return {"state": "done", "seconds": seconds}
+            return {"state": "done", "seconds": seconds, "kept": False, "made": made}
         why = said.splitlines()[-1] if said else f"it ended with exit code {code}"
         return {"state": "failed", "why": why, "seconds": seconds}
+
+    def forget_other_models(self, program, archive):
+        """The program keeps the meshes it makes: those of another archive or another program go."""
+        stamp, key = self.data / "stamps/models.txt", keys.key_of([], [program, archive], {})
+        if not stamp.exists() or stamp.read_text(encoding="utf-8") != key:
+            for mesh in (self.data / "models").glob("*.obj"):
+                mesh.unlink()
+        stamp.write_text(key, encoding="utf-8")
 
     def blocked(self, part, records):
         """Why a part cannot be made now, or nothing."""
@@ -150,7 +160,7 @@ class Measuring:
             if part.absent:
                 record |= {"state": "absent", "why": part.absent}
             elif kept:
-                record |= {"state": "done", "seconds": kept["seconds"], "kept": True}
+                record |= {"state": "done", "seconds": kept["seconds"], "kept": True, "made": kept["made"]}
             elif chosen and part.name not in chosen:
                 record |= {"state": "left out", "why": "it was not asked for (--only)"}
             elif why := self.blocked(part, records):
@@ -170,7 +180,7 @@ class Measuring:
 def options():
     parser = argparse.ArgumentParser(
         prog="cairn.sh report", description="Runs the experiments and writes one page of all they found: DIR/index.html. "
-        "What is there of the same settings and programs is kept, so that a run that was stopped goes on.")
+        "What is there of the same options, programs and meshes is kept, and says so on the page: a run that was stopped goes on.")
     parser.add_argument("--quick", action="store_true", help=f"few models and coarse steps, at most {QUICK_SECONDS // 60} minutes")
     parser.add_argument("-o", "--output", default="out/report", metavar="DIR", help="default: out/report")
     parser.add_argument("--only", default="", metavar="PARTS", help="measure these alone, separated by commas")
@@ -209,15 +219,16 @@ def main():
         print(f"report: there is no part {sorted(unknown)[0]}; they are {', '.join(p.name for p in plan)}", file=sys.stderr)
         return 2
     about = machine.describe(source, programs.parent)
-    measuring = Measuring(data, source, begun + QUICK_SECONDS - GRACE_SECONDS - PAGE_SECONDS if asked.quick else None)
+    command = shlex.join(["./cairn.sh", "report", *(["--quick"] if asked.quick else []),
+                          *(["--only", asked.only] if asked.only else []),
+                          *(["--models", Path(asked.models).name] if asked.models else [])])
+    measuring = Measuring(data, source, begun + QUICK_SECONDS - GRACE_SECONDS - PAGE_SECONDS if asked.quick else None, about, command)
+    measuring.forget_other_models(programs / "accuracy_cost", asked.archive)
     try:
         records = measuring.all(plan, chosen)
     except Cancelled:
         print("report: cancelled; the same command goes on from here.", file=sys.stderr)
         return 130
-    command = shlex.join(["./cairn.sh", "report", *(["--quick"] if asked.quick else []),
-                          *(["--only", asked.only] if asked.only else []),
-                          *(["--models", Path(asked.models).name] if asked.models else [])])
     run = {"quick": asked.quick, "command": command, "machine": about, "seconds": time.monotonic() - begun,
            "parts": list(records.values())}
     (data / "run.json").write_text(json.dumps(run, indent=1), encoding="utf-8")

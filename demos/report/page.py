@@ -69,7 +69,7 @@ def gallery_of(done, data):
             kind, model = ("sets", part["name"].rsplit("-", 1)[1]) if part["kind"] == "sphere-sets" else ("trees", part["name"].split("-")[1])
             sheet = sheets.setdefault(model, {"model": model, "sets": [], "trees": []})
             label = "" if kind == "sets" else part["name"].split("-", 2)[2]
-            sheet[kind].append({"label": label, "uri": data_uri(data / part["outputs"][0]), "command": part["command"]})
+            sheet[kind].append(part | {"label": label, "uri": data_uri(data / part["outputs"][0])})
     return list(sheets.values())
 
 
@@ -105,8 +105,9 @@ def content_of(run, data):
     gallery = gallery_of([part for part in run["parts"] if part["state"] == "done"], data)
     judged = conclusions.judged(experiments)
     verdicts = [e["document"].get("verdict", conclusions.UNKNOWN) for e in experiments.values()]
+    done = [part for part in run["parts"] if part["state"] == "done"]
     return {
-        "run": run, "parts": parts, "experiments": experiments, "conclusions": judged,
+        "run": run, "parts": parts, "done": len(done), "kept": [part for part in done if part.get("kept")], "experiments": experiments, "conclusions": judged,
         "asked": [part for part in run["parts"] if part["kind"] == "experiment"],
         "missing": [part for part in run["parts"] if part["state"] != "done"],
         "counts": [(v, verdicts.count(v)) for v in SHAPES if verdicts.count(v)],

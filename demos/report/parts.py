@@ -26,7 +26,8 @@ class Part:
     outputs: list
     seconds: float  # about, on two cores, for the time left
     stdout: str = ""  # file its output goes to, relative to the data
-    programs: list = field(default_factory=list)  # what it depends on beside the command
+    programs: list = field(default_factory=list)  # what it depends on beside the command,
+    inputs: list = field(default_factory=list)  # files, or folders of files
     needs: list = field(default_factory=list)  # parts that must be done
     absent: str = ""  # why this version or machine cannot have it
 
@@ -65,7 +66,7 @@ class Plan:
         program = self._program("accuracy_cost")
         return [Part(f"model-{name}", f"The mesh {name}", "model",
                      [program, "models", name, "-o", str(self.data / "models"), *self._archive()],
-                     [f"models/{name}.obj"], 3, programs=[program]) for name in self._scan_names()]
+                     [f"models/{name}.obj"], 3, programs=[program], inputs=[self.archive]) for name in self._scan_names()]
 
     def _heap(self):
         size = ["--bodies", "30", "--steps", "300"] if self.quick else ["--bodies", "100", "--steps", "600"]
@@ -73,7 +74,7 @@ class Plan:
         return Part("heap", "A heap, beside Bullet's own shapes", "heap",
                     [program, "--scene", "heap", "--mesh", self._model("bunny"), *size, "--shape", SHAPES, "--json",
                      str(self.data / "heap.json")], ["heap.json"], 25 if self.quick else 150,
-                    programs=[program], needs=["model-bunny"])
+                    programs=[program], inputs=[self._model("bunny")], needs=["model-bunny"])
 
     def _builder(self):
         script = str(self.source / "tests/bench/builder.sh")
@@ -81,6 +82,7 @@ class Plan:
                     [script, "--tool", self._program("cairn"), "--runs", "1" if self.quick else "3", "--methods", METHODS,
                      *[self._model(name) for name in self._scan_names()]], ["builder.txt"],
                     20 if self.quick else 150, stdout="builder.txt", programs=[script, self._program("cairn")],
+                    inputs=[str(self.source / "tests/bench/toolkit_cpu.tsv"), *map(self._model, self._scan_names())],
                     needs=[f"model-{name}" for name in self._scan_names()])
 
     def _sets(self):
@@ -89,7 +91,7 @@ class Plan:
         return [Part(f"sphere-sets-{model}", f"Sphere sets of the {model}", "sphere-sets",
                      [program, self._model(model), "--reductions", SET_REDUCTIONS, "--spheres", counts, "--width", "900",
                       "-o", str(self.data / f"gallery/{model}-sets.png")], [f"gallery/{model}-sets.png"], 30,
-                     programs=[program], needs=[f"model-{model}"]) for model in self._scan_names()]
+                     programs=[program], inputs=[self._model(model)], needs=[f"model-{model}"]) for model in self._scan_names()]
 
     def _trees(self):
         result = []
@@ -102,7 +104,7 @@ class Plan:
                 result.append(Part(f"tree-{model}-{method}", f"The {model}'s tree by {method}", "tree",
                                    ["sh", "-c", '"$1" build "$2" --method "$3" --no-evaluate -o "$4" && "$5" "$4" --width 1000 -o "$6"',
                                     "sh", tool, self._model(model), method, tree, drawer, picture],
-                                   [f"{stem}.png"], 8, programs=[tool, drawer], needs=[f"model-{model}"]))
+                                   [f"{stem}.png"], 8, programs=[tool, drawer], inputs=[self._model(model)], needs=[f"model-{model}"]))
         return result
 
     def _hard_cases(self):
@@ -126,7 +128,8 @@ class Plan:
             command += ["--models", self.models] if self.models else self._archive()
             command += [] if shutil.which("gnuplot") else ["--no-figures"]
             result.append(Part(name, title.strip(), "experiment", command, [f"{name}.json", f"{name}.csv"],
-                               45 if self.quick else 1200, programs=[program]))
+                               45 if self.quick else 1200, programs=[program],
+                               inputs=[self.models or self.archive]))
         return result
 
 

@@ -42,6 +42,10 @@ TEST(ErrorAgainstTime, HasTheSameErrorsTwiceAndPositiveTimes) {
     EXPECT_LE(a.number(row, "time_low_us"), a.number(row, "time_us"));
     EXPECT_GE(a.number(row, "time_high_us"), a.number(row, "time_us"));
     meeting += a.number(row, "meeting_pairs");
+    EXPECT_GE(a.number(row, "error_max_fraction"), a.number(row, "point_error_max_fraction")) << "points count";
+    EXPECT_GE(a.number(row, "error_max_fraction"), a.number(row, "missed_depth_max_fraction")) << "and what is missed";
+    EXPECT_GE(a.number(row, "error_max_fraction"), a.number(row, "false_gap_max_fraction")) << "and what is apart";
+    EXPECT_LE(a.number(row, "missed_depth_mean_fraction"), a.number(row, "missed_depth_max_fraction"));
   }
   EXPECT_GT(meeting, 0) << "the frames show nothing";
   EXPECT_FALSE(judgeErrorAgainstTime(a).empty());

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "advise/sieve.h"
+#include "advise/take.h"
+
 namespace cairn::advise {
 namespace {
 
@@ -56,6 +59,51 @@ TEST(Advice, NamesTheCheapestWhereNothingFits) {
   const std::string text = adviceText(twoTrees(), 9, "rock.obj");
   EXPECT_EQ(text.rfind("No tree", 0), 0U) << text;
   EXPECT_NE(text.find("10 us"), std::string::npos) << text;
+}
+
+/// Two playings of a hundred steps of 10 us; in the second so many take 50.
+std::vector<std::vector<double>> twoPlayings(std::size_t slow) {
+  std::vector<std::vector<double>> times(2, std::vector<double>(100, 10));
+  for (std::size_t i = 0; i < slow; ++i) times[1][i] = 50;
+  return times;
+}
+
+TEST(Take, PercentilesAreOfAllStepsOfAllPlayings) {
+  std::vector<std::uint32_t> frames;
+  for (std::uint32_t i = 0; i < 100; ++i) frames.push_back(i);
+  EXPECT_EQ(stepQuantiles(twoPlayings(2), frames).p99, 10) << "two of two hundred";
+  EXPECT_EQ(stepQuantiles(twoPlayings(3), frames).p99, 50)
+      << "a step that was fast at its fastest playing is slow where it was slow";
+  EXPECT_EQ(stepQuantiles(twoPlayings(100), frames).median, 10);
+  frames.resize(10);
+  EXPECT_EQ(stepQuantiles(twoPlayings(3), frames).max, 50);
+  EXPECT_EQ(stepQuantiles(twoPlayings(0), frames).max, 10);
+}
+
+/// Trees of one rung each, which errs by as much as it is told to.
+std::vector<Candidate> treesOf(const std::vector<std::pair<double, double>>& p99AndError) {
+  std::vector<Candidate> trees;
+  for (const auto& [p99Us, error] : p99AndError) trees.push_back({.rungs = {rung(100, p99Us, error, 1)}});
+  return trees;
+}
+
+TEST(Sieve, KeepsTheHalfThatErrsLeastWithinTheBudget) {
+  const auto trees = treesOf({{10, 0.8}, {10, 0.7}, {10, 0.6}, {10, 0.5}, {10, 0.4}, {10, 0.3}, {10, 0.2}, {900, 0.1}});
+  EXPECT_EQ(betterHalf(trees, {0, 1, 2, 3, 4, 5, 6, 7}, 100), (std::vector<std::size_t>{3, 4, 5, 6}))
+      << "what takes too long comes last, however little it errs";
+  EXPECT_EQ(betterHalf(trees, {0, 1, 2, 7}, 100), (std::vector<std::size_t>{0, 1, 2})) << "never fewer than finalists";
+  EXPECT_EQ(betterHalf(trees, {0, 7}, 100), (std::vector<std::size_t>{0, 7}));
+}
+
+TEST(Sieve, IsLenientWithWhatIsHardlyOverTheBudget) {
+  const auto trees = treesOf({{10, 0.8}, {10, 0.7}, {10, 0.6}, {10, 0.5}, {kSieveSlack * 100, 0.1}});
+  EXPECT_EQ(betterHalf(trees, {0, 1, 2, 3, 4}, 100), (std::vector<std::size_t>{2, 3, 4}));
+  EXPECT_EQ(betterHalf(trees, {0, 1, 2, 3, 4}, 99), (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST(Sieve, KeepsTheCheapestWhereNothingFits) {
+  const auto trees = treesOf({{500, 0.1}, {400, 0.2}, {300, 0.3}, {200, 0.4}});
+  EXPECT_EQ(betterHalf(trees, {0, 1, 2, 3}, 100), (std::vector<std::size_t>{1, 2, 3}));
 }
 
 }  // namespace

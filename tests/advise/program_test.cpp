@@ -93,11 +93,33 @@ TEST_F(AdviseProgram, ErrorsAndOperationsAreTheSameOnEveryRun) {
   EXPECT_GT(one["busy_frames"], 0);
   for (json* document : {&one, &two})
     for (json& tree : (*document)["trees"]) {
-      tree.erase("build_wall_s");
+      for (const char* time : {"build_wall_s", "playings"}) tree.erase(time);
       for (json& rung : tree["budgets"])
         for (const char* time : {"narrow_phase_median_us", "narrow_phase_p99_us", "fits"}) rung.erase(time);
     }
   EXPECT_EQ(one["trees"], two["trees"]);
+}
+
+TEST_F(AdviseProgram, PlaysWhatIsClearlyBehindLessOftenAndSaysSo) {
+  const ProgramResult sieved = runJson("sieved.json", "--budget-us 1e6");
+  ASSERT_EQ(sieved.exitCode, 0) << sieved.errors;
+  const json document = read("sieved.json");
+  std::vector<std::uint32_t> playings;
+  for (const json& tree : document["trees"]) playings.push_back(tree["playings"]);
+  std::ranges::sort(playings);
+  EXPECT_EQ(playings, (std::vector<std::uint32_t>{1, 1, 1, 2, 2, 2})) << "half of six are behind";
+  EXPECT_EQ(document["recommendation"]["playings"], 2) << "the choice is one that was played as often as any";
+  EXPECT_FALSE(document["thorough"]);
+  EXPECT_NE(sieved.output.find("clearly behind less often"), std::string::npos) << sieved.output;
+  EXPECT_NE(sieved.output.find("all steps, of all playings"), std::string::npos) << sieved.output;
+
+  const ProgramResult thorough = runJson("thorough.json", "--budget-us 1e6 --thorough");
+  ASSERT_EQ(thorough.exitCode, 0) << thorough.errors;
+  const json all = read("thorough.json");
+  EXPECT_EQ(all["trees"].size(), document["trees"].size()) << "what is named is what is tried";
+  for (const json& tree : all["trees"]) EXPECT_EQ(tree["playings"], 2);
+  EXPECT_TRUE(all["thorough"]);
+  EXPECT_EQ(thorough.output.find("clearly behind"), std::string::npos) << thorough.output;
 }
 
 TEST_F(AdviseProgram, SaysWhenNothingFits) {

@@ -85,5 +85,32 @@ TEST_F(TwoCubes, ManyPointsOfOnePairAreOnePairAndManyErrors) {
   EXPECT_NEAR(found.error.median, 0, kRounding);
 }
 
+TEST_F(TwoCubes, AMissedPairErrsByItsDepthAloneAndPointsElsewhereDoNot) {
+  const ContactAccuracy silent = judged(apart(0.9), {});
+  EXPECT_NEAR(silent.meanMissed, 0.1 / 2, kRounding + kDepthToleranceFraction);
+  EXPECT_EQ(silent.meanMissed, silent.meanPairError);
+  EXPECT_EQ(silent.meanError, 0) << "there are no points";
+  // Off the faces by 0.03 and 0.2.
+  const ContactAccuracy told = judged(apart(0.9), {{0, 1, {0.53, 0.25, 0}, {0.2, 0.25, 0}}});
+  EXPECT_NEAR(told.meanPairError, 0.2 / 2, kRounding);
+  EXPECT_EQ(told.meanMissed, 0);
+}
+
+TEST_F(TwoCubes, ManyExactPointsDoNotHideAWrongOne) {
+  const ReportedContact exact{0, 1, {0.5, 0, 0}, {0.4, 0.25, 0}}, wrong{1, 0, {0.4, 0.25, 0}, {0.7, 0, 0}};
+  const ContactAccuracy few = judged(apart(0.9), {exact, wrong});
+  const ContactAccuracy many = judged(apart(0.9), {exact, exact, exact, exact, exact, wrong});
+  EXPECT_LT(many.meanError, few.meanError) << "points alone can be outweighed";
+  EXPECT_EQ(many.meanPairError, few.meanPairError);
+  EXPECT_NEAR(many.meanPairError, 0.2 / 2, kRounding);
+}
+
+TEST_F(TwoCubes, APairThatIsApartErrsByItsGapHoweverRightItsPoints) {
+  const ContactAccuracy found = judged(apart(1.1), {{1, 0, {0.6, 0, 0}, {0.5, 0, 0}}});
+  EXPECT_NEAR(found.meanError, 0, kRounding);
+  EXPECT_NEAR(found.meanPairError, 0.1 / 2, kRounding);
+  EXPECT_NEAR(found.pairError.max, 0.1 / 2, kRounding);
+}
+
 }  // namespace
 }  // namespace cairn::scenes

@@ -4,6 +4,7 @@
 import html.parser
 import json
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -149,6 +150,36 @@ class Report(unittest.TestCase):
         self.assertNotIn("left for all", again.stdout)
         self.assertEqual(stamps, {f.name: f.read_bytes() for f in (self.data / "stamps").iterdir()})
 
+        made = {p["name"]: p["made"] for p in self.record["parts"] if p["state"] == "done"}
+        kept = json.loads((self.data / "run.json").read_text(encoding="utf-8"))
+        self.assertEqual(made, {p["name"]: p["made"] for p in kept["parts"] if p.get("kept")}, "as they were made, not as they were kept")
+        page = Page((self.out / "index.html").read_text(encoding="utf-8"))
+        self.assertNotIn("Kept from an earlier run", self.page.text)
+        self.assertEqual(page.text.count("Kept from an earlier run"), len(MEASURED))
+        self.assertIn(f"{len(MEASURED)} of {len(MEASURED)} parts are kept from earlier runs", page.text)
+        for part in made.values():
+            self.assertIn(f"{part['date']}, commit {part['commit'][:12]}", page.text)
+            self.assertIn(squeezed(part["command"]), page.text)
+
+    def test_measures_anew_what_a_folder_of_meshes_changes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            meshes, only = Path(folder) / "meshes", ("--only", "expand-selection,textbook")
+            shutil.copytree(self.meshes, meshes)
+            self.assertEqual(run(f"{folder}/out", "--models", str(meshes), *only).returncode, 0)
+            table = Path(folder) / "out/data-quick/expand-selection.csv"
+            before = table.read_text(encoding="utf-8")
+            mesh = (meshes / "cube.obj").read_text(encoding="utf-8")
+            longer = re.sub(r"^v (\S+) ", lambda corner: f"v {2 * float(corner[1])} ", mesh, flags=re.MULTILINE)
+            self.assertNotEqual(mesh, longer)
+            (meshes / "cube.obj").write_text(longer, encoding="utf-8")
+            again = run(f"{folder}/out", "--models", str(meshes), *only)
+            self.assertEqual(again.returncode, 0, again.stderr)
+            self.assertIn("expand-selection, about", again.stdout)
+            self.assertNotIn("textbook, about", again.stdout, "it has nothing to do with the meshes")
+            self.assertNotEqual(table.read_text(encoding="utf-8"), before)
+            record = json.loads((Path(folder) / "out/data-quick/run.json").read_text(encoding="utf-8"))
+            self.assertEqual({p["name"]: p["kept"] for p in record["parts"] if p["state"] == "done"}, {"textbook": True, "expand-selection": False})
+
     def test_says_what_failed_and_ends_with_1(self):
         with tempfile.TemporaryDirectory() as folder:
             meshes = Path(folder) / "meshes"
@@ -221,7 +252,8 @@ class TenMinutes(unittest.TestCase):
         for name in ("stamps", "logs"):
             (Path(folder) / name).mkdir()
         plan = [parts.Part(f"part{i}", "A part", "textbook", list(command), [], 1) for i, command in enumerate(commands)]
-        measuring = measure.Measuring(Path(folder), SOURCE, time.monotonic() + seconds)
+        about = {"CPU": "one", "Cores": "2", "Commit": "abc"}
+        measuring = measure.Measuring(Path(folder), SOURCE, time.monotonic() + seconds, about, "report")
         return measuring.all(plan, set())
 
     def test_a_part_that_is_too_long_is_stopped_and_the_rest_not_begun(self):
@@ -232,6 +264,33 @@ class TenMinutes(unittest.TestCase):
             self.assertEqual([r["state"] for r in records.values()], ["done", "left out", "left out"])
             self.assertIn("stopped", records["part1"]["why"])
             self.assertIn("goes on from here", records["part2"]["why"])
+
+
+class Keys(unittest.TestCase):
+    """What an earlier run left is kept while all it depends on is the same, by content."""
+
+    def test_turn_with_options_programs_meshes_and_processor(self):
+        import keys
+        with tempfile.TemporaryDirectory() as folder:
+            program, meshes, machine = Path(folder) / "program", Path(folder) / "meshes", {"CPU": "one", "Cores": "2"}
+            meshes.mkdir()
+
+            def key(options="--seed 1", about=None):
+                return keys.key_of([str(program), options], [str(program), str(meshes)], about or machine)
+
+            def written(file, text):
+                file.write_text(text, encoding="utf-8")
+                return key()
+
+            seen = [key(), written(program, "first"), written(program, "other"), written(meshes / "a.obj", "v 0 0 0"),
+                    written(meshes / "a.obj", "v 0 0 1"), written(meshes / "b.obj", "v 0 0 1"), key("--seed 2"),
+                    key(about={"CPU": "another", "Cores": "2"})]
+            last = key()
+            (meshes / "b.obj").rename(meshes / "c.obj")
+            seen.append(key())
+            self.assertEqual(len(set(seen)), len(seen))
+            (meshes / "c.obj").rename(meshes / "b.obj")
+            self.assertEqual(key(), last, "nothing but content and names counts")
 
 
 class Conclusions(unittest.TestCase):
@@ -250,6 +309,8 @@ class Conclusions(unittest.TestCase):
         self.assertEqual(self.verdict(False, False, False).verdict, "not reproduced")
         self.assertEqual(self.verdict(None, None, None).verdict, "not measured")
         self.assertEqual(self.verdict(True, None, True).unmeasured, 1)
+        self.assertEqual(self.verdict(True, None, True).verdict, "reproduced in part", "what was not measured was not found again")
+        self.assertEqual(self.verdict(None, False, None).verdict, "not reproduced")
 
     def test_claims_are_those_the_experiments_make(self):
         """A claim reworded in an experiment would silently leave the summary."""
@@ -266,14 +327,43 @@ class Conclusions(unittest.TestCase):
         rows = [{"model": "m", "construction": c, "interruption": at, "hubbard_worst_ratio": str(h), "octree_worst_ratio": str(o)}
                 for c, at, h, o in (("grid", "500", 1, 0.5), ("hybrid", "500", 1, 0.25), ("cairn adaptive", "500", 0.6, 1), ("cairn adaptive", "1000", 0.4, 1),
                                     ("combined", "500", 1.0, 1), ("combined optimised", "500", 0.5, 1), ("combined", "completion", 0.4, 1),
-                                    ("combined optimised", "completion", 0.6, 1))]
-        self.assertEqual(conclusions.hybrid_over_grid(rows)[0], True)
-        self.assertIn("0.50 times", conclusions.hybrid_over_grid(rows)[1])
-        self.assertEqual(conclusions.octree_tenth(rows)[0], False)
+                                    ("combined optimised", "completion", 0.6, 1), ("cairn adaptive", "completion", 0.1, 1))]
         self.assertEqual(conclusions.own_interrupted(rows)[0], True)
-        self.assertIn("40 %", conclusions.own_interrupted(rows)[1])
+        self.assertIn("40 %", conclusions.own_interrupted(rows)[1], "completion is no interruption")
         self.assertEqual(conclusions.early_gain(rows)[0], True)
         self.assertIsNone(conclusions.early_gain(rows[:4]))
+
+    def test_our_second_level_goes_by_the_rule_of_the_thesiss(self):
+        import conclusions
+
+        def judged(*errors):
+            rows = []
+            for model, error in errors:
+                rows += [{"model": model, "construction": "hubbard", "level": "3", "sampled_max_fraction": "0.1"},
+                         {"model": model, "construction": "cairn combined", "level": "2", "sampled_max_fraction": str(error)}]
+            return conclusions.own_second_level(rows)
+        self.assertTrue(judged(("bunny", 0.124), ("dragon", 0.1))[0])
+        self.assertFalse(judged(("bunny", 0.126), ("dragon", 0.1))[0], "one of the two is not enough")
+        self.assertTrue(judged(("bunny", 0.1), ("cube", 1))[0], "of bunny and dragon alone")
+        self.assertIsNone(judged(("cube", 0.1)))
+        texts = (SOURCE / "demos/accuracy_cost/experiments/levels.cpp").read_text(encoding="utf-8")
+        self.assertIn(f"kAboutTheSame = {conclusions.ABOUT_THE_SAME};", texts)
+
+    def test_cover_the_four_conclusions_and_no_point_of_the_thesis_has_a_softer_rule(self):
+        """Where an experiment claims the same, the point is its claim."""
+        import conclusions
+        claimed = {p.claim for c in conclusions.all_conclusions() for p in c.points}
+        for claim in ("merge's second level is about as tight as Hubbard's third for bunny and dragon",
+                      "as many as two fifths of the spheres are thrown away at 105 %, the error being pretty much the same",
+                      "optimised medial-axis trees have as little as 20 % of the error of Hubbard's when interrupted",
+                      "combined comes down to 50 % of Hubbard's worst error for bunny and dragon",
+                      "grid has as little as 20 % of the octree's error when interrupted",
+                      "grid and hybrid quickly drop to 10 % of the octree's worst error for all models",
+                      "as little as 20 % as many pairs of colliding spheres are found as with Hubbard's trees for bunny and dragon",
+                      "hybrid improves on grid"):
+            self.assertIn(claim, claimed)
+        own = [p.judge.__name__ for c in conclusions.all_conclusions() for p in c.points if p.judge and not p.own]
+        self.assertEqual(own, ["early_gain"], "the one thing no experiment claims")
 
 
 if __name__ == "__main__":

@@ -75,20 +75,22 @@ void addFront(const Table& table, const std::string& column, const char* which, 
     for (const std::string& scene : table.texts("scene"))
       compare(table, {{"model", model}, {"scene", scene}}, column, fronts);
   if (fronts.rivals == 0) return;
-  std::string found = fmt::format("by {} error {} of {} points of rivals are below and left of ours", which,
+  std::string found = fmt::format("by {} error of a pair {} of {} points of rivals are below and left of ours", which,
                                   fronts.exceptions.size(), fronts.rivals);
   if (!fronts.exceptions.empty()) found += fmt::format(": {}", fmt::join(fronts.exceptions, "; "));
   if (!fronts.ties.empty()) found += fmt::format("; as fast within the noise: {}", fmt::join(fronts.ties, "; "));
   if (fronts.greatestFactor > 0)
-    found += fmt::format("; at no more error than a rival's ours takes 1/{:.2g} to 1/{:.2g} of its time",
+    found += fmt::format("; at no more error than a rival's ours takes 1/{:.3g} to 1/{:.3g} of its time",
                          fronts.leastFactor, fronts.greatestFactor);
-  claims.push_back({fmt::format("no rival is below and left of ours for any {} error between {} and {} % of size",
-                                which, 100 * kLeastError, 100 * kGreatestError),
-                    fmt::format("for each rival that errs at most {} %, the fastest of ours that errs no more (or at "
-                                "most {} %) is not slower: the interval of its time over the tree's does not lie above "
-                                "the rival's",
-                                100 * kGreatestError, 100 * kLeastError),
-                    found, fronts.exceptions.empty()});
+  claims.push_back(
+      {fmt::format("no rival is below and left of ours for any {} error of a pair between {} and {} % of size", which,
+                   100 * kLeastError, 100 * kGreatestError),
+       fmt::format("each pair that meets or has contacts counts once, a missed one with its whole depth, a "
+                   "reported one with its worst point and its gap; for each rival that errs at most {} %, "
+                   "the fastest of ours that errs no more (or at most {} %) is not slower: the interval of "
+                   "its time over the tree's does not lie above the rival's",
+                   100 * kGreatestError, 100 * kLeastError),
+       found, fronts.exceptions.empty()});
 }
 
 /// That what a tree is silent about is no deeper than it says it may be.

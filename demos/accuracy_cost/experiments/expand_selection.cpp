@@ -215,8 +215,9 @@ std::vector<Figure> draw(const Table& table) {
     Panel least{model + ": least stand-off", "spheres", {"spheres wanted"}, {"% of the diagonal", true, 100}, {}};
     for (unsigned i = 0; i < kHeuristics.size(); ++i) {
       const char* name = kHeuristics[i].name;
-      at.series.push_back({name, rowsOf(model, name, kAtStandOff), "spheres", {i, i, i}});
-      least.series.push_back({name, rowsOf(model, name, kLeast), "stand_off_fraction", {i, i, i}});
+      const Look look{i, i, i, true, false};  // markers of 65 stand-offs would hide each other
+      at.series.push_back({name, rowsOf(model, name, kAtStandOff), "spheres", look});
+      least.series.push_back({name, rowsOf(model, name, kLeast), "stand_off_fraction", look});
     }
     figure.panels.push_back(std::move(at));
     figure.panels.push_back(std::move(least));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ContactAccuracy {
   std::uint32_t truePairs = 0;      ///< whose meshes meet, summed over the frames
   std::uint32_t reportedPairs = 0;  ///< summed over the frames
   std::uint32_t missed = 0;         ///< meet and are not reported
-  double deepestMissed = 0;         ///< penetration of the meshes
+  double meanMissed = 0;            ///< penetration of the meshes, over the missed pairs
+  double deepestMissed = 0;
   /// Missed pairs deeper than the worst certified error the sphere-tree gave for that frame; 0 for other shapes.
   std::uint32_t missedBeyondCertificate = 0;
   Spread falseGap;  ///< distance between the meshes of pairs that are reported and do not meet
@@ -29,9 +31,11 @@ struct ContactAccuracy {
   /// The same point's distance from the nearer of the two meshes.
   double meanStray = 0;
   Quantiles stray;
-  /// Error of an answer: that of each contact point, and for a missed pair the penetration it is silent about.
-  double meanAnswerError = 0;
-  Quantiles answerError;
+  /// Error of a pair, of all that meet or are reported, each once: a missed one errs by its penetration, a reported one
+  /// by its worst point, and by its gap where that is more. So neither many points nor points at bodies that are apart
+  /// outweigh a missed pair.
+  double meanPairError = 0;
+  Quantiles pairError;
 };
 
 /// Judges frame after frame.
@@ -43,13 +47,17 @@ class AccuracyJudge {
   ContactAccuracy result() const;
 
  private:
-  void judgePairs(FrameTruth& truth, const std::vector<BodyPair>& reported, const StepRecord& record);
-  void judgePoint(const FrameTruth& truth, const ReportedContact& contact);
+  /// Reported pairs, and the error of the worst point of each.
+  using WorstPoints = std::map<BodyPair, double>;
+
+  void judgeMeeting(FrameTruth& truth, const WorstPoints& reported, const StepRecord& record);
+  void judgeReported(FrameTruth& truth, const WorstPoints& reported);
+  double judgePoint(const FrameTruth& truth, const ReportedContact& contact);
 
   double size_;
   ContactAccuracy found_;
   SpreadOfLengths falseGaps_;
-  std::vector<double> errors_, strays_, silences_;
+  std::vector<double> errors_, strays_, silences_, pairErrors_;
 };
 
 }  // namespace cairn::scenes
