@@ -49,7 +49,6 @@ class Play {
     for (std::uint32_t i = 2 + bytes.below(6); i > 0; --i) add();
   }
 
-  /// False when a step has to be looked at.
   void order() {
     switch (bytes_.below(12)) {
       case 0:
