@@ -41,8 +41,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh report [--quick] [-o DIR]
                              all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
                              tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
-  ./cairn.sh fuzz [TARGET] [SECONDS] fuzz tree_file, builder or mesh_import (default: one after the other) under address and
-                             undefined-behaviour sanitizers (default 600 seconds each)
+  ./cairn.sh fuzz [TARGET] [SECONDS] fuzz tree_file, case_file, narrow_phase, builder or mesh_import (default: one after the
+                             other) under address and undefined-behaviour sanitizers (default 600 seconds each)
   ./cairn.sh coverage        what the tests of core and plugin reach of their lines and branches, file by file; fails below
                              95 % of the lines or 85 % of the branches
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
@@ -110,7 +110,7 @@ build() {
   local preset=${1:-release}
   case $preset in
     plugin | double | threads) need build core plugin tests ;;
-    fuzz) need build core builder tests fuzz ;;
+    fuzz) need build core plugin builder tests fuzz ;;
     *) need "${everything[@]}" tests rockfall ;;
   esac
   say "Building $preset"
@@ -167,8 +167,8 @@ test_all() {
   run_tests double
   run_tests asan
   build fuzz
-  say "Fuzzing the tree loader for a short while"
-  ctest --test-dir build/fuzz -R '^fuzz.tree_file$' --output-on-failure
+  say "Fuzzing tree files, case files and the narrow phase for a short while"
+  ctest --test-dir build/fuzz -R '^fuzz.(tree_file|case_file|narrow_phase)$' --output-on-failure
   say "All tests passed in $SECONDS s"
 }
 
@@ -254,19 +254,20 @@ report() {
 }
 
 fuzz() {
-  local targets=(tree_file builder mesh_import) target
-  local -A longest=([tree_file]=65536 [builder]=64 [mesh_import]=4096)
+  local targets=(tree_file case_file narrow_phase builder mesh_import) target
+  local -A longest=([tree_file]=65536 [case_file]=32768 [narrow_phase]=512 [builder]=64 [mesh_import]=4096)
   if [[ -n ${1:-} && -n ${longest[$1]:-} ]]; then
     targets=("$1")
     shift
   fi
-  need build core builder tests fuzz
+  need build core plugin builder tests fuzz
   for target in "${targets[@]}"; do
     say "Building and fuzzing $target"
     configure_and_build fuzz --target "${target}_fuzz"
     mkdir -p "out/fuzz/$target"
     local corpus=("out/fuzz/$target")
     [[ -d tests/data/fuzz/$target ]] && corpus+=("tests/data/fuzz/$target")
+    [[ $target == case_file ]] && corpus+=(demos/rockfall/examples)
     "build/fuzz/bin/${target}_fuzz" -max_total_time="${1:-600}" -max_len="${longest[$target]}" -timeout=300 \
       -artifact_prefix="out/fuzz/$target-" "${corpus[@]}"
   done

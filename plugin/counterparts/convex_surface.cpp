@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "placement/bullet_math.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -31,11 +32,7 @@ NearestPoint nearestOnBox(const Vec3& halfExtents, const Vec3& p) {
   Vec3 clamped;
   for (int axis = 0; axis < 3; ++axis) clamped[axis] = std::clamp(p[axis], -halfExtents[axis], halfExtents[axis]);
   const Vec3 out = p - clamped;
-  const float outSq = lengthSq(out);
-  if (outSq > 0) {
-    const float distance = std::sqrt(outSq);
-    return {clamped, out / distance, distance};
-  }
+  if (out != Vec3()) return {clamped, unitVector(out), length(out)};
   int face = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (halfExtents[axis] - std::abs(p[axis]) < halfExtents[face] - std::abs(p[face])) face = axis;

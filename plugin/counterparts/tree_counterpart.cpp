@@ -7,6 +7,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "placement/tree_pose.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -46,11 +47,10 @@ bool TreeCounterpart::resume() {
 
 Vec3 TreeCounterpart::centerLine(const Sphere& a, const Sphere& b) const {
   const Vec3 line = a.center - b.center;
-  const float lineSq = lengthSq(line);
-  if (lineSq > 0) return line / std::sqrt(lineSq);
+  if (line != Vec3()) return unitVector(line);
   // Two spheres in one place say nothing: the bodies as wholes have to.
   const Vec3 bodies = a_.sphere(kRootNode).center - b_.sphere(kRootNode).center;
-  return lengthSq(bodies) > 0 ? normalized(bodies) : Vec3(0, 0, 1);
+  return bodies != Vec3() ? unitVector(bodies) : Vec3(0, 0, 1);
 }
 
 bool TreeCounterpart::preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const {
@@ -88,9 +88,8 @@ TreeCounterpart::Expected TreeCounterpart::touchAsExpected(Contact& contact, con
     if (!measure(contact, a, b, reach_)) return Expected::apart;
     if (contact.gap < -reach_) continue;
     const Vec3 line = a.center - b.center, beside = line - normal * dot(line, normal);
-    const float norm = length(beside);
-    if (norm == 0) return Expected::touching;
-    const float apart = separation(contact.pair, beside / norm);
+    if (beside == Vec3()) return Expected::touching;
+    const float apart = separation(contact.pair, unitVector(beside));
     if (apart < reach_) return Expected::touching;
     contact.gap = apart;
     return Expected::apart;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "faces/placed_mesh.h"
+#include "placement/unit_vector.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,9 +9,7 @@ namespace cairn::bullet {
 
 Vec3 PlacedMesh::outwards(const SphereTree& tree, std::size_t triangle) {
   const auto& [i, j, k] = tree.triangles()[triangle];
-  const Vec3 out = cross(tree.vertices()[j] - tree.vertices()[i], tree.vertices()[k] - tree.vertices()[i]);
-  const float norm = length(out);
-  return norm > 0 ? out / norm : Vec3();
+  return unitVector(cross(tree.vertices()[j] - tree.vertices()[i], tree.vertices()[k] - tree.vertices()[i]));
 }
 
 bool PlacedMesh::isConvex(const SphereTree& tree) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "faces/separating_feature.h"
+#include "placement/unit_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +63,7 @@ Directions edgesOf(const SphereTree& tree) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = tree.triangles()[t][k], to = tree.triangles()[t][(k + 1) % 3];
       const Vec3 along = tree.vertices()[to] - tree.vertices()[from];
-      const float norm = length(along);
-      if (from < to && norm > 0 && !isInsideFace(tree, t, from, to)) edges.add(along / norm, true);
+      if (from < to && along != Vec3() && !isInsideFace(tree, t, from, to)) edges.add(unitVector(along), true);
     }
   return edges;
 }

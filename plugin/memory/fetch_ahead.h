@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cairn::bullet {
 
@@ -10,8 +11,8 @@ namespace cairn::bullet {
 inline void fetchAhead([[maybe_unused]] const void* first, [[maybe_unused]] std::size_t bytes) {
 #if defined(__GNUC__) || defined(__clang__)
   constexpr std::size_t kCacheLine = 64;
-  const char* const begin = static_cast<const char*>(first);
-  for (std::size_t at = 0; at < bytes; at += kCacheLine) __builtin_prefetch(begin + at);
+  const auto begin = reinterpret_cast<std::uintptr_t>(first);  // a number: pointers must not leave what they point into
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) __builtin_prefetch(reinterpret_cast<const void*>(begin + at));
 #endif
 }
 

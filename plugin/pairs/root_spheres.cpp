@@ -11,6 +11,7 @@
 #include "cairn/bullet/terrain_shape.h"
 #include "pairs/coarse_ground.h"
 #include "placement/bullet_math.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -72,6 +73,13 @@ bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjec
   return isPlane(body1) && asSphereTree(body0.getCollisionShape()) && isClearOf(body1, body0, travel);
 }
 
+namespace {
+
+// The square of what is shorter has few digits left.
+constexpr btScalar kLeastLength = btScalar(1e-18);
+
+}  // namespace
+
 bool RootSpheres::areAlike() const {
   return std::max(radiusA, radiusB) <= kMostUnlike * std::min(radiusA, radiusB);
 }
@@ -82,7 +90,8 @@ Contact RootSpheres::contact() const {
   Contact contact;
   contact.ofSpheres = contact.isWhole = true;
   contact.pair = {kRootNode, kRootNode};
-  contact.normal = length > 0 ? toVec3(line / length) : Vec3(0, 0, 1);
+  contact.normal = length > kLeastLength ? toVec3(line / length) : unitVector(toVec3(line));
+  if (contact.normal == Vec3()) contact.normal = Vec3(0, 0, 1);
   contact.gap = static_cast<float>(length - radiusA - radiusB);
   contact.position = toVec3(centerB) + contact.normal * (static_cast<float>(radiusB) + 0.5F * contact.gap);
   contact.id = {0, static_cast<int>(kRootNode), 0, static_cast<int>(kRootNode)};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "triangles/exact_contacts.h"
+#include "placement/unit_vector.h"
 
 #include <algorithm>
 
@@ -136,7 +137,7 @@ bool ExactContacts::appendNearest(const PlacedTree& a, const PlacedTree& b, floa
       const float distance = length(line) - margins;
       if (distance >= nearestYet || !(norm > 0) || dot(line, t.normal()) > 0 || dot(line, u.normal()) < 0) continue;
       nearestYet = distance;
-      nearest.normal = outwards / norm;
+      nearest.normal = unitVector(outwards);
       nearest.gap = dot(nearest.normal, line) - margins;
       nearest.position = (points.onFirst + points.onSecond) * 0.5F;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cairn/core/vec3.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -9,11 +10,7 @@ struct Triangle {
   Vec3 a, b, c;
 
   /// Unit, by the right-hand rule; zero for a degenerate triangle.
-  Vec3 normal() const {
-    const Vec3 n = cross(b - a, c - a);
-    const float norm = length(n);
-    return norm > 0 ? n / norm : Vec3();
-  }
+  Vec3 normal() const { return unitVector(cross(b - a, c - a)); }
 };
 
 /// The corner that lies farthest along `direction`.

@@ -152,6 +152,10 @@ INSTANTIATE_TEST_SUITE_P(
              "case.json: /outputs/geotiff: this must be true or false"},
         Slip{R"([{"op": "replace", "path": "/outputs", "value": {"geotiff": true}}])",
              "case.json: /outputs: \"raster_cell_m\" is missing"},
+        Slip{R"([{"op": "add", "path": "/two\nlines", "value": 1}])", R"(case.json: /two\nlines: no such key here)"},
+        Slip{
+            R"([{"op": "replace", "path": "/rocks/0/make/kind", "value": "pebble\u0007\n"}])",
+            R"(case.json: /rocks/0/make/kind: there is no kind of rock "pebble\u0007\n": use angular, slabby, rounded)"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "events"}}])",
              "case.json: /effects/1: \"dust_impulse_n_s\" or \"sound_impulse_n_s\" must be given"}));
 
@@ -166,6 +170,18 @@ TEST(Case_Text, WithAKeyTwiceIsRefusedWithItsPath) {
   const auto read = parseCase(R"({"rocks": [{}, {"count": 1, "a/b": {"count": 1}, "count": 2}]})", "case.json", ".");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().message, "case.json: /rocks/1/count: this key is given twice");
+}
+
+TEST(Case_Text, IsToldInOneLineWhateverIsInIt) {
+  const auto twice = parseCase(R"({"two\nlines": 1, "two\nlines": 2})", "case.json", ".");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().message, R"(case.json: /two\nlines: this key is given twice)");
+  json document = test::plainCase();
+  document["rocks"][0].erase("make");
+  document["rocks"][0]["mesh"] = "no such\nrock.obj";
+  const auto missing = test::readJson(document);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().message.find('\n'), std::string::npos) << missing.error().message;
 }
 
 TEST(Case_Polygon, ContainsWhatIsInsideOnly) {

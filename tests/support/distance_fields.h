@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -109,8 +110,9 @@ class FieldFile {
 
   template <class T>
   void put(const T& value) {
-    const char* const first = reinterpret_cast<const char*>(&value);
-    bytes_.insert(bytes_.end(), first, first + sizeof(T));
+    const std::size_t at = bytes_.size();
+    bytes_.resize(at + sizeof(T));
+    std::memcpy(bytes_.data() + at, &value, sizeof(T));
   }
   void put(const Vec3d& v) {
     for (const double x : {v.x, v.y, v.z}) put(x);

@@ -75,7 +75,7 @@ Result<Case> parseCase(std::string_view text, const std::string& file, const std
   hash.add(document.value().dump());
   for (const NamedFile& named : namedFiles(scene)) {
     const auto content = readFile(scene.pathOf(named.file));
-    if (!content) return Error{file + ": " + named.path + ": " + content.error().message};
+    if (!content) return Error{inOneLine(file + ": " + named.path + ": " + content.error().message)};
     hash.add(content.value());
   }
   scene.hash = hash.hex();

@@ -77,7 +77,7 @@ std::optional<std::string> nearestWord(std::string_view word, std::span<const st
 }
 
 void Complaint::refuse(const std::string& path, std::string_view why) {
-  if (!first_) first_ = fmt::format("{}: {}: {}", file_, path.empty() ? "(top)" : path, why);
+  if (!first_) first_ = inOneLine(fmt::format("{}: {}: {}", file_, path.empty() ? "(top)" : path, why));
 }
 
 double Value::number(const Range& range) const {

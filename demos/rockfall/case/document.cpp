@@ -75,11 +75,25 @@ Result<Json> parseDocument(std::string_view text, const std::string& file) {
   };
   try {
     Json document = Json::parse(text.begin(), text.end(), follow, true, true);
-    if (finder.duplicate()) return Error{fmt::format("{}: {}: this key is given twice", file, *finder.duplicate())};
+    if (finder.duplicate())
+      return Error{inOneLine(fmt::format("{}: {}: this key is given twice", file, *finder.duplicate()))};
     return document;
   } catch (const Json::exception& error) {
     return Error{fmt::format("{}: this is not JSON: {}", file, plainMessage(error.what()))};
   }
+}
+
+std::string inOneLine(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == '\n')
+      line += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      line += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+    else
+      line += c;
+  }
+  return line;
 }
 
 std::string pathInto(const std::string& path, std::string_view key) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 
 namespace cairn::rockfall {
@@ -90,10 +89,10 @@ Zone makeZone(MaterialId material, Polygon polygon) {
 }
 
 MaterialId TerrainSection::materialAt(const MapPoint& point) const {
-  for (const Zone& zone : zones | std::views::reverse) {
-    const bool isInBox = point[0] >= zone.lower[0] && point[0] <= zone.upper[0] && point[1] >= zone.lower[1] &&
-                         point[1] <= zone.upper[1];
-    if (isInBox && contains(zone.polygon, point)) return zone.material;
+  for (auto zone = zones.rbegin(); zone != zones.rend(); ++zone) {
+    const bool isInBox = point[0] >= zone->lower[0] && point[0] <= zone->upper[0] && point[1] >= zone->lower[1] &&
+                         point[1] <= zone->upper[1];
+    if (isInBox && contains(zone->polygon, point)) return zone->material;
   }
   return material;
 }
