@@ -33,6 +33,10 @@ Status NarrowPhase::setBudget(const StepBudget& budget) {
 Status NarrowPhase::setFrameBudget(const StepBudget& budget) {
   return impl_->setFrameBudget(budget);
 }
+void NarrowPhase::expectPairs(const ExpectedPairs& pairs) {
+  impl_->reserve(
+      {pairs.trees, pairs.planes, pairs.convexShapes, pairs.triangleMeshes, pairs.distanceFields, pairs.terrains});
+}
 void NarrowPhase::beginFrame(int steps) {
   impl_->beginFrame(steps);
 }

@@ -91,7 +91,7 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1) {
   if (!pair.collect(body0, body1)) return false;
   // While it is in the cache.
-  if (isPlanned()) pair.survey(static_cast<std::uint64_t>(usualOperations_));
+  if (isPlanned()) pair.survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
   const std::lock_guard lock(mutex_);
   pair.setCollectedAt(collected_.size());
   collected_.push_back(&pair);

@@ -82,7 +82,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Progress serveAlone(std::size_t index);
   void promiseHolding();
   void holdPairs();
-  void fetchHeldAfter(std::size_t index) const;
+  bool isTooLateFor(std::size_t pairs) const;
+  void fetchHeldAfter(std::size_t index, bool isLate) const;
   void finishBegunPairs();
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
@@ -144,8 +145,16 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.
   static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
+  // What holding a pair takes that is late, of what it takes otherwise, and how many are held between looks at the
+  // time.
+  static constexpr double kLatePace = 0.25;
+  static constexpr std::size_t kHeldBetweenLooks = 8;
+  // In a row in which no time was left for any pair that can be held: without a turn now and then none would end.
+  static constexpr std::uint32_t kMostStepsWithoutTurn = 7;
   static constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2, kNamesAhead = 8;
   std::uint32_t updated_ = 0;  // pairs begun in this step
+  std::uint32_t stepsWithoutTurn_ = 0;
+  std::size_t firstLate_ = 0;  // of the pairs held in the last step, the first for which it was too late
   bool isScarce_ = false;      // the last step left pairs unresolved
   std::uint64_t step_ = 0;     // that were collected
 

@@ -25,13 +25,14 @@ void NarrowPhase::Impl::planStep() {
   plan_.clear();
   if (!isPlanned()) return;
   for (TreePair* pair : collected_) {
-    if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_));
+    if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
     plan_.add(pair->need());
   }
   if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
       if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
-  plan_.decide(means(), updatePace_, holdingPace_);
+  const bool mayServeNone = left_.hasDeadline() && stepsWithoutTurn_ < kMostStepsWithoutTurn;
+  plan_.decide(means(), updatePace_, holdingPace_, mayServeNone);
 }
 
 void NarrowPhase::Impl::refinePairs() {
@@ -44,6 +45,7 @@ void NarrowPhase::Impl::refinePairs() {
     promiseHolding();
     for (const std::size_t i : plan_.chosen()) progress = serveAlone(i);
   }
+  stepsWithoutTurn_ = plan_.servesNone() ? stepsWithoutTurn_ + 1 : 0;
 }
 
 Progress NarrowPhase::Impl::serveAlone(std::size_t index) {
@@ -60,32 +62,48 @@ void NarrowPhase::Impl::promiseHolding() {
   left_.promise(holding_);
 }
 
-// In the order of their names: callbacks may tell.
+// In the order of their names: callbacks may tell. But where time ran out the step before, what had to wait then comes
+// first.
 void NarrowPhase::Impl::holdPairs() {
   left_.redeem(std::exchange(holding_, {}));
   const auto began = Budget::Clock::now();
   double expected = 0;
-  for (std::size_t i = 0; i < collected_.size(); ++i) {
-    fetchHeldAfter(i);
+  bool isLate = false;
+  const std::size_t first = std::exchange(firstLate_, 0);
+  for (std::size_t k = 0, all = collected_.size(); k < all; ++k) {
+    const std::size_t i = (first + k) % all;
+    fetchHeldAfter(i, isLate);
+    if (!isLate && k % kHeldBetweenLooks == 0 && isTooLateFor(all - k)) {
+      isLate = true;
+      firstLate_ = i;
+      holdingPace_.finished(expected, Budget::Clock::now() - began);
+    }
     if (!collected_[i]) continue;
     TreePair& pair = *collected_[i];
     pair.withdrawPromise(left_);
     left_.chargeAnyway(StepPlan::kHoldingCost);
     expected += holdingPace_.expectedNanoseconds(0);
     btManifoldResult result(&pair.body0(), &pair.body1());
-    const PairReport report = pair.hold(dispatcher_, result, timeStep_);
+    const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
     count(report, pair.seenHeld());
     if (!pair.isBegun()) ++statistics_.pairs;
     dismiss(i);
   }
-  if (left_.hasDeadline()) holdingPace_.finished(expected, Budget::Clock::now() - began);
+  if (left_.hasDeadline() && !isLate) holdingPace_.finished(expected, Budget::Clock::now() - began);
 }
 
-void NarrowPhase::Impl::fetchHeldAfter(std::size_t index) const {
+// Whether so many pairs can only be held as the late are, if at all.
+bool NarrowPhase::Impl::isTooLateFor(std::size_t pairs) const {
+  return left_.nanosecondsLeft() < kLatePace * holdingPace_.expectedNanoseconds(0) * static_cast<double>(pairs);
+}
+
+// What is late hardly ever gets to its points.
+void NarrowPhase::Impl::fetchHeldAfter(std::size_t index, bool isLate) const {
   const auto after = [&](std::size_t ahead) {
     return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
   };
   if (const TreePair* pair = after(kHeldAhead)) pair->fetchHeld();
+  if (isLate) return;
   if (const TreePair* pair = after(kHeldBodiesAhead)) pair->fetchHeldBodies();
   if (const TreePair* pair = after(kHeldPointsAhead)) pair->fetchPoints();
 }

@@ -83,7 +83,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   } else {
     budget.chargeAnyway(StepPlan::kHoldingCost);
     pair.withdrawPromise(budget);  // or the next step would hold it back again
-    const PairReport report = pair.hold(dispatcher_, result, timeStep_);
+    const PairReport report = pair.hold(dispatcher_, result, timeStep_, false);
     count(report, pair.seenHeld());
   }
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cairn/core/scheduler.h"
 #include "memory/written_room.h"
 
 namespace cairn::bullet {
@@ -12,6 +13,9 @@ namespace {
 
 // Of what a pair is expected to take: with less than this left it is not begun.
 constexpr double kLeastShare = 0.5;
+
+// With less time left than such a pair takes none is begun, where that may be.
+constexpr std::uint64_t kFewestOperations = 2 * Scheduler::kTurnOperations;
 
 // And the least is one part of it.
 constexpr double kMostImportant = 1e6;
@@ -42,7 +46,7 @@ void StepPlan::clear() {
   needs_.clear();
   heap_.clear();
   chosen_.clear();
-  isScarce_ = false;
+  isScarce_ = servesAny_ = false;
 }
 
 bool StepPlan::isTooMuchFor(StepMeans left, const EmissionPace& pace) const {
@@ -55,12 +59,13 @@ void StepPlan::weigh(std::size_t pair, double importance) {
   needs_[pair].urgency *= std::sqrt(counted);
 }
 
-void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace) {
+void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace, bool mayServeNone) {
   isScarce_ = isTooMuchFor(left, pace);
   if (!isScarce_) return;
   holdAllThatCanBe(left, pace, holdingPace);
   std::make_heap(heap_.begin(), heap_.end(), [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); });
-  chooseMostUrgent(left, pace, 1);
+  const bool mustServe = !mayServeNone || left.nanoseconds >= pace.expectedNanoseconds(kFewestOperations);
+  chooseMostUrgent(left, pace, mustServe ? 1 : 0);
 }
 
 bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {
@@ -93,6 +98,7 @@ void StepPlan::chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::
     const std::size_t pair = heap_.front();
     if (count >= atLeast && !fits(pair, left, pace, 1)) return;
     chosen_.push_back(pair);
+    servesAny_ = true;
     spend(left, static_cast<double>(needs_[pair].operations), nanosecondsFor(needs_[pair], pace));
     std::pop_heap(heap_.begin(), heap_.end(), isLess);
     heap_.pop_back();

@@ -39,15 +39,18 @@ class StepPlan {
   void weigh(std::size_t pair, double importance);
 
   /// Decides about the pairs added. What cannot be held is brought up to date in any case, and of the rest at least
-  /// one. `pace` says how long operations take. Ties: who was added first. Linear in the pairs, and n log n in those
-  /// that are brought up to date; no allocation once it has seen as many pairs.
-  void decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace);
+  /// one; with `mayServeNone` none where holding them leaves no time for a turn or two. `pace` says how long operations
+  /// take. Ties: who was added first. Linear in the pairs, and n log n in those that are brought up to date; no
+  /// allocation once it has seen as many pairs.
+  void decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace, bool mayServeNone = false);
   /// When those chosen took less than expected: chooses more, with what is `left` besides holding the rest; one that
   /// does not quite fit if no other does. False when that is too little for any.
   bool decideOnMore(StepMeans left, const EmissionPace& pace);
 
   /// Whether pairs may have to be held.
   bool isScarce() const { return isScarce_; }
+  /// Whether all that can be held are.
+  bool servesNone() const { return isScarce_ && !servesAny_; }
   /// Those last chosen.
   std::span<const std::size_t> chosen() const { return chosen_; }
   /// Those still held, in no order.
@@ -63,6 +66,7 @@ class StepPlan {
   std::vector<std::size_t> heap_;  // of those that are held, the most urgent on top
   std::vector<std::size_t> chosen_;
   bool isScarce_ = false;
+  bool servesAny_ = false;
 };
 
 }  // namespace cairn::bullet

@@ -14,7 +14,9 @@ TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
     : btCollisionAlgorithm(info),
       narrowPhase_(std::move(narrowPhase)),
       pair_(narrowPhase_->acquire(kind)),
-      mayDefer_(mayDefer) {}
+      mayDefer_(mayDefer) {
+  pair_->setAlgorithm(this);
+}
 
 TreeAlgorithm::~TreeAlgorithm() {
   pair_->releaseManifolds(*m_dispatcher);

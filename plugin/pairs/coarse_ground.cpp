@@ -2,6 +2,7 @@
 #include "pairs/coarse_ground.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
 
@@ -18,13 +19,14 @@ const TerrainLattice& latticeOf(const btCollisionObjectWrapper& ground) {
   return static_cast<const TerrainShape&>(*ground.getCollisionShape()).lattice();
 }
 
-// The cells below a body, looked up once: it is over few of them, and its points over the same again and again.
+// The ground below a body. A terrain's cells are looked up once: it is over few of them, and its points over the same
+// again and again. A static plane is one triangle without end.
 class CellsBelow {
  public:
-  explicit CellsBelow(const TerrainLattice& lattice) : lattice_(lattice) {}
+  explicit CellsBelow(const btCollisionObjectWrapper& ground);
 
   struct Plane {
-    int index = -1;  // the triangle's
+    int index = -1;  // the triangle's, if it is one
     bool isMissing = false;
     Vec3d normal, corner;
 
@@ -51,33 +53,45 @@ class CellsBelow {
   void look(const Cell& cell, bool isUpper, Plane& plane) const;
 
   static constexpr std::size_t kMost = 4;
-  const TerrainLattice& lattice_;
+  const TerrainLattice* lattice_ = nullptr;
+  Plane plane_;                    // where there is none
   std::array<Cell, kMost> cells_;  // those looked up last
   std::size_t count_ = 0;
 };
+
+CellsBelow::CellsBelow(const btCollisionObjectWrapper& ground) {
+  if (ground.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE) {
+    const auto& plane = static_cast<const btStaticPlaneShape&>(*ground.getCollisionShape());
+    plane_.normal = toVec3d(plane.getPlaneNormal());
+    plane_.corner = plane_.normal * double(plane.getPlaneConstant());
+  } else {
+    lattice_ = &latticeOf(ground);
+  }
+}
 
 CellsBelow::Cell* CellsBelow::cellBelow(const Vec3d& at) {
   const std::size_t known = std::min(count_, kMost);
   for (std::size_t i = 0; i < known; ++i)
     if (cells_[i].contains(at)) return &cells_[i];
   TerrainLattice::Over over;
-  if (!lattice_.locate(at.x, at.y, over)) return nullptr;
+  if (!lattice_->locate(at.x, at.y, over)) return nullptr;
   const auto from = [](std::span<const btScalar> points, std::int64_t i) {
     return double(points[static_cast<std::size_t>(i)]);
   };
   Cell& cell = cells_[count_++ % kMost];
-  cell.fromX = from(lattice_.xs(), over.column);
-  cell.toX = from(lattice_.xs(), over.column + 1);
-  cell.fromY = from(lattice_.ys(), over.row);
-  cell.toY = from(lattice_.ys(), over.row + 1);
+  cell.fromX = from(lattice_->xs(), over.column);
+  cell.toX = from(lattice_->xs(), over.column + 1);
+  cell.fromY = from(lattice_->ys(), over.row);
+  cell.toY = from(lattice_->ys(), over.row + 1);
   cell.column = over.column;
   cell.row = over.row;
-  cell.isRising = lattice_.isRising(over.column, over.row);
+  cell.isRising = lattice_->isRising(over.column, over.row);
   cell.planes[0].index = cell.planes[1].index = -1;
   return &cell;
 }
 
 const CellsBelow::Plane* CellsBelow::planeBelow(const Vec3d& at) {
+  if (!lattice_) return &plane_;
   Cell* const cell = cellBelow(at);
   if (!cell) return nullptr;
   const bool isUpper = cell->isUpperBelow(at);
@@ -88,8 +102,8 @@ const CellsBelow::Plane* CellsBelow::planeBelow(const Vec3d& at) {
 
 void CellsBelow::look(const Cell& cell, bool isUpper, Plane& plane) const {
   TerrainLattice::Corners corners;
-  plane.index = lattice_.indexOf(cell.column, cell.row, isUpper);
-  plane.isMissing = !lattice_.corners(cell.column, cell.row, isUpper, corners);
+  plane.index = lattice_->indexOf(cell.column, cell.row, isUpper);
+  plane.isMissing = !lattice_->corners(cell.column, cell.row, isUpper, corners);
   plane.normal = normalized(corners.normal());
   plane.corner = toVec3d(corners.at[0]);
 }
@@ -108,7 +122,7 @@ struct TreeOverGround {
   TreeOverGround(const SphereTreeShape& shape, const btTransform& body, const btCollisionObjectWrapper& ground,
                  btScalar wanted)
       : tree(shape.tree()),
-        cells(latticeOf(ground)),
+        cells(ground),
         pairFromTree(treePose(shape, btTransform(body.getBasis()))),
         pairFromGround(toMat3d(ground.getWorldTransform().getBasis())),
         margin(double(shape.getMargin())),
@@ -141,7 +155,7 @@ bool TreeOverGround::contact(NodeId node, Contact& contact) {
   contact.normal = Vec3(pairFromGround * plane->normal);
   contact.position = Vec3(pairFromTree * Vec3d(point)) - contact.normal * static_cast<float>(0.5 * (height + margin));
   contact.pair = {node, 0};
-  contact.id = {static_cast<int>(tree.level(node)), static_cast<int>(node), 0, plane->index};
+  contact.id = {static_cast<int>(tree.level(node)), static_cast<int>(node), plane->index < 0 ? -1 : 0, plane->index};
   return true;
 }
 

@@ -13,15 +13,15 @@ struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
-/// What stands in for a body on a terrain that nobody has time to look at closely: one point of each of the root's
-/// children. Each is a point of the body over the triangle below it, so that what it says is true; what is left out is
-/// what other points would say.
+/// What stands in for a body on a terrain or a static plane that nobody has time to look at closely: one point of each
+/// of the root's children. Each is a point of the body over the triangle below it, so that what it says is true; what
+/// is left out is what other points would say.
 class CoarseGround {
  public:
   /// Finds them, nearest first: of each node whose sphere comes within `reach` (world length) of the plane of the
   /// triangle below its centre, the extreme point of its region against that plane's normal, if it is within `reach` of
   /// the ground below it. The pair frame is the tree's. Cost: two triangles and sixteen points a node; no allocation.
-  /// Precondition: a tree and a terrain.
+  /// Precondition: a tree and a terrain or a static plane.
   CoarseGround(const btCollisionObjectWrapper& tree, const btCollisionObjectWrapper& ground, btScalar reach);
 
   std::span<Contact> contacts() { return std::span(contacts_).first(count_); }

@@ -56,6 +56,9 @@ RelativePlacement TreePair::relativePlacement(const SphereTreeShape& shape, cons
 void TreePair::reset() {
   contacts_.reset();
   counterpart_->reset();
+  wasDone_ = true;
+  mayHavePoints_ = false;
+  saidContacts_ = saidManifolds_ = 0;
   subject_ = {};
   promised_ = {};
   ahead_ = {};
@@ -75,8 +78,11 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
   isBroken_ = false;
   if (!stillApart(body0, body1, travel)) {
     if (settleBroken(body0, body1)) return true;
-    roots_ = rootSpheres(body0, body1);
-    if ((!roots_ && !alsoFromGround) || !areRootsApart(body0, body1, roots_, btScalar(travel))) return false;
+    const std::optional<RootSpheres> roots = rootSpheres(body0, body1);
+    if ((!roots && !alsoFromGround) || !areRootsApart(body0, body1, roots, btScalar(travel))) {
+      roots_ = roots;
+      return false;
+    }
     const SphereTreeShape* const first = asSphereTree(body0.getCollisionShape());
     treeIsBody0_ = first != nullptr;
     const btCollisionObjectWrapper &treeBody = first ? body0 : body1, &otherBody = first ? body1 : body0;
@@ -102,7 +108,7 @@ bool TreePair::settleBroken(const btCollisionObjectWrapper& body0, const btColli
 void TreePair::forgetWaiting() {
   isPlaced_ = isHeld_ = false;
   waited_ = heldError_ = 0;
-  moved_ = untold_ = 0;
+  moved_ = untold_ = unseenWay_ = 0;
   wholeAt_ = -1;
   spent_ = fullOperations_ = 0;
   wasAhead_ = false;
@@ -155,7 +161,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   placement.travel = closingSpeed_ * static_cast<float>(timeStep);
   noticeSetDown(motion_.placement, treeBody, otherBody, timeStep);
   isPlaced_ = isBegun_ = true;
-  moved_ = 0;
+  moved_ = unseenWay_ = 0;
   counterpart_->place(placement);
   lookAhead(placement, treeBody, otherBody, sweptTime, budget);
   if (contacts_.begin(*counterpart_, motion_, isThrifty, budget, scratch)) spent_ = 0;
@@ -232,6 +238,7 @@ void TreePair::forget() {
   contacts_.reset();
   forgetWaiting();
   counterpart_->reset();
+  wasDone_ = true;
   subject_ = {};
   clearManifolds();
 }
@@ -240,6 +247,7 @@ void TreePair::forget() {
 void TreePair::clearManifolds() {
   if (!mayHavePoints_) return;
   mayHavePoints_ = false;
+  saidContacts_ = saidManifolds_ = 0;
   for (btPersistentManifold* m : manifolds_)
     if (m && m->getNumContacts() > 0) m->clearManifold();
 }

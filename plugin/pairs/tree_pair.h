@@ -112,17 +112,19 @@ class alignas(64) TreePair {
                     ContactScratch& scratch);
 
   /// Finds what the pair needs in this step. Precondition: collected by `settleApart` and `collect`, or by `follow`.
-  /// `usualOperations`: what pairs were resolved with lately.
-  void survey(std::uint64_t usualOperations);
+  /// `usualOperations`: what pairs were resolved with lately. `isTimed`: whether the step ends at a time; then bodies
+  /// on planes can wait as well, however far they have moved.
+  void survey(std::uint64_t usualOperations, bool isTimed);
   /// Whether that was done since it was collected, and what it found.
   bool isSurveyed() const { return isSurveyed_; }
   const PairNeed& need() const { return need_; }
   /// What a priority is told before anything is done for the pair. Precondition: as for `survey`.
   ScheduledPair described() const;
   /// Instead of all the above: the manifolds' points follow the bodies, and where the last answer no longer counts the
-  /// spheres of whole bodies, which may not approach further, stand in, or on a terrain a few of the body's points.
-  /// Precondition: `survey` said it can be, or `isBetterHeld`.
-  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep);
+  /// spheres of whole bodies, which may not approach further, stand in, or on a terrain or a plane a few of the body's
+  /// points. `isLate`: the time is up; what was said stays as it was where bodies hardly move. See
+  /// docs/algorithms/narrow-phase.md. Precondition: `survey` said it can be, or `isBetterHeld`.
+  PairReport hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep, bool isLate);
   /// Where it is seen, and how large: what statistics need. Precondition: `hold` was called in this step.
   ScheduledPair seenHeld() const { return {.id = id_, .center = center_, .size = smallerSize_}; }
   /// So much was charged for the pair, in this step or one before.
@@ -137,9 +139,10 @@ class alignas(64) TreePair {
 
   /// What `settleApart` looks at.
   void fetchSubject() const { fetchAhead(this, kSubjectBytes); }
-  /// The body whose tree it is, its shape, and unless the pair was settled in the last step what `collect` writes, and
-  /// if that is to follow what `survey` looks at. Looks at the former.
+  /// Bullet's handle on the pair, the body whose tree it is, its shape, and unless the pair was settled in the last
+  /// step what `collect` writes, and if that is to follow what `survey` looks at. Looks at the former.
   void fetchCopies(bool forSurvey) const {
+    fetchAhead(algorithm_.load(std::memory_order_relaxed), 1);
     fetchBody();
     if (isSettled()) return;
     for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
@@ -160,6 +163,8 @@ class alignas(64) TreePair {
   }
   void fetchPoints() const;
 
+  /// The algorithm in Bullet's hands whose pair this is.
+  void setAlgorithm(const void* algorithm) { algorithm_.store(algorithm, std::memory_order_relaxed); }
   /// Allocates now what else a first step on a budget would.
   void expectInterruptions() { contacts_.makeRoomForRetests(); }
 
@@ -201,17 +206,20 @@ class alignas(64) TreePair {
   static constexpr std::size_t kSubjectBytes = 384, kCopyBytes = 192, kSurveyBytes = 512, kHeldBytes = 832;
   static constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
 
-  PairNeed surveyed(std::uint64_t usualOperations);
+  PairNeed surveyed(std::uint64_t usualOperations, bool isTimed);
   void rememberBody(const btCollisionObjectWrapper& tree);
   std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
                      const btCollisionObjectWrapper& other, btScalar timeStep);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
                             const btCollisionObjectWrapper& other);
-  void beginHeld(btScalar timeStep);
+  void beginHeld(btScalar timeStep, bool isLate);
   void countStepAsWaited();
   void lookForJump(btScalar timeStep);
-  bool hasStandIn() const;
+  bool hasStandIn(bool isTimed) const;
+  // What everything comes up from, however deep it is.
+  bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
+  bool mayStay(btScalar timeStep);
   void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   void standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   Contact aheadOf(Contact contact) const;
@@ -220,6 +228,8 @@ class alignas(64) TreePair {
   void carryPoints(bool dropsParted, bool writesWhole);
   void surviveRefresh();
   void writeStandIn(std::span<Contact> contacts, btDispatcher& dispatcher, btManifoldResult& result);
+  void bringPoints(bool standsIn);
+  void countSaid();
   PairReport reportHeld(bool isWhole) const;
   double standInErrorFraction() const;
   static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
@@ -268,6 +278,11 @@ class alignas(64) TreePair {
   bool isSurveyed_ = false;  // in this step
   bool isFast_ = false;      // in this step
   bool isBroken_ = false;    // when it was last settled
+  bool wasDone_ = true;      // the traversal, when a step last ended in which something was done for it
+  // For bodies that move far in a step.
+  std::unique_ptr<Sweep> sweep_;  // made when it is first needed
+  // Bullet's handle on the pair. Only fetched, like those that follow.
+  std::atomic<const void*> algorithm_{nullptr};
   // The tree's, when Bullet last asked. Only fetched, also by other threads, and never followed: they may be gone.
   std::atomic<const btCollisionObject*> treeObject_{nullptr};
   std::atomic<const btCollisionShape*> treeShape_{nullptr};
@@ -282,12 +297,14 @@ class alignas(64) TreePair {
   float reach_ = 0;  // contacts with a gap below this are wanted
   std::unique_ptr<Counterpart> counterpart_;
   // For steps in which the pair has to wait.
-  bool isPlaced_ = false;             // `motion_` tells where the bodies were when it was last begun
-  bool isBegun_ = false;              // in this step
-  bool isHeld_ = false;               // in the step before
-  bool isHoldingStill_ = false;       // what was said last suffices
-  float moved_ = 0;                   // world length, by which the bodies moved since it was begun
-  float untold_ = 0;                  // the same, when it was begun in this step: nobody has counted it yet
+  bool isPlaced_ = false;        // `motion_` tells where the bodies were when it was last begun
+  bool isBegun_ = false;         // in this step
+  bool isHeld_ = false;          // in the step before
+  bool isHoldingStill_ = false;  // what was said last suffices
+  float moved_ = 0;              // world length, by which the bodies moved since it was begun
+  float untold_ = 0;             // the same, when it was begun in this step: nobody has counted it yet
+  float unseenWay_ = 0;          // world length, at most, in steps that were late for it
+  std::uint32_t saidContacts_ = 0, saidManifolds_ = 0;
   double waited_ = 0;                 // steps
   double heldError_ = 0;              // of what was said last, as a fraction of the smaller body's size
   std::uint64_t spent_ = 0;           // operations, on the traversal at hand
@@ -304,8 +321,6 @@ class alignas(64) TreePair {
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame
   Promise promised_;
-  // For bodies that move far in a step.
-  std::unique_ptr<Sweep> sweep_;    // made when it is first needed
   std::span<const Contact> ahead_;  // of this step
 
   std::size_t knownAt_ = kUnknown;

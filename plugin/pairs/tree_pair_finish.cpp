@@ -131,7 +131,8 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
                             Budget& budget, ContactScratch& scratch) {
   budget.redeem(std::exchange(promised_, {}));
   PairReport report;
-  report.isUnresolved = !counterpart_->traversal().done();
+  wasDone_ = counterpart_->traversal().done();
+  report.isUnresolved = !wasDone_;
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
   contacts_.finish(*counterpart_, policy.unresolved, motion_, reach_, ahead_, budget, scratch);
   forgetImpulsesAhead();
@@ -139,7 +140,9 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   if (policy.mayBeInterrupted) surviveRefresh();
   heldError_ = report.errorFraction;
-  if (!report.isUnresolved) waited_ = 0;
+  saidContacts_ = report.contacts;
+  saidManifolds_ = report.manifolds;
+  if (wasDone_) waited_ = 0;
   wholeAt_ = -1;
   axes_ = objects_[1]->getWorldTransform().getBasis();
   return report;

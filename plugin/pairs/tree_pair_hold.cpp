@@ -22,6 +22,9 @@ constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
 constexpr double kUnknownError = 1;
 // How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
 constexpr float kMostFollowed = 0.04F;
+// How far they may come, of the same, in steps that were late for what they say: where it has points, and where it has
+// none.
+constexpr float kMostUnseen = 0.03F, kMostUnheld = 0.008F;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
 // point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
@@ -62,12 +65,12 @@ bool TreePair::follow() {
   return bodies_[0].follow() && bodies_[1].follow();
 }
 
-void TreePair::survey(std::uint64_t usualOperations) {
-  need_ = isSettled() ? PairNeed() : surveyed(usualOperations);
+void TreePair::survey(std::uint64_t usualOperations, bool isTimed) {
+  need_ = isSettled() ? PairNeed() : surveyed(usualOperations, isTimed);
   isSurveyed_ = true;
 }
 
-PairNeed TreePair::surveyed(std::uint64_t usualOperations) {
+PairNeed TreePair::surveyed(std::uint64_t usualOperations, bool isTimed) {
   const SphereTreeShape* const first = asSphereTree(body0().getCollisionShape());
   const btCollisionObjectWrapper &treeBody = first ? body0() : body1(), &otherBody = first ? body1() : body0();
   const SphereTreeShape* const tree = first ? first : asSphereTree(body1().getCollisionShape());
@@ -75,14 +78,14 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations) {
   treeIsBody0_ = first != nullptr;
   if (!subject_.tree) adopt(tree, other);
   const bool isSame = subject_.tree && tree && isSubject(*tree, asSphereTree(&other), other);
-  const bool canStandIn = isSame && hasStandIn() && (!isFast_ || kind_ == CounterpartKind::terrain);
+  const bool canStandIn = isSame && hasStandIn(isTimed) && (!isFast_ || kind_ == CounterpartKind::terrain);
   if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
   seenNow_ = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
   isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
   const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
   return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
-          canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !isDone()};
+          canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_};
 }
 
 // Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
@@ -105,7 +108,7 @@ ScheduledPair TreePair::described() const {
 
 std::uint64_t TreePair::expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const {
   const std::uint64_t whole = fullOperations_ > 0 ? fullOperations_ : usualOperations;
-  if (!isDone()) return std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
+  if (!wasDone_) return std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
   return contacts_.keepsAt(*counterpart_, now, motion_.reach) ? contacts_.keptCost(*counterpart_) : whole;
 }
 
@@ -115,39 +118,59 @@ std::uint64_t TreePair::charged(std::uint64_t operations) {
   return fullOperations_ = spent_;
 }
 
-PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep) {
+PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, btScalar timeStep, bool isLate) {
   const bool isNew = !isPlaced_;
-  if (isNew) beginHeld(timeStep);
+  if (isNew) beginHeld(timeStep, isLate);
   origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   isHeld_ = true;
   ++waited_;
+  if (isBegun_) wasDone_ = isDone();
   if (isBegun_)
     countStepAsWaited();
   else
     lookForJump(timeStep);
   ahead_ = {};
-  forgetImpulsesAhead();
   const bool needsStandIn = isNew || !isHoldingStill_ || isFast_;  // what was said last says nothing of what is ahead
-  if (needsStandIn) chooseForWhole();
-  if (needsStandIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
-  // What stands in on a terrain replaces every point: nothing has to follow.
-  if (!needsStandIn || kind_ != CounterpartKind::terrain)
-    carryPoints(needsStandIn || contacts_.isAnsweredWithin(moved_, smallerSize_), needsStandIn);
-  else
-    axes_ = objects_[1]->getWorldTransform().getBasis();
-  if (needsStandIn) standIn(timeStep, dispatcher, result);
+  const bool mayWait = isLate && !isFast_ && !wasAhead_, isFirst = unseenWay_ == 0;
+  if (mayWait && mayStay(timeStep)) return reportHeld(needsStandIn);
+  // From below the ground everything comes up: for one step its points may follow at any speed.
+  const bool standsIn = needsStandIn && !(mayWait && isOnGround() && isFirst);
+  if (standsIn || !needsStandIn) unseenWay_ = 0;
+  bringPoints(standsIn);
+  if (standsIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
+  countSaid();
   return reportHeld(needsStandIn);
 }
 
-// Of two trees their whole spheres, of trees of like size; on a terrain points of the body.
-bool TreePair::hasStandIn() const {
+void TreePair::bringPoints(bool standsIn) {
+  forgetImpulsesAhead();
+  if (standsIn) chooseForWhole();
+  if (standsIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
+  // What stands in on the ground replaces every point: nothing has to follow.
+  if (!standsIn || !isOnGround())
+    carryPoints(standsIn || contacts_.isAnsweredWithin(moved_, smallerSize_), standsIn);
+  else
+    axes_ = objects_[1]->getWorldTransform().getBasis();
+}
+
+// Of two trees their whole spheres, of trees of like size; on the ground points of the body. Planes are few and soon
+// asked: where operations alone are counted, nobody has to wait for them.
+bool TreePair::hasStandIn(bool isTimed) const {
+  if (kind_ == CounterpartKind::plane) return isTimed;
   return kind_ == CounterpartKind::terrain || (roots_ && roots_->areAlike());
 }
 
+// While the bodies hardly move, as far as their speeds tell: what nobody looks at must not get past.
+bool TreePair::mayStay(btScalar timeStep) {
+  const btCollisionObjectWrapper &tree = treeIsBody0_ ? body0() : body1(), &other = treeIsBody0_ ? body1() : body0();
+  unseenWay_ += speedInOther(*asSphereTree(tree.getCollisionShape()), tree, other) * static_cast<float>(timeStep);
+  return unseenWay_ <= (mayHavePoints_ ? kMostUnseen : kMostUnheld) * smallerSize_;
+}
+
 void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result) {
-  if (kind_ == CounterpartKind::terrain) return standOnGround(timeStep, dispatcher, result);
+  if (isOnGround()) return standOnGround(timeStep, dispatcher, result);
   std::array<Contact, 1> whole{contacts_.holdWhole(roots_->contact())};
   writeStandIn(whole, dispatcher, result);
 }
@@ -190,7 +213,7 @@ void TreePair::countStepAsWaited() {
 }
 
 // Nothing is traversed yet.
-void TreePair::beginHeld(btScalar timeStep) {
+void TreePair::beginHeld(btScalar timeStep, bool isLate) {
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0() : body1();
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape& tree = *asSphereTree(treeBody.getCollisionShape());
@@ -208,15 +231,15 @@ void TreePair::beginHeld(btScalar timeStep) {
   const float travel = speedInOther(tree, treeBody, otherBody) * static_cast<float>(timeStep);
   contacts_.answerAged(travel);
   heldError_ = double(travel / smallerSize_);
-  // Boxes deeper in each other than that were so a step ago, too: bodies that were set down there.
-  if (kind_ == CounterpartKind::tree && overlapOfBoxes(treeBody, otherBody) > travel)
+  // Boxes deeper in each other than that were so a step ago, too: bodies that were set down there. Boxes take time.
+  if (kind_ == CounterpartKind::tree && (isLate || overlapOfBoxes(treeBody, otherBody) > travel))
     heldError_ = std::max(heldError_, standInErrorFraction());
 }
 
-// A manifold of its own, if one is free; on a terrain, where all others end, the one that says most.
+// A manifold of its own, if one is free; on the ground, where all others end, the one that says most.
 void TreePair::chooseForWhole() {
   if (wholeAt_ >= 0) return;
-  const int sign = kind_ == CounterpartKind::terrain ? -1 : 1;
+  const int sign = isOnGround() ? -1 : 1;
   const auto points = [&](const btPersistentManifold* m) { return m ? sign * m->getNumContacts() : 0; };
   wholeAt_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
 }
@@ -255,25 +278,31 @@ void TreePair::writeStandIn(std::span<Contact> contacts, btDispatcher& dispatche
   writer.write(*m, contacts, chooseContacts(contacts, held.span(), kSeparationFactor * speculative_, speculative_));
 }
 
+void TreePair::countSaid() {
+  saidContacts_ = saidManifolds_ = 0;
+  for (const btPersistentManifold* m : manifolds_) {
+    if (!m || m->getNumContacts() == 0) continue;
+    saidContacts_ += static_cast<std::uint32_t>(m->getNumContacts());
+    ++saidManifolds_;
+  }
+}
+
 PairReport TreePair::reportHeld(bool isWhole) const {
   PairReport report;
   report.isUnresolved = true;
   const bool isFollowed = moved_ <= kMostFollowed * smallerSize_;
   if (isFollowed) report.errorFraction = heldError_ + double(moved_ / smallerSize_);
   if (isWhole) report.errorFraction = std::max(report.errorFraction, standInErrorFraction());
-  for (const btPersistentManifold* m : manifolds_) {
-    if (!m || m->getNumContacts() == 0) continue;
-    report.contacts += static_cast<std::uint32_t>(m->getNumContacts());
-    ++report.manifolds;
-  }
+  report.errorFraction += double(unseenWay_ / smallerSize_);
+  report.contacts = saidContacts_;
+  report.manifolds = saidManifolds_;
   return report;
 }
 
 // Of spheres, how far they stand out; of points, all of the body may be in the ground beside them.
 double TreePair::standInErrorFraction() const {
   const auto scale = static_cast<float>(subject_.treeScale);
-  if (kind_ == CounterpartKind::terrain)
-    return double(2 * subject_.tree->sphere(kRootNode).radius * scale / smallerSize_);
+  if (isOnGround()) return double(2 * subject_.tree->sphere(kRootNode).radius * scale / smallerSize_);
   const float errors = subject_.tree->error(kRootNode) * scale +
                        subject_.otherTree->error(kRootNode) * static_cast<float>(subject_.otherScale);
   return double(errors / smallerSize_);

@@ -283,5 +283,37 @@ TYPED_TEST(BudgetOnTerrain, TheReportedErrorBoundsWhatLands) {
   }
 }
 
+// Over a static plane likewise; of a ball that reaches into it something is said.
+TEST(CoarseGround, SaysNothingThatIsNotTrueOverAPlane) {
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  TreeOverTerrain s(kSeed);
+  btStaticPlaneShape plane(btVector3(1, -2, 5).normalized(), btScalar(0.3));
+  s.groundBody.setCollisionShape(&plane);
+  constexpr btScalar kReach = btScalar(0.05);
+  int contacts = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    s.place();
+    CoarseGround coarse(s.wrapper(s.body), s.wrapper(s.groundBody), kReach);
+    const btVector3 normal = s.groundBody.getWorldTransform().getBasis() * plane.getPlaneNormal();
+    for (const bullet::Contact& contact : coarse.contacts()) {
+      ++contacts;
+      const btVector3 onTree = s.body.getWorldTransform().getOrigin() +
+                               btVector3(contact.onTree().x, contact.onTree().y, contact.onTree().z);
+      const btVector3 point = s.groundBody.getWorldTransform().inverse() * onTree;
+      double nearest = 1e9;
+      s.forEachVertex([&](const btVector3& v) { nearest = std::min(nearest, double((v - point).length())); });
+      EXPECT_LT(nearest, kRounding);
+      EXPECT_LT((normal - btVector3(contact.normal.x, contact.normal.y, contact.normal.z)).length(), kRounding);
+      EXPECT_NEAR(contact.gap, point.dot(plane.getPlaneNormal()) - plane.getPlaneConstant(), kRounding);
+      EXPECT_EQ(contact.id.otherPart, -1);
+    }
+    const btVector3 middle = s.groundBody.getWorldTransform().inverse() * s.body.getWorldTransform().getOrigin();
+    if (middle.dot(plane.getPlaneNormal()) < plane.getPlaneConstant()) {
+      EXPECT_FALSE(coarse.contacts().empty());
+    }
+  }
+  EXPECT_GT(contacts, kTrials);
+}
+
 }  // namespace
 }  // namespace cairn::test

@@ -43,6 +43,21 @@ TEST(StepPlan, ServesWhatCannotBeHeldWhateverIsLeft) {
   EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 2})) << "and of the others the most urgent one";
 }
 
+// Two turns of 80 operations at the pace before anything was seen, 50 ns: 9.5 us with what a pair takes whatever it is.
+TEST(StepPlan, ServesNoneWhereHoldingLeavesNoTimeAndThatMayBe) {
+  const auto planned = [](double nanoseconds, bool mayServeNone) {
+    StepPlan plan;
+    for (int i = 0; i < 2; ++i) plan.add({1, 1000, true, true});
+    plan.decide({.nanoseconds = nanoseconds}, EmissionPace(), EmissionPace(5), mayServeNone);
+    return plan;
+  };
+  constexpr double kHolding = 2 * 150, kTurns = 9500;
+  EXPECT_TRUE(planned(kHolding + kTurns - 1, true).servesNone());
+  EXPECT_EQ(planned(kHolding + kTurns + 1, true).chosen().size(), 1U);
+  EXPECT_EQ(planned(kHolding, false).chosen().size(), 1U);
+  EXPECT_FALSE(planned(1e9, true).servesNone()) << "enough for all";
+}
+
 TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
   StepPlan plan = planOf({{3, 100, true, false}, {2, 100, true, false}, {1, 100, true, true}}, {.operations = 110});
   ASSERT_EQ(plan.chosen().size(), 1U);

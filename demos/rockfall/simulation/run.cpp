@@ -40,6 +40,7 @@ class Running {
       record.start = record.end = scenes::fromBullet(rock.pose.getOrigin());
       result_.rocks.push_back(record);
     }
+    world_.expectRocks(releases_.size());
     watch_.emplace(scene_, result_);
     impacts_.emplace(scene_, result_);
   }

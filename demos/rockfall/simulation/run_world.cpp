@@ -57,6 +57,12 @@ btRigidBody& RunWorld::addBody(btCollisionShape& shape, btScalar mass, const btV
   return *bodies_.back();
 }
 
+// Each is over the ground; in dense groups one in two meets another at a time. Without a time to keep it is not missed.
+void RunWorld::expectRocks(std::size_t rocks) {
+  if (!scene_.description.budget.microseconds) return;
+  dispatcher_.expectPairs({.trees = rocks / 2, .terrains = rocks});
+}
+
 Result<btRigidBody*> RunWorld::addRock(const ReleasedRock& rock, int number) {
   const RockGroup& group = scene_.description.rocks[rock.group];
   const RockShape& kind = scene_.stock.groups[rock.group][rock.variant];

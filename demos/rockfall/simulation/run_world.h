@@ -25,6 +25,8 @@ class RunWorld {
   RunWorld(const RunWorld&) = delete;
   RunWorld& operator=(const RunWorld&) = delete;
 
+  /// Room for the pairs of so many rocks, so that no step has to make it.
+  void expectRocks(std::size_t rocks);
   /// Fails as the shape does.
   Result<btRigidBody*> addRock(const ReleasedRock& rock, int number);
   /// A rock that broke in the last step, and the bodies of its pieces, which are in the world in its place and have

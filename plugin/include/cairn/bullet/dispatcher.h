@@ -33,6 +33,8 @@ class Dispatcher : public Base {
   /// Of all steps of a frame together, on top of that of each step; `stepFrame` then steps the world. Refuses negative
   /// amounts and NaN.
   Status setFrameBudget(const StepBudget& budget) { return narrowPhase_.setFrameBudget(budget); }
+  /// See `NarrowPhase::expectPairs`.
+  void expectPairs(const ExpectedPairs& pairs) { narrowPhase_.expectPairs(pairs); }
   void beginFrame(int steps) { narrowPhase_.beginFrame(steps); }
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
   void setFinest(Finest finest) { narrowPhase_.setFinest(finest); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -12,6 +13,11 @@ namespace cairn::bullet {
 struct StepBudget {
   std::optional<std::int64_t> operations;
   std::optional<double> microseconds;
+};
+
+/// How many pairs with a sphere-tree there will be at a time, by what the tree meets.
+struct ExpectedPairs {
+  std::size_t trees = 0, planes = 0, convexShapes = 0, triangleMeshes = 0, distanceFields = 0, terrains = 0;
 };
 
 /// What a pair answers while its traversal is unfinished (thesis 2.4; compared in docs/algorithms/contacts.md).

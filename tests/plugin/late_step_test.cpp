@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Zlib
+// Steps whose time is up before anything was done: what was said stays, but nothing gets past anything.
+#include <gtest/gtest.h>
+
+#include "bullet_world.h"
+#include "counting_new.h"
+
+namespace cairn::test {
+namespace {
+
+constexpr btScalar kRadius = btScalar(0.3);
+
+std::shared_ptr<bullet::SphereTreeShape> roundShape() {
+  return treeShape(plainTree(ball(double(kRadius), 6)));
+}
+
+// It is seen one step late at most, and what stands in where it is first seen forgives how deep it is by then.
+TEST(LateSteps, ABodyThatComesFastIsHeldByThePlane) {
+  for (const btScalar speed : {1, 3, 5}) {
+    SCOPED_TRACE(speed);
+    BulletWorld<> w;
+    w.addGround();
+    ASSERT_TRUE(w.dispatcher.setBudget({{}, 0.0}).ok());
+    btRigidBody& body = w.add(roundShape(), 1, btVector3(0, 0, 1));
+    body.setLinearVelocity(btVector3(0, 0, -speed));
+    body.setActivationState(DISABLE_DEACTIVATION);
+    w.step(120);
+    const btScalar way = speed / 60;
+    EXPECT_GT(body.getWorldTransform().getOrigin().z(), kRadius - 2 * way);
+    EXPECT_LT(body.getLinearVelocity().length(), 1) << "what holds it drives it";
+  }
+}
+
+TEST(LateSteps, BodiesThatMeetFastDoNotPass) {
+  for (const btScalar speed : {btScalar(0.5), btScalar(3), btScalar(8)}) {
+    SCOPED_TRACE(speed);
+    BulletWorld<> w;
+    w.world.setGravity(btVector3(0, 0, 0));
+    ASSERT_TRUE(w.dispatcher.setBudget({{}, 0.0}).ok());
+    const auto shape = roundShape();
+    btRigidBody& left = w.add(shape, 1, btVector3(-1, 0, 0));
+    btRigidBody& right = w.add(shape, 1, btVector3(1, 0, 0));
+    left.setLinearVelocity(btVector3(speed, 0, 0));
+    right.setLinearVelocity(btVector3(-speed, 0, 0));
+    for (int step = 0; step < 240; ++step) {
+      w.step();
+      EXPECT_GT(right.getWorldTransform().getOrigin().x() - left.getWorldTransform().getOrigin().x(), kRadius)
+          << "step " << step;
+    }
+  }
+}
+
+// What was not looked at adds the way since to the error, until somebody looks.
+TEST(LateSteps, AddTheWayToTheError) {
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  const auto shape = roundShape();
+  w.add(shape, 1, btVector3(0, 0, 0));
+  btRigidBody& body = w.add(shape, 1, btVector3(btScalar(0.597), 0, 0));
+  w.world.performDiscreteCollisionDetection();
+  ASSERT_GT(w.dispatcher.lastStep().contacts, 0U);
+  ASSERT_EQ(w.dispatcher.lastStep().unresolvedPairs, 0U);
+  ASSERT_TRUE(w.dispatcher.setBudget({{}, 0.0}).ok());
+  const btScalar way = btScalar(0.002) * shape->size();  // a step, in which it does not come near the limit
+  body.setLinearVelocity(btVector3(0, way * 60, 0));
+  w.world.getDispatchInfo().m_timeStep = btScalar(1) / 60;
+  double last = w.dispatcher.lastStep().worstErrorFraction;
+  int grown = 0;
+  for (int step = 1; step <= 6; ++step) {
+    body.getWorldTransform().getOrigin() += btVector3(0, way, 0);
+    w.world.performDiscreteCollisionDetection();
+    const auto& s = w.dispatcher.lastStep();
+    if (s.unresolvedPairs == 0) continue;  // no pair waits for ever
+    EXPECT_GT(s.contacts, 0U);
+    grown += s.worstErrorFraction >= last + 0.9 * 0.002;
+    last = s.worstErrorFraction;
+  }
+  EXPECT_GE(grown, 5);
+}
+
+#ifndef __SANITIZE_ADDRESS__
+
+// The pairs of eight balls and a plane, which all meet in the first step; each pair has three lists at least.
+TEST(LateSteps, PairsThatWereExpectedAreNotMadeInTheStep) {
+  constexpr std::size_t kBalls = 8, kTrees = kBalls * (kBalls - 1) / 2;
+  const auto inFirstStep = [&](bool isExpected) {
+    BulletWorld<> w;
+    w.addGround();
+    if (isExpected) w.dispatcher.expectPairs({.trees = kTrees, .planes = kBalls});
+    const auto shape = roundShape();
+    for (std::size_t i = 0; i < kBalls; ++i)
+      w.add(shape, 1, btVector3(btScalar(0.02) * btScalar(i), 0, btScalar(0.9) * kRadius));
+    const std::size_t before = allocations();
+    w.world.performDiscreteCollisionDetection();
+    EXPECT_EQ(w.dispatcher.lastStep().pairs, kTrees + kBalls);
+    return allocations() - before;
+  };
+  const std::size_t unexpected = inFirstStep(false), expected = inFirstStep(true);
+  EXPECT_GE(unexpected, expected + 3 * (kTrees + kBalls)) << expected;
+}
+
+#endif
+
+}  // namespace
+}  // namespace cairn::test
