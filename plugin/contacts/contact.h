@@ -33,6 +33,9 @@ struct Contact {
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold, or ahead: not measured again
+  /// Of an exact one: how far apart the bodies may be for all that. Both its points are on their surfaces, so it is no
+  /// more than its depth: what has crossed in its direction may be past each other.
+  float exactError = 0;
   bool isExact = false;    ///< measured between source triangles
   bool isSettled = false;  ///< exact, or nothing finer can be told
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it

@@ -298,6 +298,7 @@ void FewFaces::append(const Question& question, std::size_t k, const NodePair& l
   Contact contact;
   contact.normal = question.normal[k];
   contact.gap = point.gap - question.margins;
+  contact.exactError = std::max(0.0F, -point.gap - question.margins);
   contact.position = point.position;
   contact.pair = leaves;
   contact.id = {static_cast<int>(question.a.tree().level(leaves.a)), static_cast<int>(leaves.a),

@@ -104,7 +104,8 @@ void TreePair::writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& r
   for (int i = 0; i < choice.count; ++i) {
     const Contact& chosen = members[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])];
     contacts_.remember(chosen);
-    const float error = chosen.isExact ? 0 : counterpart_->traversal().pairError(chosen.pair);
+    const float ofPair = counterpart_->traversal().pairError(chosen.pair);
+    const float error = chosen.isExact ? std::min(chosen.exactError, ofPair) : ofPair;
     report.errorFraction = std::max(report.errorFraction, double(error) / double(smallerSize_));
     report.exactContacts += chosen.isExact ? 1 : 0;
   }

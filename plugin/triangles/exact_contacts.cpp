@@ -112,6 +112,7 @@ void ExactContacts::appendChosen(const Vec3& normal, float margins, const Contac
     contact.isExact = true;
     contact.normal = normal;
     contact.gap = p.gap - margins;
+    contact.exactError = std::max(0.0F, -p.gap - margins);
     contact.position = p.position;
     contacts.push_back(contact);
   }
