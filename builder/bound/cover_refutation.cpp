@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -49,11 +50,13 @@ double largestCoordinate(const Vec3d& v) {
 }
 
 /// How far apart the first outside points may be. Between two of them a ball of radius r can slip past the offset
-/// surface by about spacing^2 / (4 r), which should stay below a fortieth of the error.
+/// surface by about spacing^2 / (4 r), which should stay below a fortieth of the error. That surface is as large as the
+/// solid's, or, around what is small against the error, as a sphere's.
 double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double error) {
   const double area = surfaceArea(solid.mesh());
   const double ball = std::sqrt(area / (4 * spheres));
-  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(area / kMostOutside));
+  const double offsetArea = std::max(area, 4 * std::numbers::pi * error * error);
+  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(offsetArea / kMostOutside));
 }
 
 CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points, std::vector<Vec3d> outside,

@@ -40,9 +40,23 @@ void appendQuadrangle(std::span<const Vec3d> p, TriangleSoup& soup) {
   soup.insert(soup.end(), pair.begin(), pair.end());
 }
 
+double diagonalOf(std::span<const Vec3d> points) {
+  Vec3d lower = points[0], upper = points[0];
+  for (const Vec3d& p : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], p[axis]);
+      upper[axis] = std::max(upper[axis], p[axis]);
+    }
+  }
+  return distance(lower, upper);
+}
+
 /// Triangles as places in `polygon`, ascending; empty when CGAL finds none.
 Patch patchOf(std::span<const Vec3d> polygon) try {
   constexpr std::size_t kMostCubicCorners = 100;  // a hundredth of a second
+  // Of its box's diagonal, by which a flat polygon's corners may leave their mean plane. CGAL's own measure is the
+  // box's height in z alone, 0 for most that are flat in z.
+  constexpr double kFlat = 0.1;
   std::vector<Kernel::Point_3> points;
   for (const Vec3d& p : polygon) points.emplace_back(p.x, p.y, p.z);
   Patch patch;
@@ -50,6 +64,7 @@ Patch patchOf(std::span<const Vec3d> polygon) try {
       points, std::back_inserter(patch),
       CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
           .use_delaunay_triangulation(false)
+          .threshold_distance(kFlat * diagonalOf(polygon))
           .do_not_use_cubic_algorithm(polygon.size() > kMostCubicCorners));
   if (patch.size() + 2 != polygon.size()) patch.clear();
   return patch;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -43,6 +45,21 @@ Status prove(const TriangleMesh& surface, const TriangleMesh& skin) {
   return {};
 }
 
+/// A skin is kept in floats. Where their rounding is as much as the offset none can be proved, and CGAL's wrap, which
+/// works in doubles, may not end well.
+Status checkPlace(const TriangleMesh& surface, double offset) {
+  const Bounds bounds = boundsOf(surface);
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis])});
+  const double rounding = 0x1p-24 * farthest, wide = offset * bounds.diagonal();
+  if (rounding < wide) return {};
+  return Error{
+      fmt::format("{}: floats {:.3g} from the origin are off by {:.3g}, and the wrap's offset is {:.3g}; choose "
+                  "a larger offset, or move the mesh near its origin, where floats are finer",
+                  surface.name, farthest, rounding, wide)};
+}
+
 /// A proved skin, without its distance. CGAL's wrap now and then loses a part of a surface that lies in the symmetries
 /// of its bounding box; a slightly smaller offset is out of that step, so a proof that fails is tried again twice.
 Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& options,
@@ -69,6 +86,7 @@ Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& 
 Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
   if (Status s = checkOption("alpha", options.alpha, kLeastAlpha, kMostAlpha); !s) return s.error();
   if (Status s = checkOption("offset", options.offset, kLeastOffset, kMostOffset); !s) return s.error();
+  if (Status s = checkPlace(surface, options.offset); !s) return s.error();
   const auto cancelled = [&](double fraction) { return progress && !progress("wrapping", fraction); };
   Result<TriangleMesh> skin = provedSkin(surface, options, progress);
   if (!skin) return skin.error();

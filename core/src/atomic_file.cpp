@@ -120,9 +120,10 @@ Status writeFileAtomically(const fs::path& path, const std::function<Status(cons
   if (path.filename().empty()) return cannot("write", path, "it is not a file name");
   if (isSpecial(path)) return cannot("write", path, "it is not a regular file");
   const fs::path target = behindLinks(path);
+  std::error_code failure;
+  if (fs::is_symlink(target, failure)) return cannot("write", path, "its links lead in a circle");
   RemovedUnlessKept temporary(temporaryBeside(target));
   if (Status written = write(temporary.path()); !written) return written;
-  std::error_code failure;
   fs::rename(temporary.path(), target, failure);
   if (failure) return cannot("write", path, failure.message());
   temporary.keep();
@@ -146,6 +147,7 @@ Status checkWritable(const fs::path& path) {
   if (fs::is_directory(path, ignored)) return refuse("it is a folder; name a file in it");
   if (isSpecial(path)) return mayWrite(path) ? Status{} : refuse("it may not be written; name another file");
   const fs::path target = behindLinks(path);
+  if (fs::is_symlink(target, ignored)) return refuse("its links lead in a circle; name another file");
   const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
   if (!fs::is_directory(folder, ignored))
     return refuse("the folder " + folder.string() + " does not exist; create it first");

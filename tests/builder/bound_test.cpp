@@ -48,6 +48,18 @@ TEST(LowerBound, OfOneBallAroundACubeIsTheCircumscribedOne) {
   EXPECT_GE(bound.error * kStep, (1 - kSlack) * optimum);
 }
 
+// What is small against the error has an offset surface as large as a sphere's, which outside points must not fill as
+// densely as the parts' own.
+TEST(LowerBound, OfOneBallAroundTinyPartsFarApart) {
+  const TriangleMesh part = meshOf(cuboid({1e-6, 1e-6, 1e-6}, 1));
+  const TriangleMesh mesh = test::joined(part, test::moved(part, [](const Vec3d& v) { return v + Vec3d{1, 0, 0}; }));
+  // A ball that holds both has a radius of a half, and a point over its middle.
+  const double optimum = std::sqrt(0.5);
+  const ErrorBound bound = boundOf(mesh, 1, fewPoints(16));
+  EXPECT_LE(bound.error, optimum * (1 + 1e-5));
+  EXPECT_GE(bound.error * kStep, (1 - kSlack) * optimum);
+}
+
 TEST(LowerBound, OfOneBallAroundABallIsItsFacets) {
   // The vertices come in opposite pairs at distance 1, so a ball that holds them has R^2 >= 1 + |c|^2; and the faces
   // come in opposite pairs too, out of one of which it sticks by 1 less the face's distance.

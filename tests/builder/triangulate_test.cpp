@@ -132,6 +132,31 @@ PolygonSoup onePolygon(std::vector<Vec3d> points) {
   return soup;
 }
 
+// At heights that are no binary fractions, where a plane through the corners is off by rounding.
+TEST(Triangulated, ACombFlatInOneAxis) {
+  Outline comb;
+  for (int tooth = 0; tooth < 30; ++tooth) {
+    const double from = 4 * tooth / 10.0, to = (4 * tooth + 2) / 10.0, next = (4 * tooth + 4) / 10.0;
+    comb.insert(comb.end(), {{from, 0.0}, {to, 0.0}, {to, -1.0}, {next, -1.0}});
+  }
+  comb.insert(comb.end(), {{12.0, 1.0}, {0.0, 1.0}});
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double height : {0.0, 0.1, 0.3, 0.7}) {
+      std::vector<Vec3d> corners(comb.size());
+      for (std::size_t i = 0; i < comb.size(); ++i) {
+        corners[i][axis] = height;
+        corners[i][(axis + 1) % 3] = comb[i].first;
+        corners[i][(axis + 2) % 3] = comb[i].second;
+      }
+      const TriangleSoup soup = triangulated(onePolygon(corners));
+      double area = 0;  // of a fan's triangles, turned over in places, more than the polygon's
+      for (const auto& t : soup) area += length(cross(t[1] - t[0], t[2] - t[0])) / 2;
+      EXPECT_EQ(soup.size(), comb.size() - 2);
+      EXPECT_NEAR(area, areaOf(comb), 1e-12 * areaOf(comb)) << "axis " << axis << " at " << height;
+    }
+  }
+}
+
 TEST(Triangulated, WhatHasNoTriangulation_StillEndsAsTriangles) {
   const Vec3d a{0, 0, 0}, b{1, 0, 0}, c{2, 0, 0}, d{0, 1, 0}, e{1, 1, 0};
   EXPECT_EQ(triangulated(onePolygon({a, a, a, a, a})).size(), 1U);

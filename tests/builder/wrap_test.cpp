@@ -168,6 +168,17 @@ TEST(Wrap, FarFromTheOriginItSaysThatFloatsAreTooCoarse) {
   EXPECT_NE(result.error().message.find("floats are finer"), std::string::npos) << result.error().message;
 }
 
+TEST(Wrap, WhereDoublesFailTooItSaysTheSame) {
+  for (const double away : {1e8, 1e10, 1e11, 1e12, 1e15}) {
+    for (const double alpha : {0.1, 0.005}) {
+      const TriangleMesh far = test::moved(openBox(), [&](const Vec3d& v) { return v + Vec3d{away, -away, away}; });
+      const Result<Wrap> result = wrap(far, {.alpha = alpha});
+      ASSERT_FALSE(result.ok());
+      EXPECT_NE(result.error().message.find("floats are finer"), std::string::npos) << result.error().message;
+    }
+  }
+}
+
 TEST(Wrap, StopsWhenToldTo) {
   int calls = 0;
   ASSERT_TRUE(wrap(openBox(), kCoarse, [&](std::string_view, double) { return ++calls > 0; }).ok());

@@ -51,6 +51,17 @@ TEST_F(Writable, Link_IsAskedWhereItLeads) {
   EXPECT_TRUE(fs::is_regular_file(folder_ / "report.json"));
 }
 
+TEST_F(Writable, LinksInACircle_AreRefused) {
+  fs::create_symlink("self.json", folder_ / "self.json");
+  fs::create_symlink("second.json", folder_ / "first.json");
+  fs::create_symlink("first.json", folder_ / "second.json");
+  for (const char* name : {"self.json", "first.json"}) {
+    EXPECT_FALSE(checkWritable(folder_ / name).ok());
+    EXPECT_FALSE(writeFileAtomically(folder_ / name, std::string_view("new")).ok());
+    EXPECT_TRUE(fs::is_symlink(folder_ / name));
+  }
+}
+
 TEST_F(Writable, Device_IsAskedItself) {
   fs::create_symlink("/dev/null", folder_ / "device");
   fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
