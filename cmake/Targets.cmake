@@ -1,6 +1,5 @@
 # cairn_library(NAME sources...)   a library `cairn_NAME`, alias `cairn::NAME`, built as the house builds everything
 # cairn_program(NAME sources...)   a program in bin/
-# cairn_precompile(TARGET headers...)  parses third parties' headers that most of a target's files include once for all of them
 # cairn_check_headers(TARGET dir [WITHOUT headers...])  compiles every public header of a library alone, but for some
 
 add_library(cairn_house INTERFACE)
@@ -26,14 +25,6 @@ endfunction()
 function(cairn_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE cairn_house)
-endfunction()
-
-# Not under ccache, which keeps each file's result but none that depends on a precompiled header of another checkout. So
-# both ways are built all the time, and a file cannot come to rely on headers it does not include.
-function(cairn_precompile target)
-  if(CAIRN_PRECOMPILE_HEADERS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
 endfunction()
 
 function(cairn_check_headers target include_dir)
