@@ -7,14 +7,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <fmt/format.h>
 
 #include <exception>
 #include <map>
 #include <utility>
 
 #include "fracture/plane_axes.h"
-#include "import/one_line.h"
 
 namespace cairn::builder {
 namespace {
@@ -79,8 +77,9 @@ Result<std::vector<Triangle>> capOf(std::span<const Vec3d> vertices, std::span<c
     if (face->info() == Side::inside)
       triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   return triangles;
-} catch (const std::exception& e) {
-  return Error{fmt::format("a cut crosses itself ({})", oneLine(e.what()))};
+} catch (const std::exception&) {
+  return Error{
+      "a cut crosses itself, the solid being too thin there for rounding; turn the mesh a little or give it thickness"};
 }
 
 }  // namespace cairn::builder
