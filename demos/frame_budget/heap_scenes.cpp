@@ -9,6 +9,7 @@
 
 #include "outputs.h"
 #include "scenes/command/program.h"
+#include "scenes/figures/bare_deadline.h"
 #include "scenes/pictures/heap_picture.h"
 #include "scenes/pictures/povray.h"
 #include "scenes/rockfall/rockfall.h"
@@ -65,7 +66,10 @@ Result<HeapRun> runShape(const Options& options, const scenes::Model& model, con
     heapOptions.start = start->poses;
     const auto emptyStep = scenes::measureEmptyStep(model, heapOptions);
     if (!emptyStep) return emptyStep.error();
-    run.course = scenes::CrushCourse{.emptyStepCpuUs = emptyStep.value(), .worstPenetration = {}, .resolvedAfter = {}};
+    run.course = scenes::CrushCourse();
+    run.course->emptyStepCpuUs = emptyStep.value();
+    if (const auto& budget = heapOptions.world.budget.microseconds; budget && scenes::isSphereTree(shape))
+      run.course->bareDeadlineCpuUs = scenes::bareDeadline(*budget, options.steps).p999;
   }
   auto made = makeScene(heapOptions, options.scene, model);
   if (!made) return made.error();

@@ -35,7 +35,9 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   if (registration_) registration_->renew();
   stepBegan_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
-  left_ = budgetOf(stepLimit());
+  StepBudget plannable = stepLimit();
+  if (plannable.microseconds) *plannable.microseconds = overrun_.plannable(*plannable.microseconds);
+  left_ = budgetOf(plannable);
   takeTime(info);
   collected_.clear();
   scheduled_.clear();

@@ -173,6 +173,7 @@ void NarrowPhase::Impl::endStep() {
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
+  if (const auto allowed = stepLimit().microseconds) overrun_.learn(elapsed.count(), overrun_.plannable(*allowed));
   frame_.spend(left_.used(), elapsed.count());
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();
@@ -182,6 +183,8 @@ void NarrowPhase::Impl::learnFromStep() {
   pace_.endStep();
   updatePace_.endStep();
   holdingPace_.endStep();
+  latePace_.endStep();
+  holdingPace_.raiseTo(latePace_);
   isScarce_ = statistics_.unresolvedPairs > 0;
   ++step_;
 }

@@ -13,6 +13,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "dispatch/create_functions.h"
 #include "dispatch/open_step.h"
+#include "dispatch/overrun.h"
 #include "dispatch/step_plan.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/world_hook.h"
@@ -82,6 +83,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Progress serveAlone(std::size_t index);
   void promiseHolding();
   void holdPairs();
+  void holdPair(std::size_t index, bool isLate);
   bool isTooLateFor(std::size_t pairs) const;
   void fetchHeldAfter(std::size_t index, bool isLate) const;
   void finishBegunPairs();
@@ -119,6 +121,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   EmissionPace pace_;
   EmissionPace updatePace_;              // of all that is done for a pair that is not held
   EmissionPace holdingPace_{kHoldPace};  // of one that is
+  EmissionPace latePace_{kHoldPace};     // of one that is when it is too late for that
+  Overrun overrun_;
   StepPlan plan_;
   Promise holding_;                // held back for those the plan holds
   double usualOperations_ = 300;   // that a pair is resolved with, from its start
@@ -145,10 +149,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.
   static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
-  // What holding a pair takes that is late, of what it takes otherwise, and how many are held between looks at the
-  // time.
-  static constexpr double kLatePace = 0.25;
-  static constexpr std::size_t kHeldBetweenLooks = 8;
+  static constexpr std::size_t kHeldBetweenLooks = 8;  // pairs, at the time
   // In a row in which no time was left for any pair that can be held: without a turn now and then none would end.
   static constexpr std::uint32_t kMostStepsWithoutTurn = 7;
   static constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2, kNamesAhead = 8;

@@ -66,35 +66,45 @@ void NarrowPhase::Impl::promiseHolding() {
 // first.
 void NarrowPhase::Impl::holdPairs() {
   left_.redeem(std::exchange(holding_, {}));
-  const auto began = Budget::Clock::now();
+  std::size_t waiting = collected_.size() - static_cast<std::size_t>(std::ranges::count(collected_, nullptr));
+  auto began = Budget::Clock::now();
   double expected = 0;
   bool isLate = false;
+  const auto learn = [&](EmissionPace& pace) {
+    const auto now = Budget::Clock::now();
+    pace.finished(std::exchange(expected, 0), now - std::exchange(began, now));
+  };
   const std::size_t first = std::exchange(firstLate_, 0);
-  for (std::size_t k = 0, all = collected_.size(); k < all; ++k) {
+  for (std::size_t k = 0, all = collected_.size(), looked = 0; k < all && waiting > 0; ++k) {
     const std::size_t i = (first + k) % all;
     fetchHeldAfter(i, isLate);
-    if (!isLate && k % kHeldBetweenLooks == 0 && isTooLateFor(all - k)) {
+    if (!collected_[i]) continue;
+    if (!isLate && looked++ % kHeldBetweenLooks == 0 && isTooLateFor(waiting)) {
       isLate = true;
       firstLate_ = i;
-      holdingPace_.finished(expected, Budget::Clock::now() - began);
+      learn(holdingPace_);
     }
-    if (!collected_[i]) continue;
-    TreePair& pair = *collected_[i];
-    pair.withdrawPromise(left_);
-    left_.chargeAnyway(StepPlan::kHoldingCost);
-    expected += holdingPace_.expectedNanoseconds(0);
-    btManifoldResult result(&pair.body0(), &pair.body1());
-    const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
-    count(report, pair.seenHeld());
-    if (!pair.isBegun()) ++statistics_.pairs;
-    dismiss(i);
+    --waiting;
+    holdPair(i, isLate);
+    expected += (isLate ? latePace_ : holdingPace_).expectedNanoseconds(0);
   }
-  if (left_.hasDeadline() && !isLate) holdingPace_.finished(expected, Budget::Clock::now() - began);
+  if (left_.hasDeadline()) learn(isLate ? latePace_ : holdingPace_);
+}
+
+void NarrowPhase::Impl::holdPair(std::size_t index, bool isLate) {
+  TreePair& pair = *collected_[index];
+  pair.withdrawPromise(left_);
+  left_.chargeAnyway(StepPlan::kHoldingCost);
+  btManifoldResult result(&pair.body0(), &pair.body1());
+  const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
+  count(report, pair.seenHeld());
+  if (!pair.isBegun()) ++statistics_.pairs;
+  dismiss(index);
 }
 
 // Whether so many pairs can only be held as the late are, if at all.
 bool NarrowPhase::Impl::isTooLateFor(std::size_t pairs) const {
-  return left_.nanosecondsLeft() < kLatePace * holdingPace_.expectedNanoseconds(0) * static_cast<double>(pairs);
+  return left_.nanosecondsLeft() < latePace_.expectedNanoseconds(0) * static_cast<double>(pairs);
 }
 
 // What is late hardly ever gets to its points.

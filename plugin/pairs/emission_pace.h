@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <utility>
 
 namespace cairn::bullet {
 
@@ -24,25 +25,27 @@ class EmissionPace {
     taken_ += static_cast<double>(time.count());
   }
   /// Learns from the pairs finished since the last call: quickly that they take longer, slowly that they take less. One
-  /// step that was disturbed counts for little.
+  /// step that was disturbed counts for little, but for the first: what was expected of that was a guess.
   void endStep() {
     if (expected_ > 0) {
-      const double error = std::min(taken_ / expected_, kMostRise);
+      const double error = std::min(taken_ / expected_, std::exchange(mostRise_, kMostRise));
       pace_ *= error > 1 ? error : 1 + kForgetting * (error - 1);
     }
     expected_ = taken_ = 0;
   }
+  /// What does more than `other` does not take less.
+  void raiseTo(const EmissionPace& other) { pace_ = std::max(pace_, other.pace_); }
 
  private:
   // Grouping, choosing and writing what was measured takes as long as so many operations do, whatever was measured.
   static constexpr double kPairWeight = 30;
-  static constexpr double kForgetting = 0.05, kMostRise = 1.25;
+  static constexpr double kForgetting = 0.05, kMostRise = 1.25, kMostFirstRise = 4;
   // Nanoseconds an operation before anything was seen: rather too many.
   static constexpr double kFirstPace = 50;
 
   static double weight(std::uint64_t operations) { return kPairWeight + static_cast<double>(operations); }
 
-  double pace_ = kFirstPace;
+  double pace_ = kFirstPace, mostRise_ = kMostFirstRise;
   double expected_ = 0, taken_ = 0;  // nanoseconds, by this step's pairs
 };
 

@@ -39,6 +39,24 @@ TEST(EmissionPace, OneDisturbedStepRaisesItByAQuarterAtMost) {
   EXPECT_LE(pace.expectedNanoseconds(kOperations), 1.26 * 1000);
 }
 
+TEST(EmissionPace, TheFirstStepMayRaiseItFourfold) {
+  EmissionPace pace;
+  const double guess = pace.expectedNanoseconds(kOperations);
+  step(pace, 3 * guess);
+  EXPECT_NEAR(pace.expectedNanoseconds(kOperations), 3 * guess, 0.01 * guess);
+  EmissionPace disturbed;
+  step(disturbed, 1000 * guess);
+  EXPECT_LE(disturbed.expectedNanoseconds(kOperations), 4.01 * guess);
+}
+
+TEST(EmissionPace, IsRaisedToThatOfLess) {
+  EmissionPace whole(5), part(20), less(1);
+  whole.raiseTo(part);
+  EXPECT_EQ(whole.expectedNanoseconds(0), part.expectedNanoseconds(0));
+  whole.raiseTo(less);
+  EXPECT_EQ(whole.expectedNanoseconds(0), part.expectedNanoseconds(0));
+}
+
 TEST(EmissionPace, AStepWithoutPairsTeachesNothing) {
   EmissionPace pace;
   const double before = pace.expectedNanoseconds(kOperations);

@@ -13,8 +13,9 @@ namespace cairn::scenes {
 
 /// How a crushed heap came apart. Depths are fractions of body size.
 struct CrushCourse {
-  double emptyStepCpuUs = 0;             ///< see `measureEmptyStep`
-  std::vector<double> worstPenetration;  ///< of the meshes: at the start and after every `kCourseInterval` steps
+  double emptyStepCpuUs = 0;                ///< see `measureEmptyStep`
+  std::optional<double> bareDeadlineCpuUs;  ///< 99.9 % of `bareDeadline`, where the budget is in microseconds
+  std::vector<double> worstPenetration;     ///< of the meshes: at the start and after every `kCourseInterval` steps
   /// Seconds from which on the worst penetration stayed below `kResolvedFraction`; nothing if it is not at the end.
   std::optional<double> resolvedAfter;
 };
