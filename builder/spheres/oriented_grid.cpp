@@ -198,7 +198,7 @@ class Cells {
     for (std::size_t p = 0; p < points; ++p)
       cells_.insert(cells_.end(), holdings.cellsOf(p).begin(), holdings.cellsOf(p).end());
     std::ranges::sort(cells_);
-    cells_.erase(std::ranges::unique(cells_).begin(), cells_.end());
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
     first_.assign(cells_.size() + 1, 0);
     for (std::size_t p = 0; p < points; ++p)
       for (std::size_t& cell : holdings.cellsOf(p)) {
