@@ -204,8 +204,10 @@ Result<Polygons> readText(const std::string& extension, const std::string& file,
   if (extension == ".obj") return readObj(file, text);
   if (extension == ".off") return readOff(file, text);
   if (extension == ".stl") return readStl(file, text);
-  if (extension == ".ply") return readPly(file, text);
-  return Polygons();
+  if (extension != ".ply") return Polygons();
+  Result<PolygonSoup> ply = readPly(file, text);
+  if (!ply) return ply.error();
+  return Polygons(std::move(ply).value());
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Type {
 };
 
 /// What a property is to us.
-enum class Role { none, x, y, z, corners };
+enum class Role { none, x, y, z, corners, strips };
 
 struct Property {
   Type type;
@@ -44,13 +44,12 @@ struct Header {
   Encoding encoding = Encoding::text;
   std::vector<Element> elements;
 
-  /// Whether vertices and faces are what `readPly` reads.
-  bool holdsPolygons() const;
+  bool has(Role role) const;
   std::uint64_t vertices() const;
 };
 
-/// Reads to the line `end_header`. Fails, naming the line, for types, elements and properties PLY does not have, and
-/// when there is no such line.
+/// Reads to the line `end_header`. Fails, naming the line, for lines, encodings, types, elements and properties PLY
+/// does not have, and when one of `format` and `end_header` is missing.
 Result<Header> readHeader(LineReader& line);
 
 }  // namespace cairn::builder::ply

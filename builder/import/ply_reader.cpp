@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -126,6 +127,7 @@ class Reader {
     if (!isWhole(*length)) return values_.error("a list does not begin with its length; export again");
     const auto count = static_cast<std::uint32_t>(*length);
     if (property.role == Role::corners) return readCorners(element, property, index, count);
+    if (property.role == Role::strips) return readStrips(element, property, index, count);
     return values_.skip(property.type, count) ? Status() : values_.missing(element, index);
   }
 
@@ -136,19 +138,58 @@ class Reader {
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::optional<double> corner = values_.number(property.type);
       if (!corner) return values_.missing(element, face);
-      if (!isWhole(*corner) || *corner >= static_cast<double>(vertices_))
-        return values_.error(fmt::format("face {} names vertex {} of {} (they count from 0); export the mesh again",
-                                         face, *corner, vertices_));
+      if (!isVertex(*corner)) return noVertex("face", face, *corner);
       soup_.corners.push_back(static_cast<std::uint32_t>(*corner));
     }
     soup_.endPolygon();
     return {};
   }
 
+  // Each vertex makes a triangle with the two before it, every other one turned round; -1 begins anew.
+  Status readStrips(const Element& element, const Property& property, std::uint64_t strip, std::uint32_t count) {
+    constexpr double kAnew = -1;
+    std::array<std::uint32_t, 2> last{};
+    std::uint64_t length = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::optional<double> corner = values_.number(property.type);
+      if (!corner) return values_.missing(element, strip);
+      if (*corner == kAnew) {
+        length = 0;
+        continue;
+      }
+      if (!isVertex(*corner)) return noVertex("strip", strip, *corner);
+      const auto vertex = static_cast<std::uint32_t>(*corner);
+      if (length >= 2) {
+        const std::size_t first = length % 2;
+        soup_.corners.insert(soup_.corners.end(), {last[first], last[1 - first], vertex});
+        soup_.endPolygon();
+      }
+      last = {last[1], vertex};
+      ++length;
+    }
+    return {};
+  }
+
+  bool isVertex(double number) const { return isWhole(number) && number < static_cast<double>(vertices_); }
+  Error noVertex(std::string_view what, std::uint64_t index, double named) const {
+    return values_.error(fmt::format("{} {} names vertex {} of {} (they count from 0); export the mesh again", what,
+                                     index, named, vertices_));
+  }
+
   Values values_;
   std::uint64_t vertices_;
   PolygonSoup soup_;
 };
+
+Status checkHoldsTriangles(const LineReader& line, const Header& header) {
+  for (const Element& e : header.elements)
+    if (e.name == "vertex" && !(e.has(Role::x) && e.has(Role::y) && e.has(Role::z)))
+      return line.atEnd("its vertices have no x, y and z; export the mesh again");
+  if (header.vertices() == 0) return line.atEnd("it has no vertices; export the mesh again");
+  if (!header.has(Role::corners) && !header.has(Role::strips))
+    return line.atEnd("it has no triangles: neither faces nor strips that list vertex_indices; export the mesh again");
+  return {};
+}
 
 template <class Values>
 Result<PolygonSoup> readItems(const LineReader& line, const Header& header, Values values) {
@@ -165,16 +206,14 @@ Result<PolygonSoup> readItems(const LineReader& line, const Header& header, Valu
 
 }  // namespace
 
-Result<std::optional<PolygonSoup>> readPly(const std::string& file, std::string_view text) {
+Result<PolygonSoup> readPly(const std::string& file, std::string_view text) {
   LineReader line(file, text);
   const Result<Header> header = ply::readHeader(line);
   if (!header) return header.error();
+  if (Status s = checkHoldsTriangles(line, header.value()); !s) return s.error();
   const Encoding encoding = header.value().encoding;
-  Result<PolygonSoup> soup = encoding == Encoding::text ? readItems(line, header.value(), TextValues(line))
-                                                        : readItems(line, header.value(), BinaryValues(line, encoding));
-  if (!soup) return soup.error();
-  if (!header.value().holdsPolygons()) return std::optional<PolygonSoup>();
-  return std::optional(std::move(soup).value());
+  return encoding == Encoding::text ? readItems(line, header.value(), TextValues(line))
+                                    : readItems(line, header.value(), BinaryValues(line, encoding));
 }
 
 }  // namespace cairn::builder

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Zlib
 #include "triangles/exact_contacts.h"
-#include "placement/unit_vector.h"
 
 #include <algorithm>
+
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 

@@ -177,6 +177,14 @@ std::string plyHeader(const std::string& format) {
          "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
+/// The header of a PLY of four vertices and one strip.
+std::string plyOfStrip(const std::string& format) {
+  return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
+         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+}
+
+const std::string kTetrahedronPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
 std::string plyTextWithFace(const std::string& second) {
   return plyHeader("ascii") + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n" + second + "\n";
 }
@@ -190,6 +198,22 @@ std::string plyBinaryWithFace(std::uint8_t corners) {
     for (std::int32_t i = 0; i < count; ++i) appendBytes(bytes, i);
   }
   return bytes;
+}
+
+// 0 1 2 | 1 2 3 turned | ... of a strip, and of one begun anew: the four sides of a tetrahedron, outwards.
+TEST(ImportPly, ReadsStripsAsTriangles) {
+  const test::TemporaryFolder folder;
+  for (const std::string strip : {"6 0 2 1 3 0 2", "9 0 2 1 -1 2 3 1 0 2", "10 0 2 1 3 -1 3 0 2 -1 3"}) {
+    SCOPED_TRACE(strip);
+    const std::string text = plyOfStrip("ascii") + kTetrahedronPoints + strip + "\n";
+    const Result<TriangleMesh> read = importSurface(test::writeText(folder.path() / "a.ply", text));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read.value().vertices.size(), 4U);
+  }
+  const std::string text = plyOfStrip("ascii") + kTetrahedronPoints + "6 0 2 1 3 0 2\n";
+  const Result<TriangleMesh> solid = importMesh(test::writeText(folder.path() / "a.ply", text));
+  ASSERT_TRUE(solid.ok()) << solid.error().message;
+  EXPECT_EQ(solid.value().triangles.size(), 4U);
 }
 
 struct BadFile {
@@ -251,6 +275,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"PlyFaceOfNone", "a.ply", plyTextWithFace("0"), "line 15: face 1 has 0 vertices"},
         BadFile{"PlyFaceOfTwo", "a.ply", plyTextWithFace("2 0 1"), "line 15: face 1 has 2 vertices"},
         BadFile{"PlyBinaryFaceOfNone", "a.ply", plyBinaryWithFace(0), "a.ply: face 1 has 0 vertices"},
+        BadFile{"PlyStrayLine", "a.ply", "ply\nformat ascii 1.0\nproperlty float x\n",
+                "line 3: this is no line of a PLY"},
+        BadFile{"PlyFormat", "a.ply", plyHeader("binary_little_endian 2.0 or"), "line 2: the format is not ascii"},
+        BadFile{"PlyNoFormat", "a.ply", "ply\nelement vertex 1\nend_header\n", "line 3: the header names no format"},
+        BadFile{"PlyNoName", "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float\n",
+                "line 4: a property needs a name"},
+        BadFile{"PlyFlat", "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
+                "its vertices have no x, y and z"},
+        BadFile{"PlyOfPoints", "a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                "end_header\n0 0 0\n",
+                "it has no triangles"},
+        BadFile{"PlyStripIndex", "a.ply", plyOfStrip("ascii") + kTetrahedronPoints + "5 0 1 2 -1 4\n",
+                "line 14: strip 0 names vertex 4 of 4"},
         BadFile{"PlyBinaryFaceOfOne", "a.ply", plyBinaryWithFace(1), "a.ply: face 1 has 1 vertices"},
         BadFile{"GltfGarbage", "a.gltf", "{]", "a.gltf: assimp cannot read it"},
         BadFile{"GlbGarbage", "a.glb", "glTF garbage that is long enough to hold a header",

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "cairn/core/budget.h"
 #include "front_ends.h"
@@ -58,6 +59,17 @@ struct TreeOverTerrain {
     for (const Vec3& v : tree->tree().vertices())
       visit(toGround * (tree->bodyFromTree() * (btVector3(v.x, v.y, v.z) * tree->scale())));
   }
+  double fromNearestVertex(const btVector3& inGround) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    forEachVertex([&](const btVector3& v) { nearest = std::min(nearest, double((v - inGround).length())); });
+    return nearest;
+  }
+  // The contact's point of the body, in the ground's frame.
+  btVector3 inGround(const bullet::Contact& contact) const {
+    const Vec3 onTree = contact.onTree();
+    const btVector3 world = body.getWorldTransform().getOrigin() + btVector3(onTree.x, onTree.y, onTree.z);
+    return groundBody.getWorldTransform().inverse() * world;
+  }
 };
 
 // Each contact is a vertex of the body, as far from the plane below it as it says; none claims more than all vertices
@@ -72,12 +84,8 @@ TEST(CoarseGround, SaysNothingThatIsNotTrue) {
     CoarseGround coarse(s.wrapper(s.body), s.wrapper(s.groundBody), kReach);
     for (const bullet::Contact& contact : coarse.contacts()) {
       ++contacts;
-      const btVector3 onTree = s.body.getWorldTransform().getOrigin() +
-                               btVector3(contact.onTree().x, contact.onTree().y, contact.onTree().z);
-      const btVector3 point = s.groundBody.getWorldTransform().inverse() * onTree;
-      double nearest = 1e9;
-      s.forEachVertex([&](const btVector3& v) { nearest = std::min(nearest, double((v - point).length())); });
-      EXPECT_LT(nearest, kRounding);
+      const btVector3 point = s.inGround(contact);
+      EXPECT_LT(s.fromNearestVertex(point), kRounding);
       const auto height = s.ground->heightAt(double(point.x()), double(point.y()));
       const auto normal = s.ground->normalAt(double(point.x()), double(point.y()));
       ASSERT_TRUE(height && normal);
@@ -297,12 +305,8 @@ TEST(CoarseGround, SaysNothingThatIsNotTrueOverAPlane) {
     const btVector3 normal = s.groundBody.getWorldTransform().getBasis() * plane.getPlaneNormal();
     for (const bullet::Contact& contact : coarse.contacts()) {
       ++contacts;
-      const btVector3 onTree = s.body.getWorldTransform().getOrigin() +
-                               btVector3(contact.onTree().x, contact.onTree().y, contact.onTree().z);
-      const btVector3 point = s.groundBody.getWorldTransform().inverse() * onTree;
-      double nearest = 1e9;
-      s.forEachVertex([&](const btVector3& v) { nearest = std::min(nearest, double((v - point).length())); });
-      EXPECT_LT(nearest, kRounding);
+      const btVector3 point = s.inGround(contact);
+      EXPECT_LT(s.fromNearestVertex(point), kRounding);
       EXPECT_LT((normal - btVector3(contact.normal.x, contact.normal.y, contact.normal.z)).length(), kRounding);
       EXPECT_NEAR(contact.gap, point.dot(plane.getPlaneNormal()) - plane.getPlaneConstant(), kRounding);
       EXPECT_EQ(contact.id.otherPart, -1);
