@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "import/border.h"
+#include "import/flat_patch.h"
 #include "import/one_line.h"
 #include "import/self_intersection.h"
 #include "import/settle.h"
@@ -63,18 +64,25 @@ TriangleMesh oriented(const TriangleMesh& mesh) {
 
 /// Triangles over a rim, as places along it, facing either way. Long rims get no search of all triangulations, whose
 /// cost is the cube of their edges.
-std::vector<CGAL::Triple<int, int, int>> patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
+Patch patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
   if (rim.size() == 3) return {{0, 1, 2}};
+  std::vector<Vec3d> corners;
+  for (const HalfEdge& e : rim) corners.push_back(mesh.vertices[e.from]);
+  if (Patch flat = flatPatch(corners, kStitchTolerance * boundsOf(mesh).diagonal()); !flat.empty()) return flat;
+
   constexpr std::size_t kMostCubicEdges = 300;
   std::vector<Point> points, beside;  // of the triangles along the rim, which the patch should continue
   for (const HalfEdge& e : rim) {
     points.push_back(pointOf(mesh.vertices[e.from]));
     beside.push_back(pointOf(mesh.vertices[mesh.triangles[e.triangle][(e.side + 2) % 3]]));
   }
-  std::vector<CGAL::Triple<int, int, int>> patch;
-  pmp::triangulate_hole_polyline(points, beside, std::back_inserter(patch),
-                                 CGAL::parameters::do_not_use_cubic_algorithm(rim.size() > kMostCubicEdges)
-                                     .threshold_distance(kStitchTolerance * boundsOf(mesh).diagonal()));
+  std::vector<CGAL::Triple<int, int, int>> found;
+  pmp::triangulate_hole_polyline(
+      points, beside, std::back_inserter(found),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(false).do_not_use_cubic_algorithm(rim.size() >
+                                                                                                    kMostCubicEdges));
+  Patch patch;
+  for (const auto& t : found) patch.push_back({t.first, t.second, t.third});
   return patch;
 }
 
@@ -88,7 +96,8 @@ Status fillHoles(TriangleMesh& mesh, RepairCounts& counts) {
     if (rim.size() > kMostHoleEdges) return refused("looks like the rim of an open sheet; close or thicken it");
     const auto patch = patchOf(mesh, rim);
     if (patch.empty()) return refused("cannot be filled with triangles between its edges; close it");
-    for (const auto& t : patch) mesh.triangles.push_back({rim[t.first].from, rim[t.second].from, rim[t.third].from});
+    const auto from = [&](int place) { return rim[static_cast<std::size_t>(place)].from; };
+    for (const auto& [a, b, c] : patch) mesh.triangles.push_back({from(a), from(b), from(c)});
     ++counts.filledHoles;
     counts.addedTriangles += patch.size();
   }

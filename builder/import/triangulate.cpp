@@ -13,14 +13,13 @@
 #include <span>
 #include <vector>
 
+#include "import/flat_patch.h"
 #include "import/weld.h"
 
 namespace cairn::builder {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Patch = std::vector<CGAL::Triple<int, int, int>>;
-
 using TrianglePair = std::array<std::array<Vec3d, 3>, 2>;
 
 /// Cut from one corner to the one opposite.
@@ -51,23 +50,27 @@ double diagonalOf(std::span<const Vec3d> points) {
   return distance(lower, upper);
 }
 
-/// Triangles as places in `polygon`, ascending; empty when CGAL finds none.
-Patch patchOf(std::span<const Vec3d> polygon) try {
-  constexpr std::size_t kMostCubicCorners = 100;  // a hundredth of a second
-  // Of its box's diagonal, by which a flat polygon's corners may leave their mean plane. CGAL's own measure is the
-  // box's height in z alone, 0 for most that are flat in z.
-  constexpr double kFlat = 0.1;
+/// The surface of least area over all triangulations, cubic in the corners.
+Patch leastPatchOf(std::span<const Vec3d> polygon) {
   std::vector<Kernel::Point_3> points;
   for (const Vec3d& p : polygon) points.emplace_back(p.x, p.y, p.z);
-  Patch patch;
+  std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      points, std::back_inserter(patch),
-      CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
-          .use_delaunay_triangulation(false)
-          .threshold_distance(kFlat * diagonalOf(polygon))
-          .do_not_use_cubic_algorithm(polygon.size() > kMostCubicCorners));
-  if (patch.size() + 2 != polygon.size()) patch.clear();
+      points, std::back_inserter(found),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(false).use_delaunay_triangulation(false));
+  Patch patch;
+  for (const auto& t : found) patch.push_back({t.first, t.second, t.third});
   return patch;
+}
+
+/// Empty when CGAL finds none.
+Patch patchOf(std::span<const Vec3d> polygon) try {
+  constexpr std::size_t kMostCubicCorners = 100;  // a hundredth of a second
+  constexpr double kFlat = 0.1;                   // of its box's diagonal
+  if (Patch flat = flatPatch(polygon, kFlat * diagonalOf(polygon)); !flat.empty()) return flat;
+  if (polygon.size() > kMostCubicCorners) return {};
+  Patch least = leastPatchOf(polygon);
+  return least.size() + 2 == polygon.size() ? least : Patch();
 } catch (const std::exception&) {
   return {};
 }
@@ -75,9 +78,10 @@ Patch patchOf(std::span<const Vec3d> polygon) try {
 void appendPolygon(std::span<const Vec3d> p, TriangleSoup& soup) {
   Patch patch = patchOf(p);
   if (patch.empty()) {
-    for (int i = 2; i < static_cast<int>(p.size()); ++i) patch.emplace_back(0, i - 1, i);
+    for (int i = 2; i < static_cast<int>(p.size()); ++i) patch.push_back({0, i - 1, i});
   }
-  for (const auto& t : patch) soup.push_back({p[t.first], p[t.second], p[t.third]});
+  const auto corner = [&](int place) { return p[static_cast<std::size_t>(place)]; };
+  for (const auto& [a, b, c] : patch) soup.push_back({corner(a), corner(b), corner(c)});
 }
 
 /// Leaves out corners that lie where the one before does; three are left, without area, of what has fewer places.

@@ -16,6 +16,8 @@ namespace {
 constexpr int kRelaxations = 10;
 /// Reach of the repulsion in spacings of an even distribution, and the part of it by which a near pair is pushed apart.
 constexpr double kReach = 2, kPush = 0.15;
+/// Points between corners, in parts of those asked for: a needle has very many spacings along its edges for its area.
+constexpr double kMostOnEdges = 4;
 
 double areaOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto [a, b, c] = mesh.corners(triangle);
@@ -47,20 +49,37 @@ class Sampling {
     samples_.push_back({point, {clusters.begin(), clusters.end()}});
   }
 
-  /// Corners and edges between clusters.
-  void addEdges() {
-    std::vector<std::set<std::uint32_t>> atVertex(mesh_.vertices.size());
+  /// Calls `visit(one end, the other, clusters)` for every edge between clusters.
+  template <class Visit>
+  void visitEdges(const Visit& visit) const {
     for (std::size_t first = 0, end = 0; first < halfEdges_.size(); first = end) {
       std::set<std::uint32_t> sides;
       for (end = first; end < halfEdges_.size() && halfEdges_[end].sameEdge(halfEdges_[first]); ++end)
         sides.insert(clusters_.ofTriangle[halfEdges_[end].triangle]);
-      if (sides.size() < 2) continue;
-      const Vec3d from = mesh_.vertices[halfEdges_[first].low()], to = mesh_.vertices[halfEdges_[first].high()];
-      const auto cells = static_cast<int>(std::ceil(distance(from, to) / spacing_));
-      for (int i = 1; i < cells; ++i) add(from + (to - from) * (static_cast<double>(i) / cells), sides);
-      atVertex[halfEdges_[first].low()].insert(sides.begin(), sides.end());
-      atVertex[halfEdges_[first].high()].insert(sides.begin(), sides.end());
+      if (sides.size() >= 2) visit(halfEdges_[first].low(), halfEdges_[first].high(), sides);
     }
+  }
+
+  /// How far points along the edges are from each other at most.
+  double edgeSpacing() const {
+    double points = 0;
+    visitEdges([&](std::uint32_t from, std::uint32_t to, const auto&) {
+      points += std::floor(distance(mesh_.vertices[from], mesh_.vertices[to]) / spacing_);
+    });
+    return spacing_ * std::max(points / (kMostOnEdges * static_cast<double>(count_)), 1.0);
+  }
+
+  /// Corners and edges between clusters.
+  void addEdges() {
+    const double spacing = edgeSpacing();
+    std::vector<std::set<std::uint32_t>> atVertex(mesh_.vertices.size());
+    visitEdges([&](std::uint32_t low, std::uint32_t high, const std::set<std::uint32_t>& sides) {
+      const Vec3d from = mesh_.vertices[low], to = mesh_.vertices[high];
+      const auto cells = static_cast<int>(std::ceil(distance(from, to) / spacing));
+      for (int i = 1; i < cells; ++i) add(from + (to - from) * (static_cast<double>(i) / cells), sides);
+      atVertex[low].insert(sides.begin(), sides.end());
+      atVertex[high].insert(sides.begin(), sides.end());
+    });
     for (std::size_t v = 0; v < atVertex.size(); ++v)
       if (!atVertex[v].empty()) add(mesh_.vertices[v], atVertex[v]);
   }

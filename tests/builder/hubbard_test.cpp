@@ -80,6 +80,14 @@ TEST(RelaxedSamples, EveryPoint_LiesOnItsClusters) {
   }
 }
 
+// A needle has a hundred million spacings along its edges.
+TEST(RelaxedSamples, Needle_HasNoMoreThanFiveTimesThoseAskedFor) {
+  const TriangleMesh mesh = test::meshOf(test::cuboid({1, 1, 1e9}, 1));
+  const auto samples = relaxedSamples(mesh, sortedHalfEdges(mesh), clustersOf(mesh), 100, 3);
+  EXPECT_GE(samples.size(), 400U);
+  EXPECT_LE(samples.size(), 100 + 4 * 100 + mesh.vertices.size());
+}
+
 TEST(RelaxedSamples, OneFace_IsSpreadMoreEvenlyThanAtRandom) {
   const TriangleMesh mesh = test::meshOf(test::cuboid({1, 1, 1}, 1));
   const auto samples = relaxedSamples(mesh, sortedHalfEdges(mesh), clustersOf(mesh), 600, 5);
