@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heap_scenes.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -44,6 +46,14 @@ Result<scenes::ContactAccuracy> judge(const scenes::BodyScene& scene, std::span<
   return judge.result();
 }
 
+// As many loops as there are steps, but for a second at most.
+std::optional<double> bareDeadline(double microseconds, std::uint32_t steps) {
+  constexpr double kMostMicroseconds = 1e6;
+  if (!(microseconds <= kMostMicroseconds)) return {};
+  const double loops = std::min(kMostMicroseconds / std::max(microseconds, 1.0), static_cast<double>(steps));
+  return scenes::bareDeadline(microseconds, static_cast<std::uint32_t>(loops)).p999;
+}
+
 Status drawPicture(const Options& options, const scenes::BodyScene& scene) {
   return scenes::renderWithPovray(scenes::heapPicture(static_cast<const scenes::Heap&>(scene)), {}, *options.picture);
 }
@@ -69,7 +79,7 @@ Result<HeapRun> runShape(const Options& options, const scenes::Model& model, con
     run.course = scenes::CrushCourse();
     run.course->emptyStepCpuUs = emptyStep.value();
     if (const auto& budget = heapOptions.world.budget.microseconds; budget && scenes::isSphereTree(shape))
-      run.course->bareDeadlineCpuUs = scenes::bareDeadline(*budget, options.steps).p999;
+      run.course->bareDeadlineCpuUs = bareDeadline(*budget, options.steps);
   }
   auto made = makeScene(heapOptions, options.scene, model);
   if (!made) return made.error();

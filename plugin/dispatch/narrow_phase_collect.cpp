@@ -35,9 +35,10 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   if (registration_) registration_->renew();
   stepBegan_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
-  StepBudget plannable = stepLimit();
-  if (plannable.microseconds) *plannable.microseconds = overrun_.plannable(*plannable.microseconds);
-  left_ = budgetOf(plannable);
+  StepBudget planned = stepLimit();
+  if (planned.microseconds) *planned.microseconds = overrun_.plannable(*planned.microseconds);
+  planned_ = planned.microseconds;
+  left_ = budgetOf(planned);
   takeTime(info);
   collected_.clear();
   scheduled_.clear();

@@ -48,7 +48,7 @@ Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
   const Status status = check(budget, "a step");
   if (!status) return status;
   budget_ = budget;
-  if (budget.microseconds) reserve(kReserved);
+  if (budget.microseconds) reserveForDeadlines();
   return {};
 }
 
@@ -57,7 +57,7 @@ Status NarrowPhase::Impl::setFrameBudget(const StepBudget& budget) {
   if (!status) return status;
   frame_ = FrameBudget(budget);
   hasFrameBudget_ = budget.operations || budget.microseconds;
-  if (budget.microseconds) reserve(kReserved);
+  if (budget.microseconds) reserveForDeadlines();
   return {};
 }
 
@@ -87,22 +87,39 @@ Status NarrowPhase::Impl::setViewer(const std::optional<Viewer>& viewer) {
   return {};
 }
 
-void NarrowPhase::Impl::reserve(const std::array<std::size_t, kCounterpartKinds>& pairs) {
+// A user's callback may set a budget, and may do so in every step.
+void NarrowPhase::Impl::reserveForDeadlines() {
+  if (!std::exchange(hasRoomForDeadlines_, true)) reserve(kReserved);
+}
+
+void NarrowPhase::Impl::reserve(const PairCounts& pairs) {
+  if (isCollecting_ || isAnswering_) {
+    if (!nextRoom_) nextRoom_.emplace();
+    for (std::size_t kind = 0; kind < pairs.size(); ++kind)
+      (*nextRoom_)[kind] = std::max((*nextRoom_)[kind], pairs[kind]);
+    return;
+  }
   const std::lock_guard lock(mutex_);
-  std::size_t all = 0;
   for (std::size_t kind = 0; kind < pairs.size(); ++kind) {
-    all += pairs[kind];
     idle_[kind].reserve(pairs[kind]);
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
     for (TreePair* const pair : idle_[kind]) pair->expectInterruptions();
   }
+  const std::size_t all = all_.size();
   makeWrittenRoom(collected_, all);
   makeWrittenRoom(asked_, all);
   makeWrittenRoom(newPairs_, all);
   makeWrittenRoom(named_, all);
   makeWrittenRoom(scheduled_, all);
   plan_.reserve(all);
+}
+
+// What callbacks asked for meanwhile.
+void NarrowPhase::Impl::endAnswering() {
+  isAnswering_ = false;
+  adoptPriority();
+  if (const auto room = std::exchange(nextRoom_, std::nullopt)) reserve(*room);
 }
 
 TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
@@ -165,15 +182,14 @@ void NarrowPhase::Impl::endStep() {
   finishBegunPairs();
   learnUpdates(operationsBefore, began);
   holdPairs();
-  isAnswering_ = false;
-  adoptPriority();
+  endAnswering();
   learnFromStep();
 
   statistics_.operations = left_.used();
   if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
   if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
-  if (const auto allowed = stepLimit().microseconds) overrun_.learn(elapsed.count(), overrun_.plannable(*allowed));
+  if (planned_) overrun_.learn(elapsed.count(), *planned_);
   frame_.spend(left_.used(), elapsed.count());
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
   statistics_.microseconds = spent.count();

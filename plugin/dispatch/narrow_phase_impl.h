@@ -48,9 +48,10 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 
+  using PairCounts = std::array<std::size_t, kCounterpartKinds>;
   /// Makes as many idle pairs of each kind as these, if there are fewer: the first step of a scene would otherwise take
-  /// most of its time for memory.
-  void reserve(const std::array<std::size_t, kCounterpartKinds>& pairs);
+  /// most of its time for memory. Within a step, which walks its lists, that is left for its end.
+  void reserve(const PairCounts& pairs);
   /// Pair states are pooled and never freed before this is: a pair that comes back costs no allocation.
   TreePair* acquire(CounterpartKind kind);
   void release(TreePair* pair);
@@ -96,6 +97,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void bookTo(TreePair& pair, const Budget& budget);
   void learnFromStep();
   void adoptPriority();
+  void reserveForDeadlines();
+  void endAnswering();
   void dismiss(std::size_t index);
   void count(const PairReport& report, const ScheduledPair& pair);
 
@@ -118,6 +121,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   StepBudget budget_;
   Budget left_ = Budget::unlimited();  // of the current step's
   Budget::Clock::time_point began_;    // when the current step did
+  std::optional<double> planned_;      // microseconds the current step was planned to take
   EmissionPace pace_;
   EmissionPace updatePace_;              // of all that is done for a pair that is not held
   EmissionPace holdingPace_{kHoldPace};  // of one that is
@@ -132,6 +136,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   Unresolved policy_ = Unresolved::guard;
   Finest finest_ = Finest::leaves;
   std::unique_ptr<Priority> priority_, nextPriority_;
+  std::optional<PairCounts> nextRoom_;
+  bool hasRoomForDeadlines_ = false;
   std::optional<Viewer> viewer_;
   Scheduler scheduler_;
   StepStatistics statistics_;
@@ -145,7 +151,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr double kLearning = 1.0 / 16;
   static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
   // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles, fields.
-  static constexpr std::array<std::size_t, kCounterpartKinds> kReserved{256, 128, 32, 32, 32, 128};
+  static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.
   static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;

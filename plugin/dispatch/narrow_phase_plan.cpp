@@ -31,7 +31,8 @@ void NarrowPhase::Impl::planStep() {
   if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
       if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
-  const bool mayServeNone = left_.hasDeadline() && stepsWithoutTurn_ < kMostStepsWithoutTurn;
+  const bool hasNoTime = stepLimit().microseconds == 0;  // nor any that is given all the same
+  const bool mayServeNone = left_.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < kMostStepsWithoutTurn);
   plan_.decide(means(), updatePace_, holdingPace_, mayServeNone);
 }
 

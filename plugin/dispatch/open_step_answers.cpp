@@ -43,8 +43,7 @@ bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObject
   takeTime(info);
   isAnswering_ = true;
   const bool isAnswered = answerOpenly(pair, body0, body1, result);
-  isAnswering_ = false;
-  adoptPriority();
+  endAnswering();
   return isAnswered;
 }
 

@@ -25,6 +25,9 @@ constexpr float kMostFollowed = 0.04F;
 // How far they may come, of the same, in steps that were late for what they say: where it has points, and where it has
 // none.
 constexpr float kMostUnseen = 0.03F, kMostUnheld = 0.008F;
+// Of so many steps in a row in which a pair has no answer that holds, one looks at it however late it is: speeds do not
+// tell everything of bodies that are moved by hand. Its name says which, so that not all are looked at in one.
+constexpr std::uint64_t kStepsUnseen = 8;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
 // point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
@@ -132,8 +135,12 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
     lookForJump(timeStep);
   ahead_ = {};
   const bool needsStandIn = isNew || !isHoldingStill_ || isFast_;  // what was said last says nothing of what is ahead
-  const bool mayWait = isLate && !isFast_ && !wasAhead_, isFirst = unseenWay_ == 0;
-  if (mayWait && mayStay(timeStep)) return reportHeld(needsStandIn);
+  const bool isDue = needsStandIn && (id_ + static_cast<std::uint64_t>(waited_)) % kStepsUnseen == 0;
+  const bool mayWait = isLate && !isFast_ && !wasAhead_ && !isDue, isFirst = unseenWay_ == 0;
+  if (mayWait && mayStay(timeStep)) {
+    if (isNew) contacts_.answerAged(2 * kMostFollowed * smallerSize_);  // that they were apart holds no longer
+    return reportHeld(needsStandIn);
+  }
   // From below the ground everything comes up: for one step its points may follow at any speed.
   const bool standsIn = needsStandIn && !(mayWait && isOnGround() && isFirst);
   if (standsIn || !needsStandIn) unseenWay_ = 0;

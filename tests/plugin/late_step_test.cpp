@@ -2,6 +2,9 @@
 // Steps whose time is up before anything was done: what was said stays, but nothing gets past anything.
 #include <gtest/gtest.h>
 
+#include <set>
+#include <vector>
+
 #include "bullet_world.h"
 #include "counting_new.h"
 
@@ -76,6 +79,49 @@ TEST(LateSteps, AddTheWayToTheError) {
     last = s.worstErrorFraction;
   }
   EXPECT_GE(grown, 5);
+}
+
+// Bodies without speeds, as in a world that only collides: whatever they are moved to is seen after some steps.
+TEST(LateSteps, WhatIsMovedByHandIsLookedAt) {
+  constexpr int kPairs = 40, kSteps = 8;
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  const auto shape = roundShape();
+  std::vector<btRigidBody*> second;
+  for (int i = 0; i < kPairs; ++i) {
+    w.add(shape, 1, btVector3(btScalar(3 * i), 0, 0));
+    second.push_back(&w.add(shape, 1, btVector3(btScalar(3 * i), btScalar(0.62), 0)));
+  }
+  ASSERT_TRUE(w.dispatcher.setBudget({{}, 0.0}).ok());
+  w.world.performDiscreteCollisionDetection();
+  for (btRigidBody* body : second) body->getWorldTransform().getOrigin().setY(btScalar(0.3));
+  std::set<const btCollisionObject*> met;
+  for (int step = 0; step < kSteps; ++step) {
+    w.world.performDiscreteCollisionDetection();
+    for (int m = 0; m < w.dispatcher.getNumManifolds(); ++m) {
+      const btPersistentManifold* const manifold = w.dispatcher.getManifoldByIndexInternal(m);
+      if (manifold->getNumContacts() > 0) met.insert(manifold->getBody0());
+    }
+  }
+  EXPECT_EQ(met.size(), std::size_t{kPairs});
+}
+
+// A callback sets a deadline while the pairs of the step are being worked on.
+TEST(LateSteps, ADeadlineSetInACallbackHoldsFromTheNextStepOn) {
+  static BulletWorld<>* world = nullptr;
+  BulletWorld<> w;
+  w.addGround();
+  world = &w;
+  const auto shape = roundShape();
+  for (int i = 0; i < 12; ++i) w.add(shape, 1, btVector3(btScalar(0.5) * btScalar(i), 0, btScalar(0.29)));
+  ASSERT_TRUE(w.dispatcher.setBudget({20000, {}}).ok());
+  gContactStartedCallback = [](btPersistentManifold* const&) {
+    ASSERT_TRUE(world->dispatcher.setBudget({{}, 500.0}).ok());
+    world->dispatcher.expectPairs({.trees = 1000, .terrains = 1000});
+  };
+  w.step(5);
+  gContactStartedCallback = nullptr;
+  EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
 }
 
 #ifndef __SANITIZE_ADDRESS__

@@ -6,30 +6,45 @@
 namespace cairn::bullet {
 namespace {
 
+constexpr double kAllowed = 500;
+
+// One step that takes so much longer than planned, or ends as planned.
+double step(Overrun& overrun, double longer) {
+  const double planned = overrun.plannable(kAllowed);
+  overrun.learn(planned + longer, planned);
+  return planned;
+}
+
 TEST(Overrun, StepsInTimeMayTakeAllOfIt) {
   Overrun overrun;
-  EXPECT_EQ(overrun.plannable(500), 500);
-  for (int i = 0; i < 10; ++i) overrun.learn(480, 500);
-  EXPECT_EQ(overrun.plannable(500), 500);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(step(overrun, -20), kAllowed);
 }
 
 TEST(Overrun, WhatAlwaysTakesLongerIsPlannedToEndEarlier) {
-  constexpr double kAllowed = 500, kLonger = 60;
+  constexpr double kLonger = 60;
   Overrun overrun;
-  for (int i = 0; i < 100; ++i) {
-    const double planned = overrun.plannable(kAllowed);
-    if (i > 0) EXPECT_NEAR(planned + kLonger, kAllowed, 1e-9);
-    overrun.learn(planned + kLonger, planned);
-  }
+  step(overrun, kLonger);
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR(step(overrun, kLonger) + kLonger, kAllowed, 1e-9);
 }
 
 TEST(Overrun, OneLongDisturbanceCostsAQuarterAndIsForgotten) {
-  constexpr double kAllowed = 500;
   Overrun overrun;
-  overrun.learn(8000, kAllowed);
-  EXPECT_EQ(overrun.plannable(kAllowed), 0.75 * kAllowed);
-  for (int i = 0; i < 200; ++i) overrun.learn(300, kAllowed);
-  EXPECT_GT(overrun.plannable(kAllowed), 0.999 * kAllowed);
+  step(overrun, 8000);
+  EXPECT_EQ(step(overrun, 0), 0.75 * kAllowed);
+  for (int i = 0; i < 90; ++i) step(overrun, 0);
+  EXPECT_GT(step(overrun, 0), 0.99 * kAllowed);
+}
+
+TEST(Overrun, OfAnotherBudgetSaysNothing) {
+  for (const double other : {60.0, 10000.0}) {
+    Overrun overrun;
+    const double planned = overrun.plannable(other);
+    overrun.learn(2 * other, planned);
+    EXPECT_EQ(overrun.plannable(kAllowed), kAllowed);
+  }
+  Overrun none;
+  none.learn(15, none.plannable(0));
+  EXPECT_EQ(none.plannable(0), 0);
 }
 
 }  // namespace

@@ -36,9 +36,10 @@ class NarrowPhase {
   /// Of all steps of a frame together (see `FrameBudget`), on top of that of each step. Refuses negative amounts and
   /// NaN.
   Status setFrameBudget(const StepBudget& budget);
-  /// Makes room now for so many pairs that are still to come (about 7 KB each), so that the step in which they meet
+  /// Makes room now for so many pairs that are still to come (8 to 9 KB each), so that the step in which they meet
   /// need not: under a budget in microseconds memory that is touched for the first time takes longer than the rest of
-  /// it. Such a budget makes room for 608 by itself. Not within a step.
+  /// it. The first such budget makes room for 608 by itself. Within a step, from a callback, that is left for its end.
+  /// Throws `std::bad_alloc` when there is no memory. Linear in the pairs.
   void expectPairs(const ExpectedPairs& pairs);
   /// A frame of `steps` steps begins; `stepFrame` calls this.
   void beginFrame(int steps);

@@ -7,15 +7,16 @@
 
 namespace cairn::bullet {
 
-/// What the refinement of one simulation step may cost, over all pairs together. Unset means unlimited; both set:
-/// whichever ends first. Operations are those of Eq. 2.1 of the thesis (2 per sphere moved, 1 per overlap test) and
-/// reproducible; microseconds are not.
+/// What one simulation step may cost, over all pairs together. Unset means unlimited; both set: whichever ends first.
+/// Operations are those of Eq. 2.1 of the thesis (2 per sphere moved, 1 per overlap test), limit refinement and are
+/// reproducible. Microseconds run from the beginning of Bullet's pass over its pairs, those without a sphere-tree
+/// included; they are elapsed time, and not reproducible.
 struct StepBudget {
   std::optional<std::int64_t> operations;
   std::optional<double> microseconds;
 };
 
-/// How many pairs with a sphere-tree there will be at a time, by what the tree meets.
+/// How many pairs with a sphere-tree are still to come, beside those there are, by what the tree meets.
 struct ExpectedPairs {
   std::size_t trees = 0, planes = 0, convexShapes = 0, triangleMeshes = 0, distanceFields = 0, terrains = 0;
 };
@@ -39,15 +40,15 @@ enum class Finest : std::uint8_t {
 /// What the narrow phase did in the last step.
 struct StepStatistics {
   std::uint64_t operations = 0;  ///< all work charged, re-testing included
-  double microseconds = 0;  ///< CPU time of the whole dispatch, pairs without a sphere-tree included (installed on a
-                            ///< dispatcher: elapsed time of the narrow phase alone)
+  double microseconds = 0;       ///< CPU time of the calling thread in the whole dispatch, pairs without a sphere-tree
+                                 ///< included (installed on a dispatcher: elapsed time of the narrow phase alone)
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
-  /// Of these, pairs of which a body's place, speed or force is no number or endless: they have no contacts, so that it
-  /// harms no other. The first one is told on standard error.
+  /// Pairs of which a body's place, speed or force is no number or endless, those included that queries asked about
+  /// since the last step: they have no contacts, so that it harms no other. The first one is told on standard error.
   std::uint32_t brokenPairs = 0;
-  std::uint32_t unresolvedPairs = 0;  ///< of these, traversals the budget stopped
+  std::uint32_t unresolvedPairs = 0;  ///< of `pairs`, those the budget left nothing for, or stopped half-way
   std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
   std::uint32_t exactContacts = 0;    ///< of these, measured between source triangles
   std::uint32_t manifolds = 0;        ///< non-empty manifolds of these pairs
