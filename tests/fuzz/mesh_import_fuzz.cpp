@@ -10,7 +10,8 @@
 #include "require.h"
 #include "run_program.h"
 
-// assimp loses what it had made of some files it gives up on (a PLY whose header is cut by zeros): nothing we could free.
+// assimp loses what it had made of some files it gives up on (a PLY whose header is cut by zeros): nothing we could
+// free.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libassimp\n";
 }
