@@ -18,9 +18,9 @@ struct ClusterSample {
 };
 
 /// Hubbard's sampling of a polyhedron (thesis 4.1.1, after Turk): `count` points spread at random by area, then pushed
-/// apart within their clusters, and points along the clusters' edges about as dense, corners included (between corners at
-/// most four times `count`: a needle's edges get fewer). The latter stand still and push as well, for what lies on the
-/// other side of the edge. Mesh frame. A pure function.
+/// apart within their clusters, and points along the clusters' edges about as dense, corners included (between corners
+/// at most four times `count`: a needle's edges get fewer). The latter stand still and push as well, for what lies on
+/// the other side of the edge. Mesh frame. A pure function.
 std::vector<ClusterSample> relaxedSamples(const TriangleMesh& mesh, const std::vector<HalfEdge>& halfEdges,
                                           const PlanarClusters& clusters, std::size_t count, std::uint64_t seed);
 
