@@ -10,7 +10,8 @@ namespace cairn::bullet {
 /// What one simulation step may cost, over all pairs together. Unset means unlimited; both set: whichever ends first.
 /// Operations are those of Eq. 2.1 of the thesis (2 per sphere moved, 1 per overlap test), limit refinement and are
 /// reproducible. Microseconds run from the beginning of Bullet's pass over its pairs, those without a sphere-tree
-/// included; they are elapsed time, and not reproducible.
+/// included; they are elapsed time, and not reproducible. Steps are planned to end earlier than that by what those
+/// before ran over, a quarter of it at most.
 struct StepBudget {
   std::optional<std::int64_t> operations;
   std::optional<double> microseconds;
