@@ -161,9 +161,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2, kNamesAhead = 8;
   std::uint32_t updated_ = 0;  // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;
-  std::size_t firstLate_ = 0;  // of the pairs held in the last step, the first for which it was too late
-  bool isScarce_ = false;      // the last step left pairs unresolved
-  std::uint64_t step_ = 0;     // that were collected
+  std::uint64_t firstLate_ = 0;  // the name of the first pair held in the last step for which it was too late
+  bool isScarce_ = false;        // the last step left pairs unresolved
+  std::uint64_t step_ = 0;       // that were collected
 
   bool isCollecting_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's

@@ -67,7 +67,8 @@ void NarrowPhase::Impl::promiseHolding() {
 // first.
 void NarrowPhase::Impl::holdPairs() {
   left_.redeem(std::exchange(holding_, {}));
-  std::size_t waiting = collected_.size() - static_cast<std::size_t>(std::ranges::count(collected_, nullptr));
+  const auto isThere = [](const TreePair* pair) { return pair != nullptr; };
+  auto waiting = static_cast<std::size_t>(std::ranges::count_if(collected_, isThere));
   auto began = Budget::Clock::now();
   double expected = 0;
   bool isLate = false;
@@ -75,14 +76,16 @@ void NarrowPhase::Impl::holdPairs() {
     const auto now = Budget::Clock::now();
     pace.finished(std::exchange(expected, 0), now - std::exchange(began, now));
   };
-  const std::size_t first = std::exchange(firstLate_, 0);
+  const auto firstLate = std::ranges::lower_bound(named_, std::exchange(firstLate_, 0), {}, &Named::id);
+  const auto first = static_cast<std::size_t>(firstLate - named_.begin());
   for (std::size_t k = 0, all = collected_.size(), looked = 0; k < all && waiting > 0; ++k) {
     const std::size_t i = (first + k) % all;
     fetchHeldAfter(i, isLate);
     if (!collected_[i]) continue;
-    if (!isLate && looked++ % kHeldBetweenLooks == 0 && isTooLateFor(waiting)) {
+    // Callbacks may have destroyed some meanwhile.
+    if (!isLate && looked++ % kHeldBetweenLooks == 0 && isTooLateFor(std::min(waiting, all - k))) {
       isLate = true;
-      firstLate_ = i;
+      firstLate_ = named_[i].id;
       learn(holdingPace_);
     }
     --waiting;
