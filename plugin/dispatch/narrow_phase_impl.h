@@ -150,7 +150,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr double kHoldPace = 5;
   static constexpr double kLearning = 1.0 / 16;
   static constexpr std::uint64_t kEndless = Budget::kUnlimited / 2;
-  // Made ahead for who sets a deadline, about a megabyte: trees, planes, convex shapes, triangles, fields.
+  // Made ahead for who sets a deadline, about five megabytes: trees, planes, convex shapes, triangles, fields,
+  // terrains.
   static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};
   static constexpr std::uint64_t kStepsOfThrift = 4;
   // How many pairs ahead what one needs is fetched.

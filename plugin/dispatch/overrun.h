@@ -16,7 +16,7 @@ class Overrun {
   double plannable(double allowed) {
     if (allowed > kAlike * allowed_ || kAlike * allowed < allowed_) expected_ = 0;
     allowed_ = allowed;
-    return allowed - expected_;
+    return allowed - std::min(expected_, kMostShare * allowed);
   }
   /// A step that was planned to take `planned`, as `plannable` said last, took `taken`.
   void learn(double taken, double planned) {

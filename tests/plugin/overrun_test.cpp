@@ -42,6 +42,10 @@ TEST(Overrun, OfAnotherBudgetSaysNothing) {
     overrun.learn(2 * other, planned);
     EXPECT_EQ(overrun.plannable(kAllowed), kAllowed);
   }
+  Overrun alike;
+  alike.plannable(1.9 * kAllowed);
+  alike.learn(10 * kAllowed, kAllowed);
+  EXPECT_EQ(alike.plannable(kAllowed), 0.75 * kAllowed) << "of a budget nearly twice as long";
   Overrun none;
   none.learn(15, none.plannable(0));
   EXPECT_EQ(none.plannable(0), 0);
