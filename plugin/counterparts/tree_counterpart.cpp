@@ -212,6 +212,38 @@ bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<
   return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
 }
 
+Contact TreeCounterpart::alongCenters(const NodePair& pair) const {
+  Contact contact;
+  contact.pair = pair;
+  contact.normal = centerLine(a_.sphere(pair.a), b_.sphere(pair.b));
+  const Vec3 onA = a_.support(pair.a, -contact.normal), onB = b_.support(pair.b, contact.normal);
+  contact.gap = dot(contact.normal, onA - onB) - margins_;
+  contact.position = (onA + onB) * 0.5F;
+  name(contact);
+  return contact;
+}
+
+// Sixteen support points leave out some of a region: where they say that two are apart, these may still overlap. What
+// crosses without facing each other says nothing of how deep it is; that it touches is certain.
+bool TreeCounterpart::breakSilence(Budget& budget, std::vector<Contact>& contacts) {
+  for (const NodePair& pair : traversal_.leafPairs()) {
+    Contact contact;
+    contact.pair = pair;
+    touch(contact, std::numeric_limits<float>::infinity());
+    const std::optional<bool> cross = regionCrossing_.between(a_, b_, pair, contact.normal, margins_, budget);
+    if (!cross) return false;
+    if (!*cross) continue;
+    const Contact rough = alongCenters(pair);
+    const std::size_t before = contacts.size();
+    if (!exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts)) return false;
+    if (contacts.size() > before) continue;
+    contacts.push_back(rough);
+    contacts.back().gap = std::min(rough.gap, 0.0F);
+  }
+  for (Contact& contact : contacts) contact.isSettled = true;
+  return true;
+}
+
 // What does not face the normal lies on a border where it is about as near along it: its neighbour knows better. Where
 // it is far deeper than along a direction that it does face, it is a contact of another face.
 Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) {

@@ -67,7 +67,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) fetchPairsAskedNext(pair);
-    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_)) {
+    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_)) {
       ++apartPairs_;
       if (pair.isBrokenPair()) countBroken();
       return;

@@ -59,7 +59,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), sweptTime_);
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_);
   open_.answered(pair, wasExpected || pair.isSettled());
   if (pair.isSettled()) {
     ++statistics_.pairs;
@@ -107,7 +107,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   open_.begin(dispatcher_, collected_);
   const bool alsoFromGround = mayBeInterrupted();
   const auto near = std::ranges::count_if(collected_, [&](TreePair* pair) {
-    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, sweptTime_);
+    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, finest_, sweptTime_);
   });
   const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));

@@ -34,7 +34,7 @@ bool KeptAnswer::holdsAt(const RelativePlacement& now, float reach) const {
 }
 
 bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
-  if (!mayBeApart(reach)) return false;
+  if (!mayBeApart(reach, false)) return false;
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
@@ -71,6 +71,7 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
   pickedAt_ = motion.placement;
   measuredInVain_ = 0;
   leastGap_ = -kUnknown;
+  isGapOfLeaves_ = counterpart.hasTriangles() && !leafPairs.empty();
   for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
 }
 
@@ -84,6 +85,7 @@ void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& mot
 void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
   gaps_.clear();
   leastGap_ = gap;
+  isGapOfLeaves_ = false;
   measuredAt_ = motion.placement;
 }
 

@@ -33,8 +33,10 @@ class KeptAnswer {
   bool holdsAt(const RelativePlacement& now, float reach) const;
   /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
   bool isApartAt(const RelativePlacement& now, float reach) const;
-  /// False where that is, wherever they are.
-  bool mayBeApart(float reach) const { return leastGap_ >= reach; }
+  /// False where that is, wherever they are. `hasTriangles`: what leaves say does not suffice where triangles can tell.
+  bool mayBeApart(float reach, bool hasTriangles) const {
+    return leastGap_ >= reach && !(hasTriangles && isGapOfLeaves_);
+  }
 
   /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
   /// quarter of the reach, so that what was no contact then is no overlap now.
@@ -70,8 +72,9 @@ class KeptAnswer {
   // First what tells whether nothing can touch: of most pairs nothing else is looked at in a step.
   float reach_ = 0;
   float skin_ = 0;
-  float wandered_ = 0;         // greatest displacement from where it began while the traversal was under way
-  float leastGap_ = kUnknown;  // of `gaps_`
+  float wandered_ = 0;          // greatest displacement from where it began while the traversal was under way
+  float leastGap_ = kUnknown;   // of `gaps_`
+  bool isGapOfLeaves_ = false;  // and whether triangles could say more
   RelativePlacement beganAt_, measuredAt_;
   RelativePlacement pickedAt_;  // where all that may be in contact was picked last
   std::vector<float> gaps_;     // one for each leaf pair, or none if they were not measured together

@@ -311,8 +311,16 @@ bool PairContacts::isRecent(const RelativeMotion& motion) const {
   return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
-void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
-                          std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch) {
+bool PairContacts::breakSilence(Counterpart& counterpart, float reach, Budget& budget, ContactScratch& scratch) {
+  std::vector<Contact>& contacts = scratch.contacts.list();
+  contacts.clear();
+  counterpart.breakSilence(budget, contacts);
+  scratch.contacts.group(seeds_, reach);
+  return !contacts.empty();
+}
+
+void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion,
+                          float reach, std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
@@ -324,6 +332,8 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
     appendUnmeasured(counterpart, motion, budget, contacts);
   }
+  const bool isSilent = isDone && !isOfMesh && contacts.empty();
+  if (isSilent && policy.finest == Finest::triangles) counterpart.breakSilence(budget, contacts);
   if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
@@ -332,10 +342,10 @@ void PairContacts::finish(Counterpart& counterpart, Unresolved policy, const Rel
   // What an answer ruled out long ago may have closed in since.
   if (isDone && isRecent(motion))
     guards_.clear();
-  else if (policy == Unresolved::guard)
+  else if (policy.unresolved == Unresolved::guard)
     appendGuards(counterpart, motion, reach, budget, scratch);
-  else if (!isDone && policy != Unresolved::ignore)
-    appendFront(counterpart, policy == Unresolved::compensate, reach, budget, contacts);
+  else if (!isDone && policy.unresolved != Unresolved::ignore)
+    appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.contacts.group(seeds_, reach);

@@ -14,6 +14,13 @@
 
 namespace cairn::bullet {
 
+/// How pairs answer in a step.
+struct AnswerPolicy {
+  Unresolved unresolved = Unresolved::guard;
+  Finest finest = Finest::leaves;
+  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
+};
+
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
   ClusteredContacts contacts;    ///< of the pair at hand
@@ -45,7 +52,7 @@ class PairContacts {
   /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
   bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
   /// False where `stillApart` is, wherever the bodies are. Cheap.
-  bool mayBeApart(float reach) const { return kept_.mayBeApart(reach); }
+  bool mayBeApart(float reach, bool hasTriangles) const { return kept_.mayBeApart(reach, hasTriangles); }
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
@@ -60,8 +67,11 @@ class PairContacts {
 
   /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
   /// the budget whatever is left of it. `ahead`: contacts that are joined to them, see `Contact::isAhead`.
-  void finish(Counterpart& counterpart, Unresolved policy, const RelativeMotion& motion, float reach,
+  void finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion, float reach,
               std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch);
+  /// After that, where triangles had nothing to say to any of its contacts: puts those of all triangles that cross in
+  /// their place. False when there are none. Precondition: the traversal is done.
+  bool breakSilence(Counterpart& counterpart, float reach, Budget& budget, ContactScratch& scratch);
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
   // have moved against each other since the last `begin`, at most.

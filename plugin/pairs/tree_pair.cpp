@@ -72,11 +72,11 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                           bool alsoFromGround, btScalar sweptTime) {
+                           bool alsoFromGround, Finest finest, btScalar sweptTime) {
   const float travel = fastTravel(body0, body1, sweptTime);
   isFast_ = travel > 0 || (sweep_ && sweep_->isAnchored());
   isBroken_ = false;
-  if (!stillApart(body0, body1, travel)) {
+  if (!stillApart(body0, body1, finest, travel)) {
     if (settleBroken(body0, body1)) return true;
     const std::optional<RootSpheres> roots = rootSpheres(body0, body1);
     if ((!roots && !alsoFromGround) || !areRootsApart(body0, body1, roots, btScalar(travel))) {
@@ -115,9 +115,9 @@ void TreePair::forgetWaiting() {
   if (sweep_) sweep_->forget();
 }
 
-bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, Finest finest,
                           float travel) const {
-  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel)) return false;
+  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel, finest == Finest::triangles)) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());

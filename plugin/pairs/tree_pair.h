@@ -36,13 +36,6 @@ struct PairReport {
   Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
 };
 
-/// How pairs answer in a step.
-struct AnswerPolicy {
-  Unresolved unresolved = Unresolved::guard;
-  Finest finest = Finest::leaves;
-  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
-};
-
 /// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
 /// paths collide.
 struct PairKey {
@@ -67,9 +60,10 @@ class alignas(64) TreePair {
   /// and nothing moved far since, or `settleBroken`: the pair then has none, and needs no more work in this step.
   /// Cheap. `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where
   /// nothing is interrupted a traversal says it once for many steps, and pairs keep the order they always had.
-  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not.
+  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not. `finest`: where triangles are
+  /// asked, what leaves said of them is not enough.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromGround,
-                   btScalar sweptTime);
+                   Finest finest, btScalar sweptTime);
   /// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
   bool settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Whether it was settled for that the last time it was.
@@ -243,7 +237,8 @@ class alignas(64) TreePair {
   void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);
   void clearManifolds();
   bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
-  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, float travel) const;
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, Finest finest,
+                  float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
   PairPlacement place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,

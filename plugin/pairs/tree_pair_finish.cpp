@@ -135,9 +135,16 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   wasDone_ = counterpart_->traversal().done();
   report.isUnresolved = !wasDone_;
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
-  contacts_.finish(*counterpart_, policy.unresolved, motion_, reach_, ahead_, budget, scratch);
+  contacts_.finish(*counterpart_, policy, motion_, reach_, ahead_, budget, scratch);
   forgetImpulsesAhead();
-  for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
+  const auto writeAll = [&] {
+    for (int k = 0; k < kMaxClusters; ++k) writeCluster(k, dispatcher, result, policy.finest, budget, scratch, report);
+  };
+  writeAll();
+  const bool wereDropped = wasDone_ && report.contacts == 0 && !scratch.contacts.list().empty();
+  if (wereDropped && policy.finest == Finest::triangles &&
+      contacts_.breakSilence(*counterpart_, reach_, budget, scratch))
+    writeAll();
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   if (policy.mayBeInterrupted) surviveRefresh();
   heldError_ = report.errorFraction;

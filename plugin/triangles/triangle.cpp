@@ -33,7 +33,25 @@ NearestPoints nearestOfSegments(const Vec3& p, const Vec3& toP, const Vec3& q, c
   return {p + u * s, q + v * t};
 }
 
+// The segment's ends are on different sides of the plane, and its line passes all edges on the same side.
+bool pierces(const Vec3& from, const Vec3& to, const Triangle& t) {
+  const Vec3 out = cross(t.b - t.a, t.c - t.a);
+  if ((dot(out, from - t.a) > 0) == (dot(out, to - t.a) > 0)) return false;
+  const Vec3 along = to - from;
+  const auto side = [&](const Vec3& p, const Vec3& q) { return dot(along, cross(p - from, q - from)); };
+  const float ab = side(t.a, t.b), bc = side(t.b, t.c), ca = side(t.c, t.a);
+  return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
+
+bool edgesPierce(const Triangle& edges, const Triangle& t) {
+  return pierces(edges.a, edges.b, t) || pierces(edges.b, edges.c, t) || pierces(edges.c, edges.a, t);
+}
+
 }  // namespace
+
+bool trianglesCross(const Triangle& first, const Triangle& second) {
+  return edgesPierce(first, second) || edgesPierce(second, first);
+}
 
 NearestPoints nearestOfTriangles(const Triangle& first, const Triangle& second) {
   const std::array<Vec3, 3> p{first.a, first.b, first.c}, q{second.a, second.b, second.c};

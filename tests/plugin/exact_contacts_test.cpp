@@ -2,8 +2,12 @@
 // Past the leaves: contacts lie on the meshes themselves, as far as the budget goes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <memory>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "bullet_world.h"
@@ -39,6 +43,11 @@ float distanceTo(const std::vector<Triangle>& mesh, const btVector3& point) {
   return least;
 }
 
+btQuaternion randomTurn(std::mt19937_64& engine) {
+  const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3));
+  return {btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)), btScalar(uniform(engine, 0, 3))};
+}
+
 // Two coarse trees that just touch: eight triangles a leaf, so that leaves say little.
 struct Touching {
   BulletWorld<> w;
@@ -46,13 +55,8 @@ struct Touching {
 
   Touching(std::mt19937_64& engine, Finest finest) {
     w.dispatcher.setFinest(finest);
-    const auto turn = [&] {
-      const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3));
-      return btQuaternion(btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)),
-                          btScalar(uniform(engine, 0, 3)));
-    };
-    lower = &w.add(treeShape(plainTree(ball(0.5, 8), 8)), 0, btVector3(0, 0, 0), turn());
-    upper = &w.add(treeShape(plainTree(ball(0.4, 6), 8)), 1, btVector3(0, 0, btScalar(0.88)), turn());
+    lower = &w.add(treeShape(plainTree(ball(0.5, 8), 8)), 0, btVector3(0, 0, 0), randomTurn(engine));
+    upper = &w.add(treeShape(plainTree(ball(0.4, 6), 8)), 1, btVector3(0, 0, btScalar(0.88)), randomTurn(engine));
   }
 
   // Greatest distance of a contact point from the mesh it is said to be on.
@@ -71,6 +75,81 @@ struct Touching {
       }
     }
     return worst;
+  }
+};
+
+// By the signs of volumes, in double.
+bool pierces(const Vec3& from, const Vec3& to, const Triangle& t) {
+  const auto volume = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    return dot(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a)), Vec3d(d) - Vec3d(a));
+  };
+  if ((volume(t.a, t.b, t.c, from) > 0) == (volume(t.a, t.b, t.c, to) > 0)) return false;
+  const bool first = volume(from, to, t.a, t.b) > 0;
+  return (volume(from, to, t.b, t.c) > 0) == first && (volume(from, to, t.c, t.a) > 0) == first;
+}
+
+bool edgesPierce(const Triangle& e, const Triangle& t) {
+  return pierces(e.a, e.b, t) || pierces(e.b, e.c, t) || pierces(e.c, e.a, t);
+}
+
+bool boxesMeet(const Triangle& t, const Triangle& u) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax({t.a[axis], t.b[axis], t.c[axis]});
+    const auto [lower, upper] = std::minmax({u.a[axis], u.b[axis], u.c[axis]});
+    if (low > upper || lower > high) return false;
+  }
+  return true;
+}
+
+// The same with support points that leave out three tenths of each region all around.
+std::shared_ptr<const SphereTree> withPoorPoints(const SphereTree& tree) {
+  SphereTreeData data = tree.data();
+  for (const NodeData& node : data.nodes)
+    for (Vec3& point : std::span(data.supportPoints).subspan(node.firstSupport, node.supportCount))
+      point = node.center + (point - node.center) * 0.7F;
+  return std::make_shared<const SphereTree>(SphereTree::create(std::move(data)).value());
+}
+
+// Two rings, one above the other, turned at random.
+struct Rings {
+  BulletWorld<> w;
+  btRigidBody *lower, *upper;
+
+  explicit Rings(std::mt19937_64& engine) {
+    const auto shape = treeShape(withPoorPoints(*plainTree(torus(0.3, 0.12, 10), 8)));
+    lower = &w.add(shape, 0, btVector3(0, 0, 0), randomTurn(engine));
+    upper = &w.add(shape, 1, btVector3(0, 0, 2), randomTurn(engine));
+  }
+
+  void moveTo(btScalar height) { upper->getWorldTransform().getOrigin().setZ(height); }
+
+  bool cross() const {
+    const std::vector<Triangle> meshes[] = {meshOf(*lower), meshOf(*upper)};
+    return std::ranges::any_of(meshes[0], [&](const Triangle& t) {
+      return std::ranges::any_of(
+          meshes[1], [&](const Triangle& u) { return boxesMeet(t, u) && (edgesPierce(t, u) || edgesPierce(u, t)); });
+    });
+  }
+
+  // Up to which the upper one can be lifted before it is free.
+  btScalar meetingHeight() {
+    btScalar meets = 0, free = btScalar(0.9);
+    for (btScalar step = btScalar(0.02); step > btScalar(1e-6); step /= 20) {
+      for (btScalar height = free; height > meets; height -= step) {
+        moveTo(height);
+        if (!cross()) continue;
+        meets = height;
+        free = height + step;
+        break;
+      }
+    }
+    return meets;
+  }
+
+  std::uint32_t contacts(Finest finest) {
+    w.dispatcher.setFinest(finest);
+    w.world.performDiscreteCollisionDetection();
+    return w.dispatcher.lastStep().contacts;
   }
 };
 
@@ -130,6 +209,53 @@ TEST(ExactContacts, AreAsManyAsTheBudgetAllows) {
     EXPECT_LE(step.operations, std::uint64_t(operations) + 64U * 5U + 32U * 5U + 129U * 3U) << operations;
   }
   EXPECT_GT(before, 0U);
+}
+
+// With triangles past the leaves nothing that overlaps is left out, though the leaves say nothing of it.
+class Silence : public testing::TestWithParam<btScalar> {};
+
+TEST_P(Silence, IsOfMeshesThatDoNotCross) {
+  std::mt19937_64 engine(kSeed);
+  int silentLeaves = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    Rings rings(engine);
+    rings.moveTo(rings.meetingHeight() - GetParam());
+    ASSERT_TRUE(rings.cross()) << "seed " << kSeed << ", trial " << trial;
+    silentLeaves += rings.contacts(Finest::leaves) == 0 ? 1 : 0;
+    EXPECT_GT(rings.contacts(Finest::triangles), 0U) << "seed " << kSeed << ", trial " << trial;
+  }
+  EXPECT_GT(silentLeaves, 0) << "leaves tell of all: the test shows nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Depths, Silence, testing::Values(btScalar(1e-4), btScalar(1e-3)));
+
+// In float as in double, but where an edge passes another so closely that rounding decides.
+TEST(ExactContacts, KnowWhichTrianglesCross) {
+  std::mt19937_64 engine(kSeed);
+  int crossing = 0, different = 0;
+  constexpr int kTrials = 100000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto triangle = [&] {
+      return Triangle{Vec3(randomPoint(engine)), Vec3(randomPoint(engine)), Vec3(randomPoint(engine))};
+    };
+    const Triangle t = triangle(), u = triangle();
+    const bool cross = edgesPierce(t, u) || edgesPierce(u, t);
+    crossing += cross ? 1 : 0;
+    different += cross != bullet::trianglesCross(t, u) ? 1 : 0;
+  }
+  EXPECT_GT(crossing, kTrials / 20);
+  // Volumes are rounded by some 2^-22 of those of the cube the corners are drawn from, and eighteen of them decide.
+  EXPECT_LE(different, kTrials / 10000) << "seed " << kSeed;
+}
+
+TEST(ExactContacts, SayNothingOfWhatIsApart) {
+  std::mt19937_64 engine(kSeed);
+  for (int trial = 0; trial < 20; ++trial) {
+    Rings rings(engine);
+    rings.moveTo(rings.meetingHeight() + btScalar(0.02));
+    ASSERT_FALSE(rings.cross());
+    EXPECT_EQ(rings.contacts(Finest::triangles), 0U) << "seed " << kSeed << ", trial " << trial;
+  }
 }
 
 // A flat face on a flat face touches with its corners, and does not float on tilted lines of centres.

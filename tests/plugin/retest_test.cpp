@@ -56,7 +56,7 @@ void step(bullet::PairContacts& pair, TalkativeCounterpart& counterpart, bullet:
   motion.reach = 0.002F;
   Budget budget = Budget::operations(0);
   pair.begin(counterpart, motion, false, budget, scratch);
-  pair.finish(counterpart, bullet::Unresolved::guard, motion, motion.reach, {}, budget, scratch);
+  pair.finish(counterpart, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
   for (std::uint32_t i = 0; i < bullet::PairContacts::kMaxKnownPairs; ++i)
     pair.remember(TalkativeCounterpart::contact({i, 0}, 0));
 }
