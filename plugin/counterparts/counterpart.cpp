@@ -30,8 +30,8 @@ std::optional<float> Counterpart::appendOfMesh(Budget& /*budget*/, std::vector<C
 
 void Counterpart::learnNormals(std::span<const Vec3> /*normals*/) {}
 
-bool Counterpart::breakSilence(Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
-  return false;
+std::optional<float> Counterpart::appendCrossing(Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
+  return {};
 }
 
 bool Counterpart::sharpen(const Contact& /*rough*/, Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {

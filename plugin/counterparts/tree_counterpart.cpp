@@ -212,35 +212,36 @@ bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<
   return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
 }
 
-Contact TreeCounterpart::alongCenters(const NodePair& pair) const {
-  Contact contact;
-  contact.pair = pair;
-  contact.normal = centerLine(a_.sphere(pair.a), b_.sphere(pair.b));
-  const Vec3 onA = a_.support(pair.a, -contact.normal), onB = b_.support(pair.b, contact.normal);
-  contact.gap = dot(contact.normal, onA - onB) - margins_;
-  contact.position = (onA + onB) * 0.5F;
-  name(contact);
-  return contact;
-}
-
-// Sixteen support points leave out some of a region: where they say that two are apart, these may still overlap. What
-// crosses without facing each other says nothing of how deep it is; that it touches is certain.
-bool TreeCounterpart::breakSilence(Budget& budget, std::vector<Contact>& contacts) {
+// Sixteen support points leave out some of a region: where they say that two are apart, these may still overlap.
+std::optional<float> TreeCounterpart::appendCrossing(Budget& budget, std::vector<Contact>& contacts) {
+  constexpr float kExactly = std::numeric_limits<float>::infinity();
+  float least = std::numeric_limits<float>::infinity();
   for (const NodePair& pair : traversal_.leafPairs()) {
     Contact contact;
     contact.pair = pair;
-    touch(contact, std::numeric_limits<float>::infinity());
-    const std::optional<bool> cross = regionCrossing_.between(a_, b_, pair, contact.normal, margins_, budget);
-    if (!cross) return false;
-    if (!*cross) continue;
-    const Contact rough = alongCenters(pair);
-    const std::size_t before = contacts.size();
-    if (!exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts)) return false;
-    if (contacts.size() > before) continue;
-    contacts.push_back(rough);
-    contacts.back().gap = std::min(rough.gap, 0.0F);
+    touch(contact, kExactly);
+    const std::optional<float> apart = regionDistance_.atLeast(a_, b_, pair, contact.normal, margins_, budget);
+    if (!apart) return {};
+    if (*apart > 0)
+      least = std::min(least, *apart);
+    else if (!appendCrossing(contact, budget, contacts))
+      return {};
   }
-  for (Contact& contact : contacts) contact.isSettled = true;
+  return least;
+}
+
+// What crosses without facing each other says nothing of how deep it is; that it touches is certain.
+bool TreeCounterpart::appendCrossing(Contact contact, Budget& budget, std::vector<Contact>& contacts) {
+  name(contact);
+  const std::size_t before = contacts.size();
+  if (!exactContacts_.replace(a_, b_, margins_, reach_, contact, budget, contacts)) return false;
+  if (contacts.size() == before) {
+    contact.gap = 0;
+    contact.position =
+        (a_.support(contact.pair.a, -contact.normal) + b_.support(contact.pair.b, contact.normal)) * 0.5F;
+    contacts.push_back(contact);
+  }
+  for (Contact& c : std::span(contacts).subspan(before)) c.isSettled = true;
   return true;
 }
 

@@ -9,7 +9,7 @@
 #include "faces/few_faces.h"
 #include "faces/planar_normal.h"
 #include "triangles/exact_contacts.h"
-#include "triangles/region_crossing.h"
+#include "triangles/region_distance.h"
 
 namespace cairn::bullet {
 
@@ -34,7 +34,7 @@ class TreeCounterpart final : public Counterpart {
   void learnNormals(std::span<const Vec3> normals) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   bool hasTriangles() const override { return true; }
-  bool breakSilence(Budget& budget, std::vector<Contact>& contacts) override;
+  std::optional<float> appendCrossing(Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
@@ -51,8 +51,8 @@ class TreeCounterpart final : public Counterpart {
   enum class Expected : std::uint8_t { nothing, apart, touching };
   Expected touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const;
   void name(Contact& contact) const;
-  // Their contact along the line of centres, however far apart they are.
-  Contact alongCenters(const NodePair& pair) const;
+  // The contact of two leaves whose triangles cross. False when the budget does not cover it.
+  bool appendCrossing(Contact contact, Budget& budget, std::vector<Contact>& contacts);
   // How far apart the two regions are along a unit vector, at least.
   float separation(const NodePair& pair, const Vec3& along) const;
   // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
@@ -68,7 +68,7 @@ class TreeCounterpart final : public Counterpart {
   std::array<Vec3, kMaxClusters> expected_;
   std::size_t expectedCount_ = 0;
   ExactContacts exactContacts_;
-  RegionCrossing regionCrossing_;
+  RegionDistance regionDistance_;
   FewFaces fewFaces_;
 };
 

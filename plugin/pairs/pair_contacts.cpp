@@ -311,12 +311,12 @@ bool PairContacts::isRecent(const RelativeMotion& motion) const {
   return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
-bool PairContacts::breakSilence(Counterpart& counterpart, float reach, Budget& budget, ContactScratch& scratch) {
-  std::vector<Contact>& contacts = scratch.contacts.list();
-  contacts.clear();
-  counterpart.breakSilence(budget, contacts);
+void PairContacts::replaceAll(std::span<const Contact> contacts, float reach, ContactScratch& scratch) {
+  scratch.contacts.list().assign(contacts.begin(), contacts.end());
+  seeds_ = scratch.seeds;
   scratch.contacts.group(seeds_, reach);
-  return !contacts.empty();
+  keepNormals(scratch.contacts);
+  answerHadContacts_ = true;
 }
 
 void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion,
@@ -326,14 +326,12 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
   if (!isDone) retest(counterpart, budget, scratch);
-  const bool isOfMesh = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
-                        appendOfMesh(counterpart, motion, budget, contacts);
-  if (!isOfMesh) {
+  isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
+              appendOfMesh(counterpart, motion, budget, contacts);
+  if (!isOfMesh_) {
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
     appendUnmeasured(counterpart, motion, budget, contacts);
   }
-  const bool isSilent = isDone && !isOfMesh && contacts.empty();
-  if (isSilent && policy.finest == Finest::triangles) counterpart.breakSilence(budget, contacts);
   if (isDone) {
     isAnswered_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
@@ -348,8 +346,9 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
+  scratch.seeds = seeds_;
   scratch.contacts.group(seeds_, reach);
-  if (isOfMesh)
+  if (isOfMesh_)
     keepNormals(scratch.contacts);
   else
     flatten(counterpart, reach, scratch);

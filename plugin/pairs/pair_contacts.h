@@ -23,8 +23,10 @@ struct AnswerPolicy {
 
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
-  ClusteredContacts contacts;    ///< of the pair at hand
-  std::vector<Contact> cluster;  ///< one of them, as it is measured anew
+  ClusteredContacts contacts;                              ///< of the pair at hand
+  ClusterSeeds seeds{};                                    ///< its clusters' directions in the step before
+  std::array<std::vector<Contact>, kMaxClusters> refined;  ///< the same as triangles tell them
+  std::vector<Contact> crossing;
   std::vector<Contact> guards, wholes;
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
   std::vector<Contact> strays, moreStrays;
@@ -69,9 +71,14 @@ class PairContacts {
   /// the budget whatever is left of it. `ahead`: contacts that are joined to them, see `Contact::isAhead`.
   void finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion, float reach,
               std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch);
-  /// After that, where triangles had nothing to say to any of its contacts: puts those of all triangles that cross in
-  /// their place. False when there are none. Precondition: the traversal is done.
-  bool breakSilence(Counterpart& counterpart, float reach, Budget& budget, ContactScratch& scratch);
+  /// After that: whether the source mesh gave the contacts, and not leaves.
+  bool isOfMesh() const { return isOfMesh_; }
+  // After that, where triangles had nothing to say to any of its contacts, or there are none.
+
+  /// These take their place, grouped by the directions the clusters had before.
+  void replaceAll(std::span<const Contact> contacts, float reach, ContactScratch& scratch);
+  /// The surfaces are so far apart at least (world length).
+  void setApart(float gap, const RelativeMotion& motion) { kept_.setGap(gap, motion); }
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
   // have moved against each other since the last `begin`, at most.
@@ -163,6 +170,7 @@ class PairContacts {
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
   bool isRetested_ = false;
+  bool isOfMesh_ = false;
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
   std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say

@@ -15,6 +15,7 @@
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/bullet/step.h"
 #include "cairn/core/scheduler.h"
+#include "contacts/manifold_writer.h"
 #include "continuous/sweep.h"
 #include "pairs/body_snapshot.h"
 #include "pairs/emission_pace.h"
@@ -252,14 +253,19 @@ class alignas(64) TreePair {
                      btScalar timeStep);
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   btScalar breakingThreshold() const;
-  std::span<Contact> goOnToTriangles(std::span<const Contact> cluster, std::span<const ContactId> held, Budget& budget,
-                                     ContactScratch& scratch) const;
+  // The contacts of this step, by manifold.
+  using Clusters = std::array<std::span<Contact>, kMaxClusters>;
+  static Clusters clustersOf(ClusteredContacts& contacts);
+  ManifoldWriter writerOf(btManifoldResult& result) const;
+  Clusters pastLeaves(btManifoldResult& result, Budget& budget, ContactScratch& scratch, PairReport& report);
+  Clusters breakSilence(Budget& budget, ContactScratch& scratch);
+  void goOnToTriangles(std::vector<Contact>& members, std::span<const ContactId> held, Budget& budget) const;
   bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
   void lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
                  const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget);
   void forgetImpulsesAhead();
-  void writeCluster(int k, btDispatcher& dispatcher, btManifoldResult& result, Finest finest, Budget& budget,
-                    ContactScratch& scratch, PairReport& report);
+  void writeCluster(int k, std::span<Contact> members, btDispatcher& dispatcher, btManifoldResult& result,
+                    PairReport& report);
 
   // First what tells whether anything has to be done in a step. Of most pairs of a heap nothing else is looked at.
   CounterpartKind kind_;

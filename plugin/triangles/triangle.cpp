@@ -33,13 +33,13 @@ NearestPoints nearestOfSegments(const Vec3& p, const Vec3& toP, const Vec3& q, c
   return {p + u * s, q + v * t};
 }
 
-// The segment's ends are on different sides of the plane, and its line passes all edges on the same side.
+// The segment's ends are on different sides of the plane, and its line passes all edges on the same side. In double:
+// floats do not tell for slivers.
 bool pierces(const Vec3& from, const Vec3& to, const Triangle& t) {
-  const Vec3 out = cross(t.b - t.a, t.c - t.a);
-  if ((dot(out, from - t.a) > 0) == (dot(out, to - t.a) > 0)) return false;
-  const Vec3 along = to - from;
-  const auto side = [&](const Vec3& p, const Vec3& q) { return dot(along, cross(p - from, q - from)); };
-  const float ab = side(t.a, t.b), bc = side(t.b, t.c), ca = side(t.c, t.a);
+  const Vec3d p(from), a = Vec3d(t.a) - p, b = Vec3d(t.b) - p, c = Vec3d(t.c) - p, along = Vec3d(to) - p;
+  const Vec3d out = cross(b - a, c - a);
+  if ((dot(out, a) < 0) == (dot(out, a - along) < 0)) return false;
+  const double ab = dot(along, cross(a, b)), bc = dot(along, cross(b, c)), ca = dot(along, cross(c, a));
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
