@@ -30,7 +30,8 @@ std::optional<float> Counterpart::appendOfMesh(Budget& /*budget*/, std::vector<C
 
 void Counterpart::learnNormals(std::span<const Vec3> /*normals*/) {}
 
-std::optional<float> Counterpart::appendCrossing(Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
+std::optional<float> Counterpart::appendCrossing(float /*ofInterest*/, Budget& /*budget*/,
+                                                 std::vector<Contact>& /*contacts*/) {
   return {};
 }
 

@@ -80,9 +80,10 @@ class Counterpart {
   virtual bool hasTriangles() const { return false; }
   /// Past the leaves, where nothing is said to touch: appends contacts of all leaf pairs whose source triangles cross,
   /// as these say, or where they say nothing with a gap of zero, and returns how far the triangles of all others are
-  /// apart at least (world length). Nothing when the budget does not cover it, or there are no triangles on both sides:
-  /// then what was not asked may still overlap. Precondition: the traversal is done. Default: nothing.
-  virtual std::optional<float> appendCrossing(Budget& budget, std::vector<Contact>& contacts);
+  /// apart (world length), or some bound of it above `ofInterest` (at least 0). Nothing when the budget does not cover
+  /// it, or there are no triangles on both sides: then what was not asked may still overlap. Precondition: the
+  /// traversal is done. Default: nothing.
+  virtual std::optional<float> appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts);
 
   /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
   /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say

@@ -213,14 +213,15 @@ bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<
 }
 
 // Sixteen support points leave out some of a region: where they say that two are apart, these may still overlap.
-std::optional<float> TreeCounterpart::appendCrossing(Budget& budget, std::vector<Contact>& contacts) {
+std::optional<float> TreeCounterpart::appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts) {
   constexpr float kExactly = std::numeric_limits<float>::infinity();
   float least = std::numeric_limits<float>::infinity();
   for (const NodePair& pair : traversal_.leafPairs()) {
     Contact contact;
     contact.pair = pair;
     touch(contact, kExactly);
-    const std::optional<float> apart = regionDistance_.atLeast(a_, b_, pair, contact.normal, margins_, budget);
+    const std::optional<float> apart =
+        regionDistance_.atLeast(a_, b_, pair, {contact.normal, margins_, ofInterest}, budget);
     if (!apart) return {};
     if (*apart > 0)
       least = std::min(least, *apart);

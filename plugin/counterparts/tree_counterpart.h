@@ -34,7 +34,7 @@ class TreeCounterpart final : public Counterpart {
   void learnNormals(std::span<const Vec3> normals) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   bool hasTriangles() const override { return true; }
-  std::optional<float> appendCrossing(Budget& budget, std::vector<Contact>& contacts) override;
+  std::optional<float> appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:

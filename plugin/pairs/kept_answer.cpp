@@ -6,6 +6,11 @@
 namespace cairn::bullet {
 
 void KeptAnswer::reset() {
+  forgetTraversal();
+  uncrossed_ = 0;
+}
+
+void KeptAnswer::forgetTraversal() {
   skin_ = 0;
   wandered_ = 0;
   gaps_.clear();
@@ -15,7 +20,7 @@ void KeptAnswer::reset() {
 
 // What moves on at once gains nothing from looking farther.
 float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& motion) {
-  reset();
+  forgetTraversal();
   const float skin = kSkinFraction * motion.smallerSize;
   const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
   if (counterpart.keepsAnswer() && isSlow) skin_ = skin;
@@ -25,7 +30,7 @@ float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& mo
 }
 
 void KeptAnswer::resume(const RelativePlacement& now) {
-  if (skin_ > 0) wandered_ = std::max(wandered_, static_cast<float>(now.displacementSince(beganAt_)));
+  wandered_ = std::max(wandered_, static_cast<float>(now.displacementSince(beganAt_)));
 }
 
 // From wherever something was ruled out, the bodies have moved by no more than the way there and the way here.
@@ -33,8 +38,9 @@ bool KeptAnswer::holdsAt(const RelativePlacement& now, float reach) const {
   return skin_ > 0 && reach <= reach_ && wandered_ + static_cast<float>(now.displacementSince(beganAt_)) <= skin_;
 }
 
-bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach) const {
-  if (!mayBeApart(reach, false)) return false;
+bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach, bool asksTriangles) const {
+  if (!mayBeApart(reach)) return false;
+  if (asksTriangles && isGapOfLeaves_ && !isUncrossedAt(now)) return false;
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
@@ -87,6 +93,18 @@ void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
   leastGap_ = gap;
   isGapOfLeaves_ = false;
   measuredAt_ = motion.placement;
+}
+
+// Beyond its leaf pairs a traversal has ruled out everything within `gapOfInterest` where it ruled it out, which is as
+// far from here as the bodies have moved since; of fast bodies it has ruled out what is within the reach.
+void KeptAnswer::setUncrossed(float gap, const RelativeMotion& motion) {
+  const float wandered = wandered_ + static_cast<float>(motion.placement.displacementSince(beganAt_));
+  uncrossed_ = std::min(gap, reach_ + skin_ - wandered);
+  uncrossedAt_ = motion.placement;
+}
+
+bool KeptAnswer::isUncrossedAt(const RelativePlacement& now) const {
+  return uncrossed_ > 0 && static_cast<float>(now.displacementSince(uncrossedAt_)) < uncrossed_;
 }
 
 void KeptAnswer::makeRoom(std::size_t count) {

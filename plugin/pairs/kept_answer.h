@@ -32,11 +32,10 @@ class KeptAnswer {
   /// Whether the leaf pairs of the last traversal still are all that can come within `reach`. Precondition: it is done.
   bool holdsAt(const RelativePlacement& now, float reach) const;
   /// Whether besides none of them can touch, so that nothing need be measured. False where that is not known.
-  bool isApartAt(const RelativePlacement& now, float reach) const;
-  /// False where that is, wherever they are. `hasTriangles`: what leaves say does not suffice where triangles can tell.
-  bool mayBeApart(float reach, bool hasTriangles) const {
-    return leastGap_ >= reach && !(hasTriangles && isGapOfLeaves_);
-  }
+  /// `asksTriangles`: what leaves say is not enough where triangles can tell.
+  bool isApartAt(const RelativePlacement& now, float reach, bool asksTriangles) const;
+  /// False where that is, wherever they are.
+  bool mayBeApart(float reach) const { return leastGap_ >= reach; }
 
   /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
   /// quarter of the reach, so that what was no contact then is no overlap now.
@@ -57,6 +56,13 @@ class KeptAnswer {
   /// they touch.
   void setGap(float gap, const RelativeMotion& motion);
 
+  /// No triangles of one body cross any of the other, which are so far from them at least (world length).
+  void setUncrossed(float gap, const RelativeMotion& motion);
+  /// Whether that is known to be so still.
+  bool isUncrossedAt(const RelativePlacement& now) const;
+  /// How far apart triangles must be for bodies to be left alone until the next traversal; 0: they are not left alone.
+  float gapOfInterest() const { return skin_ > 0 ? reach_ + skin_ : 0; }
+
   /// See `fetchAhead`: of the lists, what `pick` and `near` look at.
   void fetchLists() const {
     fetchAhead(gaps_.data(), gaps_.size() * sizeof(float));
@@ -67,6 +73,8 @@ class KeptAnswer {
   void makeRoom(std::size_t count);
 
  private:
+  void forgetTraversal();
+
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
   // First what tells whether nothing can touch: of most pairs nothing else is looked at in a step.
@@ -84,6 +92,9 @@ class KeptAnswer {
   std::vector<NodePair> near_;
   std::span<const NodePair> leafPairs_;  // the traversal's, where all may be near
   bool areAllNear_ = false;
+  // Whatever traversals found since.
+  float uncrossed_ = 0;
+  RelativePlacement uncrossedAt_;
 };
 
 }  // namespace cairn::bullet

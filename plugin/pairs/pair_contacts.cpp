@@ -315,7 +315,8 @@ void PairContacts::replaceAll(std::span<const Contact> contacts, float reach, Co
   scratch.contacts.list().assign(contacts.begin(), contacts.end());
   seeds_ = scratch.seeds;
   scratch.contacts.group(seeds_, reach);
-  keepNormals(scratch.contacts);
+  commonNormals_.fill({});  // these are of what crosses, and say nothing of how leaves are to be measured
+  isFlat_ = false;
   answerHadContacts_ = true;
 }
 

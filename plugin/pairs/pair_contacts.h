@@ -52,9 +52,12 @@ class PairContacts {
   void settleApart(const Vec3& centers);
 
   /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
-  bool stillApart(const RelativePlacement& now, float reach) const { return kept_.isApartAt(now, reach); }
+  /// `asksTriangles`: what leaves said is not enough.
+  bool stillApart(const RelativePlacement& now, float reach, bool asksTriangles) const {
+    return kept_.isApartAt(now, reach, asksTriangles);
+  }
   /// False where `stillApart` is, wherever the bodies are. Cheap.
-  bool mayBeApart(float reach, bool hasTriangles) const { return kept_.mayBeApart(reach, hasTriangles); }
+  bool mayBeApart(float reach) const { return kept_.mayBeApart(reach); }
 
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
   /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
@@ -77,8 +80,10 @@ class PairContacts {
 
   /// These take their place, grouped by the directions the clusters had before.
   void replaceAll(std::span<const Contact> contacts, float reach, ContactScratch& scratch);
-  /// The surfaces are so far apart at least (world length).
-  void setApart(float gap, const RelativeMotion& motion) { kept_.setGap(gap, motion); }
+  /// See `KeptAnswer`.
+  void setUncrossed(float gap, const RelativeMotion& motion) { kept_.setUncrossed(gap, motion); }
+  bool isUncrossedAt(const RelativePlacement& now) const { return kept_.isUncrossedAt(now); }
+  float gapOfInterest() const { return kept_.gapOfInterest(); }
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
   // have moved against each other since the last `begin`, at most.

@@ -117,14 +117,14 @@ void TreePair::forgetWaiting() {
 
 bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, Finest finest,
                           float travel) const {
-  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel, finest == Finest::triangles)) return false;
+  if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel)) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
   const btCollisionShape& other = *otherBody.getCollisionShape();
   if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return false;
   return contacts_.stillApart(relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform()),
-                              speculative_ + travel);
+                              speculative_ + travel, finest == Finest::triangles);
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {

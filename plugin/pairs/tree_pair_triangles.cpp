@@ -42,10 +42,11 @@ TreePair::Clusters TreePair::pastLeaves(btManifoldResult& result, Budget& budget
 // Triangles that do not face each other say nothing in any direction that is tried, and leaves may have left out what
 // overlaps: a pair is silent only if no triangles cross. Where that is not found out, the leaves have the last word.
 TreePair::Clusters TreePair::breakSilence(Budget& budget, ContactScratch& scratch) {
+  if (contacts_.isUncrossedAt(motion_.placement)) return {};
   scratch.crossing.clear();
-  const std::optional<float> apart = counterpart_->appendCrossing(budget, scratch.crossing);
+  const std::optional<float> apart = counterpart_->appendCrossing(contacts_.gapOfInterest(), budget, scratch.crossing);
   if (apart && scratch.crossing.empty()) {
-    contacts_.setApart(*apart, motion_);
+    contacts_.setUncrossed(*apart, motion_);
     return {};
   }
   if (!scratch.crossing.empty()) contacts_.replaceAll(scratch.crossing, reach_, scratch);

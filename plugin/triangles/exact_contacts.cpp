@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "placement/unit_vector.h"
+#include "triangles/charge.h"
 
 namespace cairn::bullet {
 
@@ -64,13 +65,13 @@ bool ExactContacts::look(const PlacedTree& a, const PlacedTree& b, const NodePai
   const Sphere ballA = a.sphere(pair.a), ballB = b.sphere(pair.b);
   const GapWindow window = windowOfBalls(normal, ballA.center, ballA.radius, ballB.center, ballB.radius, reach);
   const std::size_t moved = a.tree().regionTriangles(pair.a).size() + b.tree().regionTriangles(pair.b).size();
-  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * moved))) return false;
+  if (!chargeFor(budget, kSphereUpdateCost * moved)) return false;
   gap_.begin(window);
   if (!window.isEmpty()) {
     showTriangles(window, a, pair.a, [&](const DirectionalGap::Corners& corners) { gap_.addUpper(corners); });
     showTriangles(window, b, pair.b, [&](const DirectionalGap::Corners& corners) { gap_.addLower(corners); });
   }
-  return budget.charge(static_cast<std::uint32_t>(kOverlapTestCost * gap_.pairCount()));
+  return chargeFor(budget, kOverlapTestCost * gap_.pairCount());
 }
 
 bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float margins, float reach, const Contact& rough,
@@ -80,7 +81,7 @@ bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float marg
     if (!look(a, b, rough.pair, normal, reach + margins, budget)) return false;
     const std::span<const GapPoint> points = gap_.run(reach + margins, kAsDeep * reach);
     // Only where nothing is near does it matter whether anything is far.
-    if (points.empty() && !budget.charge(static_cast<std::uint32_t>(kOverlapTestCost * gap_.pairCount()))) return false;
+    if (points.empty() && !chargeFor(budget, kOverlapTestCost * gap_.pairCount())) return false;
     if (points.empty() && !gap_.anyOverlap()) continue;
     choose(points, reach);
     if (const std::optional<Vec3> face = faceUnder(normal)) {
@@ -125,10 +126,10 @@ bool ExactContacts::appendNearest(const PlacedTree& a, const PlacedTree& b, floa
                                   const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
   const std::size_t moved =
       a.tree().regionTriangles(rough.pair.a).size() + b.tree().regionTriangles(rough.pair.b).size();
-  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * moved))) return false;
+  if (!chargeFor(budget, kSphereUpdateCost * moved)) return false;
   placeTriangles(a, rough.pair.a, ofA_);
   placeTriangles(b, rough.pair.b, ofB_);
-  if (!budget.charge(static_cast<std::uint32_t>(kOverlapTestCost * ofA_.size() * ofB_.size()))) return false;
+  if (!chargeFor(budget, kOverlapTestCost * ofA_.size() * ofB_.size())) return false;
   Contact nearest = rough;
   float nearestYet = reach;
   for (const Triangle& t : ofA_)

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "triangles/charge.h"
 
 namespace cairn::bullet {
 
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-std::uint32_t operations(std::size_t count) {
-  return static_cast<std::uint32_t>(std::min<std::size_t>(count, std::numeric_limits<std::uint32_t>::max()));
-}
 
 // How far all of the other triangle is from this one's plane, on one side of it; 0 if it is on both, or this one has no
 // plane. In double: floats do not tell where the plane of a sliver is.
@@ -41,7 +38,7 @@ float RegionDistance::extent(const PlacedTree& tree, NodeId leaf, const Vec3& di
 }
 
 // Those that may come near the other leaf's ball. Returns how far the others are from it.
-float RegionDistance::place(const PlacedTree& tree, NodeId leaf, const Sphere& other, float near,
+float RegionDistance::place(const PlacedTree& tree, NodeId leaf, const Sphere& other, float ofInterest,
                             std::vector<Bounded>& placed) {
   const Similarity& toPair = tree.toPair();
   const auto vertices = tree.tree().vertices();
@@ -52,8 +49,8 @@ float RegionDistance::place(const PlacedTree& tree, NodeId leaf, const Sphere& o
     const Triangle t{toPair * vertices[i], toPair * vertices[j], toPair * vertices[k]};
     const Vec3 center = (t.a + t.b + t.c) * (1.0F / 3);
     const float radius = std::sqrt(std::max({lengthSq(t.a - center), lengthSq(t.b - center), lengthSq(t.c - center)}));
-    const float apart = distance(center, other.center) - radius - other.radius - near;
-    if (apart > 0)
+    const float apart = distance(center, other.center) - radius - other.radius;
+    if (apart > ofInterest)
       others = std::min(others, apart);
     else
       placed.push_back({t, {center, radius}});
@@ -61,30 +58,34 @@ float RegionDistance::place(const PlacedTree& tree, NodeId leaf, const Sphere& o
   return others;
 }
 
-float RegionDistance::between(const Bounded& t, const Bounded& u, float near) {
+// Cheap bounds first, as far as they are enough.
+float RegionDistance::between(const Bounded& t, const Bounded& u, float near, float ofInterest) {
   const float balls = distance(t.ball.center, u.ball.center) - t.ball.radius - u.ball.radius - near;
-  if (balls > 0) return balls;
+  if (balls > ofInterest) return balls;
   const double beside = std::max(besideBy(t.triangle, u.triangle), besideBy(u.triangle, t.triangle));
-  if (beside > double(near)) return static_cast<float>(beside) - near;
+  if (beside > double(near) + double(ofInterest)) return static_cast<float>(beside) - near;
   if (trianglesCross(t.triangle, u.triangle)) return 0;
   const NearestPoints points = nearestOfTriangles(t.triangle, u.triangle);
   return std::max(0.0F, distance(points.onFirst, points.onSecond) - near);
 }
 
 std::optional<float> RegionDistance::atLeast(const PlacedTree& a, const PlacedTree& b, const NodePair& leaves,
-                                             const Vec3& normal, float margins, Budget& budget) {
+                                             const Question& question, Budget& budget) {
   const std::size_t count = a.tree().regionTriangles(leaves.a).size() + b.tree().regionTriangles(leaves.b).size();
-  if (!budget.charge(operations(kOverlapTestCost * count))) return {};
+  if (!chargeFor(budget, kOverlapTestCost * count)) return {};
   const Sphere ballA = a.sphere(leaves.a), ballB = b.sphere(leaves.b);
-  const float near = margins + kOverlapSlack * (ballA.radius + ballB.radius + distance(ballA.center, ballB.center));
-  const float along = -extent(a, leaves.a, -normal) - extent(b, leaves.b, normal) - near;
-  if (along > 0) return along;
-  if (!budget.charge(operations(kSphereUpdateCost * count))) return {};
-  float least = std::min(place(a, leaves.a, ballB, near, ofA_), place(b, leaves.b, ballA, near, ofB_));
-  if (!budget.charge(operations(kOverlapTestCost * ofA_.size() * ofB_.size()))) return {};
+  const float near =
+      question.margins + kOverlapSlack * (ballA.radius + ballB.radius + distance(ballA.center, ballB.center));
+  const float along = -extent(a, leaves.a, -question.normal) - extent(b, leaves.b, question.normal) - near;
+  if (along > question.ofInterest) return along;
+  if (!chargeFor(budget, kSphereUpdateCost * count)) return {};
+  const float far = near + question.ofInterest;
+  const float others = std::min(place(a, leaves.a, ballB, far, ofA_), place(b, leaves.b, ballA, far, ofB_));
+  if (!chargeFor(budget, kOverlapTestCost * ofA_.size() * ofB_.size())) return {};
+  float least = others - near;
   for (const Bounded& t : ofA_)
-    for (const Bounded& u : ofB_) least = std::min(least, between(t, u, near));
-  return least;
+    for (const Bounded& u : ofB_) least = std::min(least, between(t, u, near, question.ofInterest));
+  return std::max(least, std::max(0.0F, along));
 }
 
 }  // namespace cairn::bullet

@@ -40,8 +40,9 @@ inline std::shared_ptr<btCollisionShape> flatGround(TriangleGround kind) {
       owned->mesh.addTriangle(a, c, d);
     }
   const auto sharing = [&](auto shape) {
-    const auto kept = std::shared_ptr<btCollisionShape>(std::move(shape));
-    return std::shared_ptr<btCollisionShape>(kept.get(), [kept, owned](btCollisionShape*) {});
+    std::shared_ptr<btCollisionShape> kept(std::move(shape));
+    // The shape goes first: GImpact's looks at its mesh once more.
+    return std::shared_ptr<btCollisionShape>(kept.get(), [owned, kept](btCollisionShape*) mutable { kept.reset(); });
   };
   if (kind == TriangleGround::gimpact) {
     auto shape = std::make_unique<btGImpactMeshShape>(&owned->mesh);
