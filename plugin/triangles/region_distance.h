@@ -14,6 +14,7 @@ namespace cairn::bullet {
 /// How far the source triangles of two leaves are apart within the leaves' balls, whichever way they face.
 class RegionDistance {
  public:
+  /// What is asked about two leaves, pair frame.
   struct Question {
     Vec3 normal;           ///< unit, from B to A: a direction in which they may be apart; those that are cost little
     float margins = 0;     ///< world length: nearer than that they touch
