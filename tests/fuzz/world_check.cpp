@@ -180,6 +180,7 @@ Ending endOf(World& w, Bytes& bytes) {
   }
   const Ending ending{stateOf(w), play.state.isTimed};
   for (const Actor& actor : play.actors) w.remove(*actor.body);
+  w.step();  // lets go of what Bullet's own world predicted of fast convex bodies, which it keeps for a step
   require(w.dispatcher.getNumManifolds() == 0, "a manifold outlived all bodies");
   return ending;
 }
