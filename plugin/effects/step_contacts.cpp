@@ -7,6 +7,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cairn/effects/effect_set.h"
@@ -43,6 +44,20 @@ std::uint64_t pairOf(const btPersistentManifold& manifold) {
   return std::uint64_t(a) << 32 | b;
 }
 
+/// Tells at a glance that a number is in none of those added; what it does not tell so may be in.
+class Glance {
+ public:
+  void add(std::uint64_t pair) { word(pair) |= bit(pair); }
+  bool mayHold(std::uint64_t pair) { return (word(pair) & bit(pair)) != 0; }
+
+ private:
+  static std::uint64_t mixed(std::uint64_t pair) { return (pair >> 32) * 31 + pair; }
+  static std::uint64_t bit(std::uint64_t pair) { return std::uint64_t(1) << (mixed(pair) % 64); }
+  std::uint64_t& word(std::uint64_t pair) { return words_[(mixed(pair) / 64) % words_.size()]; }
+
+  std::array<std::uint64_t, 64> words_{};
+};
+
 void rememberMotion(Impact& impact) {
   for (std::size_t i = 0; i < 2; ++i) {
     const btRigidBody* body = btRigidBody::upcast(impact.sides[i].object);
@@ -51,12 +66,26 @@ void rememberMotion(Impact& impact) {
   }
 }
 
+// Whom a manifold is about and how many points it has it says behind its points, in the 32 bytes before this field, far
+// from the next one's; where there are points, the first one's places and its normal are looked at too.
+void fetchAhead(btPersistentManifold* const* manifolds, int i, int count) {
+  constexpr int kFirst = 8, kSecond = 4, kBytes = 32;
+  if (i + kFirst >= count) return;
+  const auto* behind = reinterpret_cast<const char*>(&manifolds[i + kFirst]->m_companionIdA);
+  bullet::fetchAhead(behind - kBytes, kBytes);
+  const btPersistentManifold& near = *manifolds[i + kSecond];
+  if (near.getNumContacts() == 0) return;
+  const btManifoldPoint& point = near.getContactPoint(0);
+  bullet::fetchAhead(&point.m_positionWorldOnB, 3 * sizeof(btVector3));
+}
+
 }  // namespace
 
 void WantedContacts::add(const Hooks& hooks) {
   hooks_.push_back(hooks);
   known_ = PairTable<unsigned>(kUnknown);
   version_ = 0;
+  onlyImpacts_ = onlyImpacts_ && hooks.material == nullptr;
 }
 
 unsigned WantedContacts::of(MaterialId a, MaterialId b) {
@@ -83,87 +112,69 @@ void StepContacts::gather(btDispatcher& dispatcher, SideBook& book, WantedContac
   ranges_.clear();
   impacts_.clear();
   if (!wanted.anyOf(book)) return;
-  ++step_;
   const int count = dispatcher.getNumManifolds();
   btPersistentManifold** manifolds = dispatcher.getInternalManifoldPointer();
-  // Whom a manifold is about it says behind its points, in the 32 bytes before this field, far from the next one's.
-  constexpr int kAhead = 6, kBytes = 32;
   for (int i = 0; i < count; ++i) {
-    if (i + kAhead < count) {
-      const auto* behind = reinterpret_cast<const char*>(&manifolds[i + kAhead]->m_companionIdA);
-      bullet::fetchAhead(behind - kBytes, kBytes);
-    }
+    fetchAhead(manifolds, i, count);
     add(*manifolds[i], book, wanted);
   }
-  formImpacts();
+  formImpacts(book);
 }
 
 void StepContacts::add(btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted) {
   if (manifold.getNumContacts() == 0) return;
-  const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-  if ((a.isStaticOrKinematicObject() || !a.isActive()) && (b.isStaticOrKinematicObject() || !b.isActive())) return;
-  if (!a.hasContactResponse() || !b.hasContactResponse()) return;
-  const SideBook::Entry *first = book.find(a), *second = book.find(b);
-  if (first == nullptr || second == nullptr) return;
-  const bool isMapped = first->traits.map != nullptr || second->traits.map != nullptr;
-  const unsigned wishes =
-      isMapped ? WantedContacts::kContacts : wanted.of(first->traits.material, second->traits.material);
-  Range range{pairOf(manifold), &manifold, first, second, 0, 0, false};
-  if ((wishes & WantedContacts::kContacts) != 0)
-    list(range);
-  else if ((wishes & WantedContacts::kImpacts) != 0)
-    range.isFast = hasFast(manifold);
-  else
-    return;
+  Range range{pairOf(manifold), &manifold, 0, 0, false};
+  // Most manifolds close slowly. Where blows alone are wanted, no more is asked of them.
+  const bool onlyImpacts = wanted.onlyImpacts();
+  if (onlyImpacts) range.isFast = hasFast(manifold);
+  if (!onlyImpacts || range.isFast) {
+    const unsigned wishes = wishesFor(manifold, book, wanted);
+    if (wishes == WantedContacts::kNothing) return;
+    if ((wishes & WantedContacts::kContacts) != 0)
+      list(range, book);
+    else if (!onlyImpacts)
+      range.isFast = hasFast(manifold);
+  }
   ranges_.push_back(range);
 }
 
-// Bullet keeps contacts until they are a fiftieth of the disc off it.
-btScalar StepContacts::speedOf(const btCollisionObject& object) {
-  constexpr btScalar kBeyondTheDisc = btScalar(1.05);
-  if (object.getWorldArrayIndex() < 0) return BT_LARGE_FLOAT;  // in no world's list: its contacts are looked at
-  const auto place = static_cast<std::size_t>(object.getWorldArrayIndex());
-  if (speeds_.size() <= place) speeds_.resize(place + 1);
-  Speed& known = speeds_[place];
-  if (known.step == step_) return known.speed;
-  const Motion motion(object);
-  known = {step_, 0};
-  if (!motion.isMoving) return 0;
-  known.speed = motion.linear.length();
-  if (!motion.angular.fuzzyZero())
-    known.speed += motion.angular.length() * object.getCollisionShape()->getAngularMotionDisc() * kBeyondTheDisc;
-  return known.speed;
+unsigned StepContacts::wishesFor(const btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted) {
+  const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+  const auto rests = [](const btCollisionObject& o) { return o.isStaticOrKinematicObject() || !o.isActive(); };
+  if ((rests(a) && rests(b)) || !a.hasContactResponse() || !b.hasContactResponse()) return WantedContacts::kNothing;
+  const SideBook::Entry *first = book.find(a), *second = book.find(b);
+  if (first == nullptr || second == nullptr) return WantedContacts::kNothing;
+  const bool isMapped = first->traits.map != nullptr || second->traits.map != nullptr;
+  return isMapped ? WantedContacts::kContacts : wanted.of(first->traits.material, second->traits.material);
 }
 
 // Whether a contact closes at the speed of a blow.
 bool StepContacts::hasFast(const btPersistentManifold& manifold) {
-  const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-  if (speedOf(a) + speedOf(b) <= EffectSet::kImpactSpeed) return false;
-  const Motion one(a), two(b);
+  const Motion one(*manifold.getBody0()), two(*manifold.getBody1());
   for (int i = 0; i < manifold.getNumContacts(); ++i)
     if (closingSpeed(manifold.getContactPoint(i), one, two) > EffectSet::kImpactSpeed) return true;
   return false;
 }
 
-void StepContacts::list(Range& range) {
+void StepContacts::list(Range& range, SideBook& book) {
   btPersistentManifold& manifold = *range.manifold;
   const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+  const SideBook::Entry &sideA = *book.find(a), &sideB = *book.find(b);
   const Motion one(a), two(b);
-  range.first = contacts_.size();
+  range.first = static_cast<std::uint32_t>(contacts_.size());
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     Contact& contact = contacts_.emplace_back();
     contact.point = &point;
-    contact.sides = {range.sideA->side(a, point.getPositionWorldOnA()),
-                     range.sideB->side(b, point.getPositionWorldOnB())};
+    contact.sides = {sideA.side(a, point.getPositionWorldOnA()), sideB.side(b, point.getPositionWorldOnB())};
     contact.relativeVelocity = one.at(point.getPositionWorldOnA()) - two.at(point.getPositionWorldOnB());
     contact.closingSpeed = -contact.relativeVelocity.dot(point.m_normalWorldOnB);
     range.isFast = range.isFast || contact.closingSpeed > EffectSet::kImpactSpeed;
   }
-  range.end = contacts_.size();
+  range.end = static_cast<std::uint32_t>(contacts_.size());
 }
 
-void StepContacts::formImpacts() {
+void StepContacts::formImpacts(SideBook& book) {
   pairs_.clear();
   for (const Range& range : ranges_)
     if (range.isFast) pairs_.push_back(range.pair);
@@ -171,10 +182,13 @@ void StepContacts::formImpacts() {
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   impacts_.assign(pairs_.size(), Impact{});
   if (pairs_.empty()) return;
+  Glance fast;
+  for (const std::uint64_t pair : pairs_) fast.add(pair);
   for (Range& range : ranges_) {
+    if (!fast.mayHold(range.pair)) continue;
     const auto found = std::lower_bound(pairs_.begin(), pairs_.end(), range.pair);
     if (found == pairs_.end() || *found != range.pair) continue;
-    if (range.first == range.end) list(range);
+    if (range.first == range.end) list(range, book);
     const auto number = static_cast<std::int32_t>(found - pairs_.begin());
     join(range, impacts_[static_cast<std::size_t>(number)], number);
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +24,8 @@ class WantedContacts {
   unsigned of(MaterialId a, MaterialId b);
   /// Whether anything is wanted of any two of the objects.
   bool anyOf(const SideBook& book);
+  /// Whether nobody wants contacts but for the impacts they form.
+  bool onlyImpacts() const { return onlyImpacts_; }
 
  private:
   static constexpr unsigned kUnknown = ~0U;
@@ -32,7 +33,7 @@ class WantedContacts {
   std::vector<Hooks> hooks_;
   PairTable<unsigned> known_{kUnknown};
   std::uint64_t version_ = 0;  // of the book, when `any_` was found
-  bool any_ = false;
+  bool any_ = false, onlyImpacts_ = true;
 };
 
 /// The contacts of one step that are wanted, whose objects are both known and not both at rest, and which pairs of
@@ -53,26 +54,17 @@ class StepContacts {
   struct Range {
     std::uint64_t pair;  // the objects' places in the world, the smaller one above
     btPersistentManifold* manifold;
-    const SideBook::Entry *sideA, *sideB;
-    std::size_t first, end;
+    std::uint32_t first, end;
     bool isFast;
   };
 
   void add(btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted);
-  bool hasFast(const btPersistentManifold& manifold);
-  btScalar speedOf(const btCollisionObject& object);
-  void list(Range& range);
-  void formImpacts();
+  static unsigned wishesFor(const btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted);
+  static bool hasFast(const btPersistentManifold& manifold);
+  void list(Range& range, SideBook& book);
+  void formImpacts(SideBook& book);
   void join(const Range& range, Impact& impact, std::int32_t number);
 
-  // The most that a point of an object moves at in the step of that number.
-  struct Speed {
-    std::uint64_t step = 0;
-    btScalar speed = 0;
-  };
-
-  std::vector<Speed> speeds_;  // by place in the world
-  std::uint64_t step_ = 0;
   std::vector<Contact> contacts_;
   std::vector<Range> ranges_;  // one for each manifold
   std::vector<std::uint64_t> pairs_;

@@ -44,6 +44,50 @@ TEST(ImpactEvents, TellsOfBlowsAboveTheThresholds) {
   EXPECT_EQ(events.events().size(), 0U) << "taken";
 }
 
+/// Wants to see every contact and changes none, so that none is left out because it cannot be part of a blow.
+class Onlooker final : public effects::Effect, effects::MaterialHook {
+ public:
+  std::string_view name() const override { return "onlooker"; }
+  effects::Hooks hooks() override { return {.material = this}; }
+
+ private:
+  std::uint32_t changeContacts(std::span<effects::Contact>, const effects::Step&) override { return 0; }
+};
+
+/// Bodies of several manifolds each, that fall onto each other and come to rest.
+struct Tumble : EffectWorld {
+  Tumble() {
+    ground(kSoil);
+    const auto shape = treeShape(plainTree(cuboid({1, 0.6, 0.4}, 2)));
+    for (int i = 0; i < 12; ++i) {
+      const btVector3 place(btScalar(0.3) * btScalar(i % 3), btScalar(0.2) * btScalar(i % 2), 1 + btScalar(i));
+      join(bullet.add(shape, 1, place, btQuaternion(btVector3(1, 2, btScalar(i)).normalized(), btScalar(i))), 1, kRock);
+    }
+  }
+};
+
+TEST(ImpactEvents, AreTheSameWhoeverLooksOn) {
+  Tumble alone, watched;
+  watched.effect<Onlooker>();
+  const ImpactEvents::Options all{.dustImpulse = BT_LARGE_FLOAT, .soundImpulse = 0};
+  ImpactEvents *const mine = &alone.effect<ImpactEvents>(all), *const others = &watched.effect<ImpactEvents>(all);
+  alone.step(1200, kStep);
+  watched.step(1200, kStep);
+  ASSERT_EQ(alone.bullet.stateHash(), watched.bullet.stateHash());
+  std::vector<Event> told, expected;
+  mine->events().takeInto(told);
+  others->events().takeInto(expected);
+  EXPECT_GT(told.size(), 20U);
+  ASSERT_EQ(told.size(), expected.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(told[i].step, expected[i].step);
+    EXPECT_EQ(told[i].bodyIds, expected[i].bodyIds);
+    EXPECT_EQ(told[i].impulse, expected[i].impulse);
+    EXPECT_EQ(told[i].closingSpeed, expected[i].closingSpeed);
+    EXPECT_EQ(told[i].place, expected[i].place);
+  }
+}
+
 TEST(ImpactEvents, KeepsTheLastAndCountsWhatItDropped) {
   effects::BoundedLog<int> log(3);
   for (int i = 0; i < 5; ++i) log.add(i);
