@@ -37,6 +37,10 @@ btScalar closingSpeed(const btManifoldPoint& point, const Motion& a, const Motio
   return (b.at(point.getPositionWorldOnB()) - a.at(point.getPositionWorldOnA())).dot(point.m_normalWorldOnB);
 }
 
+bool rests(const btCollisionObject& object) {
+  return object.isStaticOrKinematicObject() || !object.isActive();
+}
+
 std::uint64_t pairOf(const btPersistentManifold& manifold) {
   auto a = static_cast<std::uint32_t>(manifold.getBody0()->getWorldArrayIndex());
   auto b = static_cast<std::uint32_t>(manifold.getBody1()->getWorldArrayIndex());
@@ -118,21 +122,22 @@ void StepContacts::gather(btDispatcher& dispatcher, SideBook& book, WantedContac
     fetchAhead(manifolds, i, count);
     add(*manifolds[i], book, wanted);
   }
-  formImpacts(book);
+  formImpacts(book, wanted);
 }
 
 void StepContacts::add(btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted) {
   if (manifold.getNumContacts() == 0) return;
+  if (rests(*manifold.getBody0()) && rests(*manifold.getBody1())) return;
   Range range{pairOf(manifold), &manifold, 0, 0, false};
-  // Most manifolds close slowly. Where blows alone are wanted, no more is asked of them.
-  const bool onlyImpacts = wanted.onlyImpacts();
-  if (onlyImpacts) range.isFast = hasFast(manifold);
-  if (!onlyImpacts || range.isFast) {
+  if (wanted.onlyImpacts()) {
+    // Most close slowly, and no more is asked of these, unless another manifold of their pair is fast.
+    range.isFast = hasFast(manifold) && wishesFor(manifold, book, wanted) != WantedContacts::kNothing;
+  } else {
     const unsigned wishes = wishesFor(manifold, book, wanted);
     if (wishes == WantedContacts::kNothing) return;
     if ((wishes & WantedContacts::kContacts) != 0)
       list(range, book);
-    else if (!onlyImpacts)
+    else
       range.isFast = hasFast(manifold);
   }
   ranges_.push_back(range);
@@ -140,8 +145,7 @@ void StepContacts::add(btPersistentManifold& manifold, SideBook& book, WantedCon
 
 unsigned StepContacts::wishesFor(const btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted) {
   const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-  const auto rests = [](const btCollisionObject& o) { return o.isStaticOrKinematicObject() || !o.isActive(); };
-  if ((rests(a) && rests(b)) || !a.hasContactResponse() || !b.hasContactResponse()) return WantedContacts::kNothing;
+  if (!a.hasContactResponse() || !b.hasContactResponse()) return WantedContacts::kNothing;
   const SideBook::Entry *first = book.find(a), *second = book.find(b);
   if (first == nullptr || second == nullptr) return WantedContacts::kNothing;
   const bool isMapped = first->traits.map != nullptr || second->traits.map != nullptr;
@@ -174,7 +178,7 @@ void StepContacts::list(Range& range, SideBook& book) {
   range.end = static_cast<std::uint32_t>(contacts_.size());
 }
 
-void StepContacts::formImpacts(SideBook& book) {
+void StepContacts::formImpacts(SideBook& book, WantedContacts& wanted) {
   pairs_.clear();
   for (const Range& range : ranges_)
     if (range.isFast) pairs_.push_back(range.pair);
@@ -188,7 +192,10 @@ void StepContacts::formImpacts(SideBook& book) {
     if (!fast.mayHold(range.pair)) continue;
     const auto found = std::lower_bound(pairs_.begin(), pairs_.end(), range.pair);
     if (found == pairs_.end() || *found != range.pair) continue;
-    if (range.first == range.end) list(range, book);
+    const bool isListed = range.first != range.end;
+    // Objects in no world, or in another, may have the places of those that strike.
+    if (!isListed && wishesFor(*range.manifold, book, wanted) == WantedContacts::kNothing) continue;
+    if (!isListed) list(range, book);
     const auto number = static_cast<std::int32_t>(found - pairs_.begin());
     join(range, impacts_[static_cast<std::size_t>(number)], number);
   }

@@ -62,7 +62,7 @@ class StepContacts {
   static unsigned wishesFor(const btPersistentManifold& manifold, SideBook& book, WantedContacts& wanted);
   static bool hasFast(const btPersistentManifold& manifold);
   void list(Range& range, SideBook& book);
-  void formImpacts(SideBook& book);
+  void formImpacts(SideBook& book, WantedContacts& wanted);
   void join(const Range& range, Impact& impact, std::int32_t number);
 
   std::vector<Contact> contacts_;

@@ -54,16 +54,24 @@ class Onlooker final : public effects::Effect, effects::MaterialHook {
   std::uint32_t changeContacts(std::span<effects::Contact>, const effects::Step&) override { return 0; }
 };
 
-/// Bodies of several manifolds each, that fall onto each other and come to rest.
+/// Soil on one side, rock on the other.
+struct HalfRock final : effects::MaterialMap {
+  effects::MaterialId at(const btVector3& place) const override { return place.x() > 0 ? kRock : kSoil; }
+};
+
+/// Bodies of several manifolds each, that fall onto each other and onto a ground of two materials, and come to rest.
 struct Tumble : EffectWorld {
   Tumble() {
-    ground(kSoil);
+    const btVector3 below(0, 0, btScalar(-0.5));
+    btRigidBody& slab = bullet.add(treeShape(plainTree(cuboid({8, 8, 1}, 6))), 0, below);
+    set->describe(slab, {.map = &halfRock});
     const auto shape = treeShape(plainTree(cuboid({1, 0.6, 0.4}, 2)));
     for (int i = 0; i < 12; ++i) {
       const btVector3 place(btScalar(0.3) * btScalar(i % 3), btScalar(0.2) * btScalar(i % 2), 1 + btScalar(i));
       join(bullet.add(shape, 1, place, btQuaternion(btVector3(1, 2, btScalar(i)).normalized(), btScalar(i))), 1, kRock);
     }
   }
+  HalfRock halfRock;
 };
 
 TEST(ImpactEvents, AreTheSameWhoeverLooksOn) {
@@ -86,6 +94,34 @@ TEST(ImpactEvents, AreTheSameWhoeverLooksOn) {
     EXPECT_EQ(told[i].closingSpeed, expected[i].closingSpeed);
     EXPECT_EQ(told[i].place, expected[i].place);
   }
+}
+
+TEST(ImpactEvents, AreOfOneWorldOfSeveralBehindADispatcher) {
+  EffectWorld w;
+  w.ground(kSoil);
+  w.ball(btScalar(0.2), 1, btVector3(0, 0, btScalar(1.2)), btVector3(0, 0, 0));
+  ImpactEvents& events =
+      w.effect<ImpactEvents>(ImpactEvents::Options{.dustImpulse = BT_LARGE_FLOAT, .soundImpulse = 2});
+  // The same places in its list, nobody whom the effects know.
+  btDefaultCollisionConfiguration configuration;
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld other(&w.bullet.dispatcher, &broadphase, &solver, &configuration);
+  other.setGravity(btVector3(0, 0, -kGravity));
+  btStaticPlaneShape plane(btVector3(0, 0, 1), btScalar(0));
+  btSphereShape ball(btScalar(0.2));
+  btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &plane));
+  btRigidBody resting(btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &ball, btVector3(1, 1, 1)));
+  resting.getWorldTransform().setOrigin(btVector3(0, 0, btScalar(0.2)));
+  other.addRigidBody(&ground);
+  other.addRigidBody(&resting);
+  for (int i = 0; i < 240; ++i) {
+    other.stepSimulation(kStep, 1, kStep);
+    w.step(1, kStep);
+  }
+  EXPECT_EQ(events.events().size(), 1U);
+  other.removeRigidBody(&resting);
+  other.removeRigidBody(&ground);
 }
 
 TEST(ImpactEvents, KeepsTheLastAndCountsWhatItDropped) {
