@@ -6,6 +6,7 @@
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "continuous/swept_triangle.h"
 #include "placement/tree_pose.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -41,7 +42,7 @@ std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element,
 void SweptTree::appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) {
   if (TreeParts::isTriangle(element)) return SweptTriangle(tree_.triangle(element)).appendNormals(center, normals);
   const Vec3 line = center - tree_.sphere(element).center;
-  if (lengthSq(line) > 0) normals.add(normalized(line), false);
+  if (line != Vec3()) normals.add(unitVector(line), false);
   tree_.appendFaces(element, normals);
 }
 

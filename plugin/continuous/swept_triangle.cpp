@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "continuous/entry_into_box.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -32,7 +33,7 @@ std::optional<float> SweptTriangle::entry(const Sphere& ball, const Vec3& way) c
 
 void SweptTriangle::appendNormals(const Vec3& center, SeparatingNormals& normals) const {
   const Vec3 line = center - nearestOnTriangle(triangle, center).point;
-  if (lengthSq(line) > 0) normals.add(normalized(line), false);
+  if (line != Vec3()) normals.add(unitVector(line), false);
   normals.add(normal, true);
   normals.add(-normal, true);
 }

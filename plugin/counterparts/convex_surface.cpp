@@ -44,7 +44,7 @@ NearestPoint nearestOnBox(const Vec3& halfExtents, const Vec3& p) {
 
 NearestPoint nearestOnSphere(float radius, const Vec3& p) {
   const float fromCenter = length(p);
-  const Vec3 normal = fromCenter > 0 ? p / fromCenter : Vec3(0, 0, 1);
+  const Vec3 normal = p != Vec3() ? unitVector(p) : Vec3(0, 0, 1);
   return {normal * radius, normal, fromCenter - radius};
 }
 
@@ -93,7 +93,7 @@ NearestPoint ConvexSurface::supportingPlane(const Vec3& p) const {
   btVector3 lower, upper;
   shape_->getAabb(btTransform::getIdentity(), lower, upper);
   const Vec3 out = p - toVec3((lower + upper) * btScalar(0.5));
-  const Vec3 normal = lengthSq(out) > 0 ? normalized(out) : Vec3(0, 0, 1);
+  const Vec3 normal = out != Vec3() ? unitVector(out) : Vec3(0, 0, 1);
   const float distance = dot(normal, p - support(normal));
   return {p - normal * distance, normal, distance};
 }

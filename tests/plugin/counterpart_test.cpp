@@ -55,6 +55,24 @@ TEST(ConvexSurface_Sphere, ClosedFormIsTheDefinition) {
   }
 }
 
+// Squares of what is below 1e-19 have few digits left, or none.
+TEST(ConvexSurface_AnyShape, HasAUnitNormalHoweverNearTheMiddle) {
+  const btSphereShape sphere(btScalar(0.7));
+  const btBoxShape box(btVector3(btScalar(0.5), btScalar(0.7), btScalar(0.9)));
+  const btCylinderShape cylinder(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.9)));
+  const btConvexShape* const shapes[] = {&sphere, &box, &cylinder};
+  std::mt19937_64 engine(5);
+  for (const btConvexShape* shape : shapes) {
+    ConvexSurface surface;
+    surface.setShape(*shape);
+    for (int power = 0; power <= 45; ++power)
+      for (int trial = 0; trial < 10; ++trial) {
+        const Vec3 p(randomPoint(engine) * std::pow(10.0, -power));
+        EXPECT_NEAR(length(surface.nearest(p).normal), 1, 1e-5) << shape->getName() << ", 1e-" << power;
+      }
+  }
+}
+
 // Whatever the shape, all of it lies behind the plane through the nearest point: that is what makes a contact's depth
 // valid.
 TEST(ConvexSurface_AnyShape, LiesBehindThePlaneOfItsNearestPoint) {
