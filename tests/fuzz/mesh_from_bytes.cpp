@@ -128,7 +128,7 @@ builder::BuildOptions optionsFrom(Bytes& bytes) {
   options.depth = 1 + bytes.below(2);
   options.samples = 100 + bytes.below(200);
   if (bytes.next() == 255) options.branching = options.depth = bytes.below(12);
-  if (options.depth > 4 && options.depth <= kMaxDepth) options.depth = 2;  // allowed: millions of spheres, in minutes
+  if (options.depth > 4) options.depth = 2;  // seven levels of seven children are allowed, and take minutes
   options.seed = bytes.next();
   options.threads = 1;
   const std::uint32_t treatment = builder::fitsRegions(options.method) ? bytes.below(6) : 4;
