@@ -11,6 +11,8 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
+
 #include "cairn/core/family.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,6 +34,14 @@ HWY_INLINE SphereLanes inAllLanes(const Sphere& s) {
   return {hn::Set(d, s.center.x), hn::Set(d, s.center.y), hn::Set(d, s.center.z), hn::Set(d, s.radius)};
 }
 
+/// A bit per lane, from the lowest on.
+template <class D, class M>
+HWY_INLINE std::uint32_t bitsOf(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return hn::MaxLanes(d) <= 8 ? bytes[0] : bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
 /// See `overlap`. Products and sums stay separate (no fused multiply-add) and in one order, so that every target and
 /// the scalar twin give the same bits.
 HWY_INLINE std::uint32_t overlapLanes(const Family& family, const SphereLanes& s) {
@@ -43,11 +53,31 @@ HWY_INLINE std::uint32_t overlapLanes(const Family& family, const SphereLanes& s
     const auto dz = hn::Sub(s.z, hn::Load(d, family.z + lane));
     const auto reach = hn::Add(hn::Load(d, family.radius + lane), s.radius);
     const auto distanceSq = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    std::uint8_t mask[8] = {};
-    hn::StoreMaskBits(d, hn::Le(distanceSq, hn::Mul(reach, reach)), mask);
-    bits |= static_cast<std::uint32_t>(mask[0]) << lane;
+    bits |= bitsOf(d, hn::Le(distanceSq, hn::Mul(reach, reach))) << lane;
   }
   return bits;
+}
+
+/// See `supportLane`. Which half of a block the lane is in is as good as random: no branch depends on it.
+HWY_INLINE std::uint32_t farthestLane(const SupportBlock& block, const Vec3& direction) {
+  const hn::CappedTag<float, SupportBlock::kWidth> d;
+  const auto x = hn::Set(d, direction.x);
+  const auto y = hn::Set(d, direction.y);
+  const auto z = hn::Set(d, direction.z);
+  const auto project = [&](std::uint32_t lane) HWY_ATTR {
+    return hn::Add(hn::Add(hn::Mul(hn::Load(d, block.x + lane), x), hn::Mul(hn::Load(d, block.y + lane), y)),
+                   hn::Mul(hn::Load(d, block.z + lane), z));
+  };
+
+  auto best = project(0);
+  for (std::uint32_t lane = hn::Lanes(d); lane < SupportBlock::kWidth; lane += hn::Lanes(d))
+    best = hn::Max(best, project(lane));
+  best = hn::MaxOfLanes(d, best);
+  std::uint32_t farthest = 0;
+  for (std::uint32_t lane = 0; lane < SupportBlock::kWidth; lane += hn::Lanes(d))
+    farthest |= bitsOf(d, hn::Eq(project(lane), best)) << lane;
+  // Nothing is the farthest where numbers overflow.
+  return static_cast<std::uint32_t>(std::countr_zero(farthest | 1U << SupportBlock::kWidth)) % SupportBlock::kWidth;
 }
 
 }  // namespace cairn::HWY_NAMESPACE

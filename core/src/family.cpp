@@ -21,24 +21,7 @@ std::uint32_t overlapOnce(const Family& family, const Sphere& s) {
 }
 
 std::uint32_t supportLanes(const SupportBlock& block, const Vec3& direction) {
-  const hn::CappedTag<float, SupportBlock::kWidth> d;
-  const auto x = hn::Set(d, direction.x);
-  const auto y = hn::Set(d, direction.y);
-  const auto z = hn::Set(d, direction.z);
-  const auto project = [&](std::uint32_t lane) HWY_ATTR {
-    return hn::Add(hn::Add(hn::Mul(hn::Load(d, block.x + lane), x), hn::Mul(hn::Load(d, block.y + lane), y)),
-                   hn::Mul(hn::Load(d, block.z + lane), z));
-  };
-
-  auto best = project(0);
-  for (std::uint32_t lane = hn::Lanes(d); lane < SupportBlock::kWidth; lane += hn::Lanes(d))
-    best = hn::Max(best, project(lane));
-  best = hn::MaxOfLanes(d, best);
-  for (std::uint32_t lane = 0; lane < SupportBlock::kWidth; lane += hn::Lanes(d)) {
-    const auto first = hn::FindFirstTrue(d, hn::Eq(project(lane), best));
-    if (first >= 0) return lane + static_cast<std::uint32_t>(first);
-  }
-  return 0;
+  return farthestLane(block, direction);
 }
 
 const char* targetName() {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoRecord = 0xFFFFFFFFU;
 constexpr float kSameFaceCosine = 0.99862953F;    // 3 degrees
+constexpr float kPlanarCosine = 0.996194698F;     // 5 degrees
 constexpr float kSharpEdgeCosine = 0.866025404F;  // 30 degrees
 
 SupportBlock packSupport(std::span<const Vec3> points) {
@@ -49,8 +50,11 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   level_.resize(slots, 0);
   for (std::uint32_t record = 0; record < nodeCount(); ++record) packNode(record);
   for (const NodeId id : nodeAt_) packChildLanes(id);
-  faceted_.resize(slots, 0);
-  for (const NodeId id : nodeAt_) faceted_[id] = isLeaf(id) && facesOnly(id);
+  flatness_.resize(slots, 0);
+  for (const NodeId id : nodeAt_) {
+    if (isLeaf(id) && facesOnly(id)) flatness_[id] |= kFaceted;
+    if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
+  }
 }
 
 // A triangle without area faces nowhere and contradicts nothing.
@@ -139,7 +143,7 @@ float SphereTree::levelError(std::uint32_t level) const {
 std::size_t SphereTree::memoryBytes() const {
   return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
-         bytesOf(faceted_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
+         bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
          bytesOf(familySize_) + bytesOf(nodeAt_);
 }
 

@@ -13,6 +13,7 @@
 
 #include <bit>
 
+#include "columns-inl.h"
 #include "family-inl.h"
 #include "staircase_batch.h"
 
@@ -55,43 +56,11 @@ HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, std::uint32_t 
 using StepTag = FamilyTag;  // a step per lane
 using StepIds = hn::RebindToUnsigned<StepTag>;
 
-struct Columns {
-  FamilyVec x, y, z, w;
-};
-
-/// Four numbers of each of as many nodes as there are lanes, in columns. `offset` is 0 for the sphere, 4 for the rest.
-template <class NodeOfStep>
-HWY_INLINE Columns loadColumns(NodeOfStep nodeOfStep, std::size_t offset) {
+/// The spheres in the frame of the tree that is `to`, with its margin.
+HWY_INLINE Columns movedSpheres(const StaircaseBody& to, const Columns& s) {
   const StepTag d;
-  const auto row = [&](std::uint32_t i) HWY_ATTR {
-    const auto numbers = [&](std::uint32_t step)
-                             HWY_ATTR { return reinterpret_cast<const float*>(nodeOfStep(step)) + offset; };
-#if HWY_TARGET <= HWY_AVX2
-    const hn::Half<StepTag> half;
-    return hn::Combine(d, hn::Load(half, numbers(i + 4)), hn::Load(half, numbers(i)));
-#else
-    return hn::Load(d, numbers(i));
-#endif
-  };
-  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
-  const auto lower02 = hn::InterleaveLower(d, row0, row2), lower13 = hn::InterleaveLower(d, row1, row3);
-  const auto upper02 = hn::InterleaveUpper(d, row0, row2), upper13 = hn::InterleaveUpper(d, row1, row3);
-  return {hn::InterleaveLower(d, lower02, lower13), hn::InterleaveUpper(d, lower02, lower13),
-          hn::InterleaveLower(d, upper02, upper13), hn::InterleaveUpper(d, upper02, upper13)};
-}
-
-/// The same products and sums in the same order as `Similarity`'s.
-HWY_INLINE Columns moved(const StaircaseBody& to, const Columns& s) {
-  const StepTag d;
-  const auto coordinate = [&](int row, float translation) HWY_ATTR {
-    const Vec3& m = to.fromOther.linear.rows[static_cast<std::size_t>(row)];
-    const auto linear =
-        hn::Add(hn::Add(hn::Mul(hn::Set(d, m.x), s.x), hn::Mul(hn::Set(d, m.y), s.y)), hn::Mul(hn::Set(d, m.z), s.z));
-    return hn::Add(linear, hn::Set(d, translation));
-  };
-  const Vec3& t = to.fromOther.translation;
-  return {coordinate(0, t.x), coordinate(1, t.y), coordinate(2, t.z),
-          hn::Add(hn::Mul(s.w, hn::Set(d, to.fromOther.scale)), hn::Set(d, to.margin))};
+  const PointColumns center = moved(to.fromOther, {s.x, s.y, s.z});
+  return {center.x, center.y, center.z, hn::Add(hn::Mul(s.w, hn::Set(d, to.fromOther.scale)), hn::Set(d, to.margin))};
 }
 
 /// As many steps as there are lanes, from `first` on.
@@ -111,7 +80,7 @@ HWY_INLINE void prepareLanes(const StaircaseBody& a, const StaircaseBody& b, con
   hn::Store(hn::IfThenZeroElse(intoA, hn::Set(ids, 1)), ids, batch.side + first);
 
   // Both ways, always: which one counts is as good as random, and a wrong guess would cost more.
-  const Columns inA = moved(a, loadColumns(nodeB, 0)), inB = moved(b, loadColumns(nodeA, 0));
+  const Columns inA = movedSpheres(a, loadColumns(nodeB, 0)), inB = movedSpheres(b, loadColumns(nodeA, 0));
   const auto choose = hn::RebindMask(d, intoA);
   const Columns sphere{hn::IfThenElse(choose, inA.x, inB.x), hn::IfThenElse(choose, inA.y, inB.y),
                        hn::IfThenElse(choose, inA.z, inB.z), hn::IfThenElse(choose, inA.w, inB.w)};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "counterparts/cut_face.h"
+#include "contacts/cut_face.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {

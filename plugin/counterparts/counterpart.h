@@ -14,6 +14,9 @@ class btCollisionShape;
 
 namespace cairn::bullet {
 
+/// What measuring the contact of a leaf pair is charged: both spheres are moved, and compared once more.
+inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
+
 /// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows
 /// how a leaf touches it. It is placed anew in every step, then either started or resumed.
 class Counterpart {

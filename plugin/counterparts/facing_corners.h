@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cairn/core/vec3.h"
+#include "contacts/cut_face.h"
 
 namespace cairn::bullet {
 
@@ -14,7 +15,7 @@ namespace cairn::bullet {
 /// some tilted a little from it.
 class FacingCorners {
  public:
-  static constexpr std::size_t kMaxCorners = 8;
+  static constexpr std::size_t kMaxCorners = CutFace::kMaxCorners;
 
   /// `support(direction)`: the shape's farthest point. `direction`: unit. `size`: of the shape; corners nearer to each
   /// other than an eightieth of that are one. Nine questions at most.

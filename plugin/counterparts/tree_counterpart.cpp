@@ -2,6 +2,7 @@
 #include "counterparts/tree_counterpart.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -53,13 +54,13 @@ Vec3 TreeCounterpart::centerLine(const Sphere& a, const Sphere& b) const {
   return bodies != Vec3() ? unitVector(bodies) : Vec3(0, 0, 1);
 }
 
-bool TreeCounterpart::preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const {
+bool TreeCounterpart::preferPlanes(Contact& contact) const {
   const bool isPlanarA = a_.isPlanar(contact.pair.a), isPlanarB = b_.isPlanar(contact.pair.b);
   if (!isPlanarA && !isPlanarB) return true;
   const auto offer = [&](const Vec3& normal) {
     Contact other = contact;
     other.normal = normal;
-    const bool isNear = measure(other, a, b, reach_);
+    const bool isNear = measure(other, reach_);
     if (other.gap > contact.gap) contact = other;
     return isNear;
   };
@@ -75,6 +76,10 @@ void TreeCounterpart::expect(std::span<const Vec3> normals) {
   fewFaces_.carry(a_, b_, std::span(expected_).first(expectedCount_));
 }
 
+bool TreeCounterpart::areFaceted(const NodePair& pair) const {
+  return a_.isFaceted(pair.a) && b_.isFaceted(pair.b);
+}
+
 float TreeCounterpart::separation(const NodePair& pair, const Vec3& along) const {
   return dot(along, a_.support(pair.a, -along) - b_.support(pair.b, along)) - margins_;
 }
@@ -82,10 +87,10 @@ float TreeCounterpart::separation(const NodePair& pair, const Vec3& along) const
 // Whatever separates the two regions by the reach proves that they do not touch. Where they are about as near as they
 // can get along a normal, and not beside each other, no other direction need be asked.
 TreeCounterpart::Expected TreeCounterpart::touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const {
-  if (!a_.isFaceted(contact.pair.a) || !b_.isFaceted(contact.pair.b)) return Expected::nothing;
+  if (!areFaceted(contact.pair)) return Expected::nothing;
   for (const Vec3& normal : std::span(expected_).first(expectedCount_)) {
     contact.normal = normal;
-    if (!measure(contact, a, b, reach_)) return Expected::apart;
+    if (!measure(contact, reach_)) return Expected::apart;
     if (contact.gap < -reach_) continue;
     const Vec3 line = a.center - b.center, beside = line - normal * dot(line, normal);
     if (beside == Vec3()) return Expected::touching;
@@ -97,20 +102,12 @@ TreeCounterpart::Expected TreeCounterpart::touchAsExpected(Contact& contact, con
   return Expected::nothing;
 }
 
-bool TreeCounterpart::measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const {
-  const Vec3 onA = a_.support(contact.pair.a, -contact.normal);
-  // No point of B's region lies higher than the top of its ball: often that says enough.
-  contact.gap = dot(contact.normal, onA - b.center) - b.radius - margins_;
-  if (contact.gap >= atMost) return false;
-  const Vec3 onB = b_.support(contact.pair.b, contact.normal);
-  contact.gap = dot(contact.normal, onA - onB) - margins_;
-  if (contact.gap >= reach_) return false;
-  // The smaller region knows better where the contact is: on a flat one, any point may be extreme.
-  const float weightA = b.radius * b.radius / (a.radius * a.radius + b.radius * b.radius);
-  const Vec3 where = onB + (onA - onB) * weightA;
-  const float middle = 0.5F * dot(contact.normal, onA + onB);
-  contact.position = where + contact.normal * (middle - dot(contact.normal, where));
-  return true;
+bool TreeCounterpart::measure(Contact& contact, float atMost) const {
+  const RegionGap measured =
+      measureGap(a_.regions(), b_.regions(), contact.pair, contact.normal, {margins_, atMost, reach_});
+  contact.gap = measured.gap;
+  if (measured.isNear) contact.position = measured.position;
+  return measured.isNear;
 }
 
 bool TreeCounterpart::touch(Contact& contact, float atMost) const {
@@ -120,7 +117,7 @@ bool TreeCounterpart::touch(Contact& contact, float atMost) const {
   if (expected == Expected::apart) return false;
   if (expected == Expected::nothing) {
     contact.normal = centerLine(a, b);
-    if (!measure(contact, a, b, atMost) || !preferPlanes(contact, a, b)) return false;
+    if (!measure(contact, atMost) || !preferPlanes(contact)) return false;
   }
   name(contact);
   return true;
@@ -132,22 +129,50 @@ void TreeCounterpart::name(Contact& contact) const {
 }
 
 void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
-  for (const NodePair& pair : pairs) {
-    Contact contact;
-    contact.pair = pair;
-    if (touch(contact, reach_)) contacts.push_back(contact);
-  }
+  appendMeasured(pairs, reach_, {}, contacts);
 }
 
 void TreeCounterpart::appendContacts(std::span<const NodePair> pairs, std::span<float> gaps,
                                      std::vector<Contact>& contacts) {
-  constexpr float kExactly = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Contact contact;
-    contact.pair = pairs[i];
-    if (touch(contact, kExactly)) contacts.push_back(contact);
-    gaps[i] = contact.gap;
+  appendMeasured(pairs, std::numeric_limits<float>::infinity(), gaps, contacts);
+}
+
+void TreeCounterpart::appendMeasured(std::span<const NodePair> pairs, float atMost, std::span<float> gaps,
+                                     std::vector<Contact>& contacts) const {
+  RegionGaps measured;
+  while (!pairs.empty()) {
+    const std::span<const NodePair> some = pairs.first(std::min<std::size_t>(pairs.size(), RegionGaps::kSize));
+    measureGaps(a_.regions(), b_.regions(), some, {margins_, atMost, reach_}, measured);
+    const std::uint32_t alone = measured.blurredPairs | expectedOf(some);
+    const std::span<float> told = gaps.first(std::min(gaps.size(), some.size()));
+    std::copy_n(measured.gap, told.size(), told.begin());
+    for (std::uint32_t lanes = measured.nearPairs | alone; lanes != 0; lanes &= lanes - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      Contact contact;
+      contact.pair = some[i];
+      const bool touches = (alone >> i & 1U) != 0 ? touch(contact, atMost) : touchAsMeasured(contact, measured, i);
+      if (!told.empty()) told[i] = contact.gap;
+      if (touches) contacts.push_back(contact);
+    }
+    pairs = pairs.subspan(some.size());
+    gaps = gaps.subspan(told.size());
   }
+}
+
+std::uint32_t TreeCounterpart::expectedOf(std::span<const NodePair> pairs) const {
+  if (expectedCount_ == 0) return 0;
+  std::uint32_t lanes = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) lanes |= static_cast<std::uint32_t>(areFaceted(pairs[i])) << i;
+  return lanes;
+}
+
+bool TreeCounterpart::touchAsMeasured(Contact& contact, const RegionGaps& measured, std::uint32_t lane) const {
+  contact.normal = measured.normal(lane);
+  contact.gap = measured.gap[lane];
+  contact.position = measured.position(lane);
+  if (!preferPlanes(contact)) return false;
+  name(contact);
+  return true;
 }
 
 Contact TreeCounterpart::boundingContact(const NodePair& pair) {
@@ -217,6 +242,7 @@ std::optional<float> TreeCounterpart::appendCrossing(float ofInterest, Budget& b
   constexpr float kExactly = std::numeric_limits<float>::infinity();
   float least = std::numeric_limits<float>::infinity();
   for (const NodePair& pair : traversal_.leafPairs()) {
+    if (!budget.charge(kContactCost)) return {};
     Contact contact;
     contact.pair = pair;
     touch(contact, kExactly);
@@ -256,7 +282,7 @@ Vec3 TreeCounterpart::flatten(std::span<Contact> cluster, std::span<const Vec3> 
     const Contact before = contact;
     const bool isMeasured = isSameNormal(contact.normal, normal);
     contact.normal = normal;
-    const bool isNear = isMeasured || measure(contact, a_.sphere(contact.pair.a), b_.sphere(contact.pair.b), reach_);
+    const bool isNear = isMeasured || measure(contact, reach_);
     if (isNear && a_.faces(contact.pair.a, -normal) && b_.faces(contact.pair.b, normal)) continue;
     const bool isDeep = isNear && contact.gap < -reach_;
     if (isDeep && planarNormal_.isFartherAlongOther(a_, b_, margins_, before, contact.gap + reach_))

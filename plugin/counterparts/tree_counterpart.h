@@ -46,7 +46,7 @@ class TreeCounterpart final : public Counterpart {
   // Where a region is planar, the centre line says more about where the leaves lie than about where the surfaces meet:
   // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
   // is not below the reach, or when the two do not face each other.
-  bool preferPlanes(Contact& contact, const Sphere& a, const Sphere& b) const;
+  bool preferPlanes(Contact& contact) const;
   // What the pair's last common normals say of two regions of flat faces.
   enum class Expected : std::uint8_t { nothing, apart, touching };
   Expected touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const;
@@ -57,7 +57,15 @@ class TreeCounterpart final : public Counterpart {
   float separation(const NodePair& pair, const Vec3& along) const;
   // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
   // is larger than what is set.
-  bool measure(Contact& contact, const Sphere& a, const Sphere& b, float atMost) const;
+  bool measure(Contact& contact, float atMost) const;
+  // What `touch` says of each pair, in order, but many at a time; `gaps` may be empty.
+  void appendMeasured(std::span<const NodePair> pairs, float atMost, std::span<float> gaps,
+                      std::vector<Contact>& contacts) const;
+  // A bit for each of the pairs of which the common normals may say something: these are asked one by one.
+  std::uint32_t expectedOf(std::span<const NodePair> pairs) const;
+  // The end of `touch` for a pair that was found near along its centre line.
+  bool touchAsMeasured(Contact& contact, const RegionGaps& measured, std::uint32_t lane) const;
+  bool areFaceted(const NodePair& pair) const;
 
   PlacedTree a_, b_;
   float margins_ = 0;

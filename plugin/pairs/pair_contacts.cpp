@@ -7,8 +7,6 @@ namespace cairn::bullet {
 
 namespace {
 
-// Measuring a contact moves both spheres and compares them once more.
-constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 // Comparing two bounding spheres moves one of them.
 constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for

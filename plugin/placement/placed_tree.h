@@ -4,6 +4,7 @@
 #include <span>
 
 #include "cairn/core/pose.h"
+#include "cairn/core/region_gap.h"
 #include "cairn/core/sphere_tree.h"
 #include "placement/face_cone.h"
 
@@ -25,14 +26,12 @@ class PlacedTree {
 
   Vec3 toTree(const Vec3& p) const { return axesFromPair_ * (p - toPair_.translation) * (1 / toPair_.scale); }
 
-  Sphere sphere(NodeId node) const {
-    const Sphere s = tree_->sphere(node);
-    return {toPair_ * s.center, s.radius * toPair_.scale};
-  }
+  PlacedRegions regions() const { return {*tree_, toPair_, axesFromPair_}; }
+  Sphere sphere(NodeId node) const { return regions().sphere(node); }
   /// Of the ball around the sphere's centre that lies inside the solid; 0 when the centre does not.
   float innerRadius(NodeId node) const { return tree_->innerRadius(node) * toPair_.scale; }
-  /// Whether the node's region lies in one plane, up to what a mesh's rounding does to its normals (5 degrees).
-  bool isPlanar(NodeId node) const { return tree_->node(node).normalCone.cosine >= 0.996194698F; }
+  /// Whether the node's region lies in one plane, see `SphereTree::isPlanar`.
+  bool isPlanar(NodeId node) const { return tree_->isPlanar(node); }
   /// Whether the node's region consists of flat faces that the tree names, see `SphereTree::isFaceted`.
   bool isFaceted(NodeId node) const { return tree_->isFaceted(node); }
   /// The middle of the node's outward normals.
@@ -52,10 +51,7 @@ class PlacedTree {
   /// The region's support points, tree frame; those of a planar leaf are the corners of its patch.
   std::span<const Vec3> supportPoints(NodeId node) const { return tree_->supportPoints(node); }
   /// The point of the node's region that lies farthest along `direction`.
-  Vec3 support(NodeId node, const Vec3& direction) const {
-    const SupportBlock& block = tree_->support(node);
-    return toPair_ * block.point(supportLane(block, axesFromPair_ * direction));
-  }
+  Vec3 support(NodeId node, const Vec3& direction) const { return regions().support(node, direction); }
   /// Up to which the body reaches along `direction` (unit) near the node: its region's farthest support point, or, if
   /// that is farther, the farthest point of its ball less the certified error. The body has points as far out as that.
   Vec3 extreme(NodeId node, const Vec3& direction) const {

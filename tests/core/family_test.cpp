@@ -2,10 +2,10 @@
 #include "cairn/core/family.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <random>
 
+#include "every_target.h"
 #include "random_tree.h"
 
 namespace cairn {
@@ -32,23 +32,7 @@ SupportBlock randomBlock(std::mt19937_64& engine) {
   return block;
 }
 
-class FamilyOnEveryTarget : public testing::Test {
- protected:
-  void TearDown() override {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-
-  template <class Check>
-  static void onEveryTarget(Check check) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      hwy::SetSupportedTargetsForTest(target);
-      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-      SCOPED_TRACE(simdTargetName());
-      check();
-    }
-  }
-};
+using FamilyOnEveryTarget = test::EveryTarget;
 
 TEST_F(FamilyOnEveryTarget, Overlap_SameBitsAsScalarTwin) {
   onEveryTarget([] {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "best_order.h"
 #include "cairn/core/scheduler.h"
 #include "cairn/core/state_hash.h"
 #include "cairn/core/tree_pair_traversal.h"
@@ -68,6 +69,15 @@ class Pile {
     whole.hash = hash.value();
     return whole;
   }
+  /// Worst error, as above, after as many operations if nothing but errors decided what is refined next.
+  double worstInBestOrder(std::uint64_t operations) const {
+    std::vector<PlacedPair> pairs;
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      const auto [i, j] = bodies_[k];
+      pairs.push_back({&tree(i), &tree(j), poses_[i], poses_[j], double(pairs_[k].size)});
+    }
+    return BestOrder(pairs, kMargin).worstAfter(operations);
+  }
   Errors errorsOf(Priority& priority, std::uint64_t operations) {
     refine(priority, Budget::operations(operations));
     Errors errors;
@@ -84,6 +94,7 @@ class Pile {
 
  private:
   static constexpr std::size_t kBodies = 60;
+  static constexpr float kMargin = 0.01F;
 
   const SphereTree& tree(std::size_t body) const { return *trees_[body % trees_.size()]; }
   double size(std::size_t body) const {
@@ -94,7 +105,7 @@ class Pile {
     for (std::size_t i = 0, k = 0; i < kBodies; ++i)
       for (std::size_t j = 0; j < i; ++j, ++k) {
         TreePairTraversal& t = traversals_[k];
-        t.start(tree(i), tree(j), poses_[i], poses_[j], 0.01F);
+        t.start(tree(i), tree(j), poses_[i], poses_[j], kMargin);
         if (t.done()) continue;
         const std::size_t smaller = size(i) < size(j) ? i : j;
         bodies_.push_back({i, j});
@@ -107,7 +118,7 @@ class Pile {
   std::uint64_t refine(Priority& priority, Budget budget) {
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const auto [i, j] = bodies_[k];
-      traversals_[pairs_[k].id].start(tree(i), tree(j), poses_[i], poses_[j], 0.01F);
+      traversals_[pairs_[k].id].start(tree(i), tree(j), poses_[i], poses_[j], kMargin);
     }
     (void)Scheduler().run(pairs_, priority, budget);
     return budget.used();
@@ -149,6 +160,10 @@ TEST_P(PriorityError, IsLowerThanRoundRobins_AtEqualBudget) {
     print("two-class", classes);
     print("worst-error", worst);
     print("perceptual", seen);
+    constexpr double kRounding = 1e-4;  // errors are rounded up where they are certified, and margins grow by a slack
+    const double best = pile.worstInBestOrder(operations);
+    std::cout << "    any order       " << std::setw(6) << 100 * best << " % of size\n";
+    EXPECT_LE(best, (1 + kRounding) * worst.worst) << percent;
     EXPECT_LT(worst.worst, inTurn.worst) << percent;
     EXPECT_LT(seen.worstSeen, inTurn.worstSeen) << percent;
     EXPECT_LT(seen.meanSeen, inTurn.meanSeen) << percent;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "cairn/core/tree_pair_traversal.h"
+#include "every_target.h"
 #include "random_tree.h"
 #include "reference_traversal.h"
 
@@ -27,24 +27,7 @@ struct StaircaseCase {
   static constexpr float kMargin = 0.02F;
 };
 
-class StaircaseOnEveryTarget : public testing::Test {
- protected:
-  void TearDown() override { choose(0); }
-
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-
-  template <class Check>
-  static void onEveryTarget(Check check) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      choose(target);
-      SCOPED_TRACE(simdTargetName());
-      check();
-    }
-  }
-};
+using StaircaseOnEveryTarget = test::EveryTarget;
 
 // Cut at random operations: front and leaf pairs are the reference's, pair by pair and in its order, and so is the
 // cost.

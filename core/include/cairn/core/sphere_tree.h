@@ -134,7 +134,10 @@ class SphereTree {
   /// True for a leaf whose region consists of flat faces, with sharp edges between them, that `faceNormals` names
   /// without exception: every source triangle of it faces within 3 degrees of one of them, and no two of them within 30
   /// degrees of each other (the facets of a smooth body).
-  bool isFaceted(NodeId node) const { return faceted_[node] != 0; }
+  bool isFaceted(NodeId node) const { return (flatness_[node] & kFaceted) != 0; }
+  /// Whether the node's region lies in one plane, up to what a mesh's rounding does to its normals: all of them within
+  /// 5 degrees of its cone's axis.
+  bool isPlanar(NodeId node) const { return (flatness_[node] & kPlanar) != 0; }
   /// Source triangles that touch the node's region, as indices into `triangles()`.
   std::span<const std::uint32_t> regionTriangles(NodeId node) const;
   std::uint32_t level(NodeId node) const { return level_[node]; }
@@ -158,6 +161,8 @@ class SphereTree {
   std::size_t memoryBytes() const;
 
  private:
+  static constexpr std::uint8_t kFaceted = 1, kPlanar = 2;
+
   explicit SphereTree(SphereTreeData data);
   void linkFamilies();
   void packNode(std::uint32_t record);
@@ -170,7 +175,7 @@ class SphereTree {
   std::vector<SupportBlock> support_;
   std::vector<std::uint32_t> recordIndex_;
   std::vector<std::uint8_t> level_;
-  std::vector<std::uint8_t> faceted_;
+  std::vector<std::uint8_t> flatness_;  // kFaceted, kPlanar: what contacts ask of each leaf, near each other
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
   float reach_ = 0;

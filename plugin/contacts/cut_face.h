@@ -6,7 +6,6 @@
 #include <span>
 
 #include "cairn/core/vec3.h"
-#include "counterparts/facing_corners.h"
 
 namespace cairn::bullet {
 
@@ -14,7 +13,9 @@ namespace cairn::bullet {
 /// other (Sutherland and Hodgman 1974).
 class CutFace {
  public:
-  /// `corners`: in their order around the face, at most `FacingCorners::kMaxCorners`.
+  static constexpr std::size_t kMaxCorners = 8;
+
+  /// `corners`: in their order around the face, at most `kMaxCorners`.
   explicit CutFace(std::span<const Vec3> corners) {
     for (const Vec3& corner : corners) points_[count_++] = corner;
   }
@@ -37,7 +38,7 @@ class CutFace {
 
  private:
   // Each cut of a convex face adds one; rounding, which bends it, one more.
-  static constexpr std::size_t kMaxPoints = FacingCorners::kMaxCorners + 6;
+  static constexpr std::size_t kMaxPoints = kMaxCorners + 6;
 
   std::array<Vec3, kMaxPoints> points_;
   std::size_t count_ = 0;
