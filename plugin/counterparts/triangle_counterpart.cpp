@@ -2,6 +2,7 @@
 #include "counterparts/triangle_counterpart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
@@ -16,12 +17,19 @@ constexpr btScalar kStepsAhead = 4;
 constexpr std::uint32_t kMaxWholes = 4;
 // Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
 constexpr float kCoveredFraction = 0.01F;
+
+float diagonalOf(const btCollisionShape& shape) {
+  btVector3 lower, upper;
+  shape.getAabb(btTransform::getIdentity(), lower, upper);
+  return static_cast<float>((upper - lower).length());
+}
 }  // namespace
 
 void TriangleCounterpart::reset() {
   Counterpart::reset();
   outran_ = false;
   sides_.reset();
+  onFaces_.reset();
 }
 
 void TriangleCounterpart::place(const PairPlacement& placement) {
@@ -86,13 +94,25 @@ void TriangleCounterpart::placeTriangles() {
 
 void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   const std::size_t first = contacts.size();
-  contacts_.append(placement_, inPair_, pairs, traversal_.done(), sides_, contacts);
+  divide(pairs);
+  contacts_.append(placement_, inPair_, others_, traversal_.done(), sides_, contacts);
+  onFaces_.append(placement_, diagonalOf(*placement_.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
   for (std::size_t i = first; i < contacts.size(); ++i) {
     const TriangleSoup::Source& source = soup_.triangles()[contacts[i].pair.b];
     const NodeId leaf = contacts[i].pair.a;
     contacts[i].id = {static_cast<int>(placement_.tree.tree().level(leaf)), static_cast<int>(leaf), source.part,
                       source.index};
   }
+}
+
+// What is smaller than the tree stands on its flat leaves' faces.
+void TriangleCounterpart::divide(std::span<const NodePair> pairs) {
+  others_.clear();
+  ofFaces_.clear();
+  const bool isSmaller = diagonalOf(*placement_.otherShape) <= float(placement_.treeShape->size());
+  for (const NodePair& pair : pairs)
+    (isSmaller && TrianglesOnFaces::isFor(placement_.tree, pair.a) ? ofFaces_ : others_).push_back(pair);
+  std::ranges::sort(ofFaces_, {}, [](const NodePair& pair) { return std::pair(pair.a, pair.b); });
 }
 
 Contact TriangleCounterpart::boundingContact(const NodePair& pair) {

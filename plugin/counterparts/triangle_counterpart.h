@@ -10,6 +10,7 @@
 #include "triangles/triangle_contacts.h"
 #include "triangles/triangle_sides.h"
 #include "triangles/triangle_soup.h"
+#include "triangles/triangles_on_faces.h"
 
 namespace cairn::bullet {
 
@@ -38,6 +39,7 @@ class TriangleCounterpart final : public Counterpart {
   void gather();
   void rename(std::vector<NodePair>& known) const;
   void placeTriangles();
+  void divide(std::span<const NodePair> pairs);
 
   PairPlacement placement_;
   btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
@@ -50,6 +52,8 @@ class TriangleCounterpart final : public Counterpart {
   ObstacleTraversal traversal_;
   TriangleSides sides_;
   TriangleContacts contacts_;
+  TrianglesOnFaces onFaces_;
+  std::vector<NodePair> ofFaces_, others_;  // working memory of `divide`
 };
 
 }  // namespace cairn::bullet

@@ -6,18 +6,15 @@
 #include <limits>
 
 #include "contacts/normal_clusters.h"
+#include "faces/edge_limits.h"
 
 namespace cairn::bullet {
 
 namespace {
 
-constexpr float kSameNormalCosine = 0.99862953F;  // 3 degrees: one candidate stands for both
-constexpr float kTowardsCosine = 0.173648178F;    // 80 degrees: tilted centre lines may belong to a face
+constexpr float kSameCandidateCosine = 0.99862953F;  // 3 degrees: one candidate stands for both
+constexpr float kTowardsCosine = 0.173648178F;       // 80 degrees: tilted centre lines may belong to a face
 constexpr float kHysteresisFraction = 0.003F;
-// A face is preferred to a pair of edges that separates better by less than this fraction of the size: the cross
-// product of two edges that are nearly parallel says nothing.
-constexpr float kFaceFraction = 0.001F;
-constexpr float kParallelEdges = 0.1F;  // sine of the angle below which two edges are
 // Contacts whose faces, and whose edges, are looked at: the deepest.
 constexpr std::size_t kMaxFaceContacts = 16;
 constexpr std::size_t kMaxEdgeContacts = 4;
@@ -77,7 +74,7 @@ struct Edges {
 bool PlanarNormal::add(const Vec3& normal, const Vec3& towards, std::size_t most) {
   if (dot(normal, towards) < kTowardsCosine || candidates_.size() >= most) return false;
   for (const Candidate& c : candidates_)
-    if (dot(c.normal, normal) > kSameNormalCosine) return false;
+    if (dot(c.normal, normal) > kSameCandidateCosine) return false;
   candidates_.push_back({normal, 0});
   return true;
 }
@@ -106,7 +103,7 @@ void PlanarNormal::collectEdges(const PlacedTree& a, const PlacedTree& b, const 
 void PlanarNormal::putLastFirst(std::span<const Vec3> lasts, float bonus) {
   auto first = candidates_.begin();
   for (auto it = candidates_.begin(); it != candidates_.end(); ++it) {
-    if (!std::ranges::any_of(lasts, [&](const Vec3& last) { return dot(last, it->normal) > kSameNormalCosine; }))
+    if (!std::ranges::any_of(lasts, [&](const Vec3& last) { return dot(last, it->normal) > kSameCandidateCosine; }))
       continue;
     it->bonus += bonus;
     std::rotate(first, it, it + 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "faces/separating_feature.h"
+#include "faces/edge_limits.h"
 #include "placement/unit_vector.h"
 
 #include <algorithm>
@@ -10,12 +11,9 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr float kSameNormalCosine = 0.999961923F;  // half a degree
+constexpr float kSameFacingCosine = 0.999961923F;  // half a degree
 constexpr float kLastCosine = 0.99862953F;         // 3 degrees
-// Sine of the angle below which two edges are parallel, and nothing is across them.
-constexpr float kParallelEdges = 0.1F;
-constexpr float kFaceFraction = 0.001F;
-constexpr float kSameDirection = 1e-6F;  // one less the cosine
+constexpr float kSameDirection = 1e-6F;            // one less the cosine
 
 // A few directions, no two the same.
 class Directions {
@@ -53,7 +51,7 @@ bool hasDirectedEdge(const std::array<std::uint32_t, 3>& triangle, std::uint32_t
 bool isInsideFace(const SphereTree& tree, std::size_t triangle, std::uint32_t from, std::uint32_t to) {
   for (std::size_t t = 0; t < tree.triangles().size(); ++t)
     if (hasDirectedEdge(tree.triangles()[t], to, from))
-      return dot(PlacedMesh::outwards(tree, t), PlacedMesh::outwards(tree, triangle)) > kSameNormalCosine;
+      return dot(PlacedMesh::outwards(tree, t), PlacedMesh::outwards(tree, triangle)) > kSameFacingCosine;
   return false;
 }
 
@@ -70,7 +68,7 @@ Directions edgesOf(const SphereTree& tree) {
 
 std::optional<SeparatingFeature> faceAlong(const PlacedTree& a, const PlacedTree& b, const Vec3& normal) {
   std::optional<SeparatingFeature> best;
-  float nearest = kSameNormalCosine;
+  float nearest = kSameFacingCosine;
   for (const bool isOfA : {true, false}) {
     const PlacedTree& tree = isOfA ? a : b;
     const Vec3 wanted = tree.axesFromPair() * (isOfA ? -normal : normal);
@@ -87,7 +85,7 @@ std::optional<SeparatingFeature> faceAlong(const PlacedTree& a, const PlacedTree
 std::optional<SeparatingFeature> edgesAlong(const PlacedTree& a, const PlacedTree& b, const Vec3& normal) {
   const Directions edgesA = edgesOf(a.tree()), edgesB = edgesOf(b.tree());
   std::optional<SeparatingFeature> best;
-  float nearest = kSameNormalCosine;
+  float nearest = kSameFacingCosine;
   for (const Vec3& ofA : edgesA.all())
     for (const Vec3& ofB : edgesB.all()) {
       const float cosine = dot(SeparatingFeature{ofA, ofB}.normal(a, b), normal);

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Zlib
+#include "triangles/triangles_on_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/cut_face.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Leaves' triangles that may be asked: their number has no bound, and no budget covers them.
+constexpr std::size_t kMaxTriangles = 64;
+// Cosine of the 10 degrees by which a region's triangle may lean against the face whose normal is looked along, and
+// within which planes are one.
+constexpr float kSameFaceCosine = 0.984807753F;
+// Cosine of the 120 degrees from which on two faces are opposite sides rather than those of a groove.
+constexpr float kOppositeCosine = -0.5F;
+// Of cosines: by how much a normal between two others may miss them where it is one of them.
+constexpr float kBesideEnds = 0.01F;
+// Fraction of a side by which a corner may miss a triangle it stands on: no more than rounding does.
+constexpr float kSeam = 1e-4F;
+// Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
+constexpr float kOneFaceFraction = 0.2F;
+// Fraction of the tree's radius by which the heights of one plane may differ from step to step.
+constexpr float kPlaneFraction = 1e-3F;
+// Fraction of the other shape's size by which what touches may be moved in a step: solvers push bodies that are deep in
+// others, whatever their speeds.
+constexpr float kPushedFraction = 0.1F;
+
+void forEachFaceNormal(const PlacedTree& tree, NodeId leaf, const auto& visit) {
+  if (!tree.isFaceted(leaf)) return visit(tree.facing(leaf));
+  const Mat3 pairFromTreeAxes = transpose(tree.axesFromPair());
+  for (const Vec3& outwards : tree.tree().faceNormals(leaf)) visit(pairFromTreeAxes * outwards);
+}
+
+void forEachTriangle(const PlacedTree& placed, NodeId leaf, const Vec3& outwards, const auto& visit) {
+  const SphereTree& tree = placed.tree();
+  for (const std::uint32_t index : tree.regionTriangles(leaf)) {
+    const auto& [i, j, k] = tree.triangles()[index];
+    const auto corner = [&](std::uint32_t v) { return placed.toPair() * tree.vertices()[v]; };
+    const Triangle triangle{corner(i), corner(j), corner(k)};
+    if (dot(triangle.normal(), outwards) >= kSameFaceCosine) visit(triangle);
+  }
+}
+
+}  // namespace
+
+bool TrianglesOnFaces::Own::isOver(const Vec3& point, float slack) const {
+  return std::ranges::all_of(sides, [&](const Side& side) { return dot(side.inwards, point) >= side.offset - slack; });
+}
+
+bool TrianglesOnFaces::isFor(const PlacedTree& tree, NodeId leaf) {
+  return (tree.isFaceted(leaf) || tree.isPlanar(leaf)) && tree.tree().regionTriangles(leaf).size() <= kMaxTriangles;
+}
+
+std::span<const TrianglesOnFaces::Own> TrianglesOnFaces::ownsOf(const Face& face) const {
+  return std::span(owns_).subspan(face.owns, face.ownsEnd - face.owns);
+}
+
+void TrianglesOnFaces::append(const PairPlacement& placement, float size, std::span<const Triangle> triangles,
+                              std::span<const NodePair> pairs, bool isComplete, std::vector<Contact>& contacts) {
+  const PlacedTree& tree = placement.tree;
+  margin_ = placement.treeMargin;
+  planeTolerance_ = kPlaneFraction * tree.sphere(kRootNode).radius;
+  owns_.clear();
+  faces_.clear();
+  found_.clear();
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    while (end < pairs.size() && pairs[end].a == pairs[begin].a) ++end;
+    const std::size_t first = faces_.size();
+    forEachFaceNormal(tree, pairs[begin].a, [&](const Vec3& n) { addFaces(tree, pairs[begin].a, n); });
+    for (std::size_t i = first; i < faces_.size(); ++i)
+      look(placement, faces_[i], triangles, pairs.subspan(begin, end - begin));
+  }
+  std::erase_if(faces_, [](const Face& face) { return face.begin == face.end; });
+  decide(placement, size);
+  remember(tree, placement.reach, isComplete);
+  appendInFront(triangles, placement.reach, contacts);
+}
+
+// One for each height: a leaf may hold the floor and the roof.
+void TrianglesOnFaces::addFaces(const PlacedTree& tree, NodeId leaf, const Vec3& outwards) {
+  const std::size_t first = faces_.size();
+  const float tolerance = kOneFaceFraction * tree.sphere(leaf).radius;
+  forEachTriangle(tree, leaf, outwards, [&](const Triangle& own) {
+    const float offset = dot(outwards, supportOf(own, outwards));
+    const auto known = std::find_if(faces_.begin() + static_cast<std::ptrdiff_t>(first), faces_.end(),
+                                    [&](const Face& face) { return std::abs(face.offset - offset) <= tolerance; });
+    if (known != faces_.end()) return;
+    Face face;
+    face.outwards = outwards;
+    face.offset = offset;
+    faces_.push_back(face);
+  });
+  for (std::size_t i = first; i < faces_.size(); ++i) addOwns(tree, leaf, faces_[i]);
+}
+
+void TrianglesOnFaces::addOwns(const PlacedTree& tree, NodeId leaf, Face& face) {
+  const float tolerance = kOneFaceFraction * tree.sphere(leaf).radius;
+  face.owns = owns_.size();
+  forEachTriangle(tree, leaf, face.outwards, [&](const Triangle& triangle) {
+    const float offset = dot(face.outwards, supportOf(triangle, face.outwards));
+    if (std::abs(face.offset - offset) > tolerance) return;
+    face.offset = std::max(face.offset, offset);
+    Own own{triangle.a, triangle.normal(), {}};
+    const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 along = corner[(i + 1) % 3] - corner[i], inwards = unitVector(cross(face.outwards, along));
+      own.sides[i] = {inwards, dot(inwards, corner[i]) - kSeam * length(along)};
+    }
+    owns_.push_back(own);
+  });
+  face.ownsEnd = owns_.size();
+}
+
+void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::span<const Triangle> triangles,
+                            std::span<const NodePair> pairs) {
+  face.begin = found_.size();
+  const float ceiling = face.offset + margin_ + placement.reach;
+  for (const NodePair& pair : pairs) {
+    const Triangle& other = triangles[pair.b];
+    if (dot(face.outwards, supportOf(other, -face.outwards)) >= ceiling) continue;
+    const std::size_t before = found_.size();
+    for (const Own& own : ownsOf(face)) compare(face, own, other, pair);
+    if (found_.size() == before) continue;
+    const auto [lowest, highest] = std::ranges::minmax_element(std::span(found_).subspan(before), {}, &Contact::gap);
+    if (lowest->gap >= 0 || highest->gap < 0) continue;
+    face.crossing = face.crossing == kNothing ? lowest->gap : std::min(face.crossing, lowest->gap);
+  }
+  face.end = found_.size();
+}
+
+// The other triangle is cut by the planes through the own one's sides along the direction; what is left of it lies over
+// it.
+void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair) {
+  const std::array<Vec3, 3> others{other.a, other.b, other.c};
+  CutFace common(others);
+  for (const Side& side : own.sides) common.cut(side.inwards, side.offset);
+  for (const Vec3& onOther : common.points()) {
+    Contact contact;
+    contact.pair = pair;
+    contact.normal = -face.outwards;
+    contact.gap = dot(own.normal, onOther - own.corner) / dot(own.normal, face.outwards) - margin_;
+    contact.position = onOther - face.outwards * (0.5F * contact.gap);
+    found_.push_back(contact);
+  }
+}
+
+// Of a plane that is new what is no deeper than the bodies can have moved is in front.
+void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
+  const float tolerance = placement.reach + placement.travel;
+  for (Face& face : faces_) {
+    const std::size_t place = placeOf(placement.tree, face);
+    const Seen* const last = place < seen_.size() ? &seen_[place] : nullptr;
+    face.isNew = !last;
+    face.wasTouched = last && last->isTouched;
+    face.threshold = last ? thresholdOf(*last, tolerance, size) : -tolerance;
+  }
+  for (Face& face : faces_)
+    if (isFarSide(face, tolerance)) face.threshold = -placement.reach;
+  if (std::ranges::none_of(faces_, [&](const Face& face) { return deepestInFront(face) < placement.reach; }))
+    bringOut();
+}
+
+// What was in front has sunk by no more than it can have moved, and by no more than half the way to what was behind.
+float TrianglesOnFaces::thresholdOf(const Seen& last, float tolerance, float size) const {
+  const float moved = last.isTouched ? std::max(tolerance, kPushedFraction * size) : tolerance;
+  const float between = last.behind == kNothing ? moved : 0.5F * (last.front - last.behind);
+  return last.front - std::min(moved, between);
+}
+
+float TrianglesOnFaces::deepestInFront(const Face& face) const {
+  float deepest = std::numeric_limits<float>::infinity();
+  for (std::size_t i = face.begin; i < face.end; ++i)
+    if (found_[i].gap >= face.threshold) deepest = std::min(deepest, found_[i].gap);
+  return deepest;
+}
+
+// The far side of what something stands on sees it as well, from behind; where bodies are fast, that may be no deeper
+// than a step explains, and what is squeezed comes up there.
+bool TrianglesOnFaces::isFarSide(const Face& face, float tolerance) const {
+  if (face.wasTouched) return false;
+  const float deepest = deepestInFront(face);
+  return std::ranges::any_of(faces_, [&](const Face& other) {
+    if (dot(other.outwards, face.outwards) >= kOppositeCosine) return false;
+    const float ofOther = deepestInFront(other);
+    if (ofOther == std::numeric_limits<float>::infinity()) return false;
+    return face.isNew ? ofOther > deepest + 0.5F * tolerance : other.wasTouched && ofOther < -tolerance;
+  });
+}
+
+// What goes through a face although nothing else touches overlaps for certain: it is in front of whichever face it
+// crosses least deep.
+void TrianglesOnFaces::bringOut() {
+  const auto least = std::ranges::max_element(faces_, {}, &Face::crossing);
+  if (least == faces_.end() || least->crossing == kNothing) return;
+  least->threshold = least->crossing;
+}
+
+std::size_t TrianglesOnFaces::placeOf(const PlacedTree& tree, const Face& face) const {
+  const Vec3 outwards = tree.axesFromPair() * face.outwards;
+  const auto isSame = [&](const Seen& seen) {
+    return dot(seen.outwards, outwards) >= kSameFaceCosine && std::abs(seen.offset - face.offset) <= planeTolerance_;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(seen_, isSame) - seen_.begin());
+}
+
+void TrianglesOnFaces::remember(const PlacedTree& tree, float reach, bool isComplete) {
+  if (isComplete) seen_.clear();
+  for (const Face& face : faces_) {
+    const std::size_t place = placeOf(tree, face);
+    if (place == seen_.size()) seen_.push_back({tree.axesFromPair() * face.outwards, face.offset, 0, kNothing, false});
+    Seen& seen = seen_[place];
+    for (std::size_t i = face.begin; i < face.end; ++i) {
+      const float gap = found_[i].gap;
+      if (gap < face.threshold) {
+        seen.behind = std::max(seen.behind, std::min(gap, 0.0F));
+        continue;
+      }
+      seen.front = std::min(seen.front, gap);
+      seen.isTouched = seen.isTouched || gap < reach;
+    }
+  }
+}
+
+// Where two faces meet, what has sunk a little through one of them is far behind the other.
+bool TrianglesOnFaces::isOfAnother(const Face& face, const Contact& contact, float reach) const {
+  if (contact.gap >= -reach) return false;
+  const Vec3 onOther = contact.onCounterpart();
+  return std::ranges::any_of(faces_, [&](const Face& other) {
+    if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
+    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
+    if (gap < other.threshold || gap >= reach || gap <= contact.gap + reach) return false;
+    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, 0); });
+  });
+}
+
+// Another face that the point touches as well: where the two meet.
+const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, const Contact& contact,
+                                                           float reach) const {
+  const Vec3 onOther = contact.onCounterpart();
+  const auto across = std::ranges::find_if(faces_, [&](const Face& other) {
+    if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
+    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
+    if (gap < other.threshold || std::abs(gap - contact.gap) > reach) return false;
+    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, reach); });
+  });
+  return across == faces_.end() ? nullptr : &*across;
+}
+
+// On an edge, what lies on it with a face of its own touches along that face's normal, if that is one of the edge's;
+// else along the middle of the two faces' normals, and false.
+bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact) {
+  const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCounterpart();
+  Vec3 own = triangle.normal();
+  if (dot(own, middle) < 0) own = -own;
+  const bool isOfEdge = dot(own, middle) >= dot(face.outwards, middle) - kBesideEnds;
+  contact.normal = isOfEdge ? -own : -middle;
+  contact.position = onOther + contact.normal * (0.5F * contact.gap);
+  return isOfEdge;
+}
+
+// Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
+void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts) {
+  onBorders_.clear();
+  const std::size_t first = contacts.size();
+  for (const Face& face : faces_)
+    for (std::size_t i = face.begin; i < face.end; ++i) {
+      Contact contact = found_[i];
+      if (contact.gap < face.threshold || contact.gap >= reach || isOfAnother(face, contact, reach)) continue;
+      const Face* const other = acrossEdge(face, contact, reach);
+      const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
+      (isClear ? contacts : onBorders_).push_back(contact);
+    }
+  const std::size_t count = contacts.size() - first;
+  for (const Contact& contact : onBorders_) {
+    const auto isBeside = [&](const Contact& told) {
+      return lengthSq(told.position - contact.position) <= 4 * reach * reach;
+    };
+    if (std::ranges::none_of(std::span(contacts).subspan(first, count), isBeside)) contacts.push_back(contact);
+  }
+}
+
+}  // namespace cairn::bullet

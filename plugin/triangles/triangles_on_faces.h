@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "contacts/contact.h"
+#include "placement/pair_placement.h"
+#include "triangles/triangle.h"
+
+namespace cairn::bullet {
+
+/// Contacts of a tree's flat leaves with the triangles of something smaller, which may stand in a leaf's middle, far
+/// from all its support points: how high the triangles stand over those of the leaf's own region, seen along its faces'
+/// normals. All are flat, so what counts are corners of either and where edges cross.
+///
+/// Seen along a face, what stands on the other side of the body lies deep behind it. Which points are in front of a
+/// plane and which behind is remembered as how deep those in front were, and how deep, at least, those behind.
+class TrianglesOnFaces {
+ public:
+  /// Whether the leaf is flat, and of few triangles, as no budget covers them.
+  static bool isFor(const PlacedTree& tree, NodeId leaf);
+
+  /// Forgets where anything was.
+  void reset() { seen_.clear(); }
+
+  /// Appends what is below the placement's reach, without ids. `pairs`: of leaves for which `isFor`, ordered by leaf;
+  /// `triangles`, pair frame, are what their b names; `size`: world length, of what they make. `isComplete`: there are
+  /// no more pairs in this step. Cost: the pairs, and those of them that are near a face's plane times the leaf's
+  /// triangles.
+  void append(const PairPlacement& placement, float size, std::span<const Triangle> triangles,
+              std::span<const NodePair> pairs, bool isComplete, std::vector<Contact>& contacts);
+
+ private:
+  static constexpr float kNothing = -std::numeric_limits<float>::infinity();
+
+  // Into the prism over a triangle along its face's normal.
+  struct Side {
+    Vec3 inwards;  // unit, or zero where the triangle has no such side
+    float offset;
+  };
+  // A triangle of a region.
+  struct Own {
+    Vec3 corner, normal;
+    std::array<Side, 3> sides;
+    bool isOver(const Vec3& point, float slack) const;
+  };
+  // Those of a leaf's triangles that lie in one plane, and what stands over them.
+  struct Face {
+    Vec3 outwards;     // pair frame
+    float offset = 0;  // of the plane, along that
+    std::size_t owns = 0, ownsEnd = 0;
+    std::size_t begin = 0, end = 0;  // in `found_`
+    float crossing = kNothing;       // gap of the lowest point of what stands on both sides of the plane
+    bool isNew = false;              // nothing is known of the plane from before
+    bool wasTouched = false;
+    float threshold = 0;  // of gaps; what is below is behind
+  };
+  // What was in front of a plane, and behind it.
+  struct Seen {
+    Vec3 outwards;  // the tree's axes
+    float offset;   // world length
+    float front;    // the deepest gap in front, at most 0
+    float behind;   // the least deep one behind, or `kNothing`
+    bool isTouched;
+  };
+
+  void addFaces(const PlacedTree& tree, NodeId leaf, const Vec3& outwards);
+  void addOwns(const PlacedTree& tree, NodeId leaf, Face& face);
+  void look(const PairPlacement& placement, Face& face, std::span<const Triangle> triangles,
+            std::span<const NodePair> pairs);
+  void compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair);
+  std::span<const Own> ownsOf(const Face& face) const;
+
+  void decide(const PairPlacement& placement, float size);
+  float thresholdOf(const Seen& last, float tolerance, float size) const;
+  float deepestInFront(const Face& face) const;
+  bool isFarSide(const Face& face, float tolerance) const;
+  void bringOut();
+  // In `seen_`; its size where nothing is known of the plane.
+  std::size_t placeOf(const PlacedTree& tree, const Face& face) const;
+  void remember(const PlacedTree& tree, float reach, bool isComplete);
+
+  bool isOfAnother(const Face& face, const Contact& contact, float reach) const;
+  const Face* acrossEdge(const Face& face, const Contact& contact, float reach) const;
+  static bool turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact);
+  void appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts);
+
+  float margin_ = 0;
+  float planeTolerance_ = 0;  // by which offsets of one plane may differ
+  std::vector<Own> owns_;
+  std::vector<Face> faces_;
+  std::vector<Contact> found_;
+  std::vector<Contact> onBorders_;  // of what stands over them, at edges
+  std::vector<Seen> seen_;
+};
+
+}  // namespace cairn::bullet
