@@ -26,6 +26,7 @@ Cairn: collision detection that keeps its deadline.
                              shapes, hulls and trees of one to three levels: error and time of each
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
   ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
+  ./cairn.sh bench interrupted [TREE] what certified error traversals cut short are left with, in turn, worst first, in the best order there is
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -137,8 +138,11 @@ demo() {
   local out=out/demo bin=build/release/bin mesh name
   mkdir -p "$out"
   say "Building"
-  cmake --preset release -DCAIRN_TESTS=OFF > /dev/null
-  cmake --build --preset release
+  # Tests need more packages: a build that has them keeps them, a new one does without.
+  local tests=OFF
+  grep -qs '^CAIRN_TESTS:BOOL=ON' build/release/CMakeCache.txt && tests=ON
+  cmake --preset release -DCAIRN_TESTS=$tests > /dev/null
+  cmake --build --preset release --target cairn frame_budget make_rock tree_picture
   fetch_mesh "$out"
   name=$(basename "${mesh%.*}")
   say "A certified sphere-tree of $mesh"
@@ -195,7 +199,7 @@ bench() {
   case ${1:-} in
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
-    effects | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
+    effects | interrupted | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release
   local mesh
@@ -243,6 +247,7 @@ hard_cases() {
 # What is left out of the page is said on it, so a missing optional package is no reason to stop.
 report() {
   local programs=(cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture)
+  case " $* " in *' --help '* | *' -h '*) python3 demos/report/measure.py --help; return ;; esac
   need "${everything[@]}" accuracy demo report tests
   [[ -d tests/hard_cases ]] && programs+=(hard_cases)
   say "Building"
