@@ -22,9 +22,30 @@ function(cairn_library name)
   target_compile_features(cairn_${name} PUBLIC cxx_std_20)
 endfunction()
 
+# Where the build is a unity build, sources of one folder are compiled together, so names only have to differ within it.
+# Those that include CGAL, whose templates fill a compiler by themselves, and those Highway includes again for every
+# instruction set stay alone.
+function(cairn_unity_of_rooms target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  # A class of a source that holds one of its unnamed namespace is taken for one of a header.
+  target_compile_options(${target} PRIVATE $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} alone REGEX "^#include (<CGAL/|<hwy/foreach_target|\"import/from_surface_mesh)")
+    if(NOT alone)
+      get_filename_component(folder ${source} DIRECTORY)
+      string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
+      string(MAKE_C_IDENTIFIER "${folder}" group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+endfunction()
+
 function(cairn_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE cairn_house)
+  # What takes time is in the libraries: command lines and tests would be compiled twice as long to run no faster.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 function(cairn_check_headers target include_dir)
@@ -44,5 +65,6 @@ function(cairn_check_headers target include_dir)
     list(APPEND sources ${source})
   endforeach()
   add_library(${target}_headers_alone OBJECT ${sources})
+  set_target_properties(${target}_headers_alone PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${target}_headers_alone PRIVATE ${target} cairn_house)
 endfunction()

@@ -5,11 +5,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "balls/enclosing_ball.h"
 #include "balls/stand_off.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
@@ -61,7 +61,6 @@ class Bundle {
 
  private:
   static constexpr std::size_t kMost = 8, kRounds = 12;
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   /// A vector of the hull on the way to the shortest, and the least dot product of a gradient with it.
   struct Stop {

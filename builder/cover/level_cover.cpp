@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "balls/ball_fit.h"
 #include "cover/holders.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
 constexpr int kSweepsPerRound = 3;

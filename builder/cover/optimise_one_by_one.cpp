@@ -5,19 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "balls/ball_fit.h"
 #include "balls/enclosing_ball.h"
 #include "cover/downhill_simplex.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of the worst stand-off against the root mean square: the worst first, the others on a tie (Eq. 6.1).
 constexpr double kWorstWeight = 10;
@@ -26,8 +24,8 @@ constexpr std::size_t kEvaluations = 100;
 /// First steps of the search, in parts of the radius.
 constexpr double kFirstStep = 0.1;
 /// A round that saves less than this part of the metric is the last.
-constexpr double kWorthARound = 0.01;
-constexpr int kMaxRounds = 10;
+constexpr double kWorthAPass = 0.01;
+constexpr int kMaxPasses = 10;
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -73,7 +71,7 @@ class OneByOne {
   /// Alg. 9.
   void run() {
     double metric = metricOf(members_);
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int round = 0; round < kMaxPasses; ++round) {
       std::vector<bool> done(members_.size(), false);
       for (std::size_t n = 0; n < members_.size(); ++n) {
         std::size_t worst = members_.size();
@@ -83,7 +81,7 @@ class OneByOne {
         manipulate(worst);
       }
       const double before = std::exchange(metric, metricOf(members_));
-      if (metric > before * (1 - kWorthARound)) return;
+      if (metric > before * (1 - kWorthAPass)) return;
     }
   }
 

@@ -18,7 +18,7 @@ namespace {
 /// alternate at most.
 constexpr std::uint64_t kStarts = 8;
 constexpr double kDisplacement = 0.15;
-constexpr int kRounds = 8;
+constexpr int kGroupRounds = 8;
 /// Alternating ends when a round gains less than this part.
 constexpr double kWorthARound = 0.001;
 
@@ -60,7 +60,7 @@ SphereSet groupParts(std::span<const PointSet> parts, const DepthField& field, S
     if (i > 0) displace(parents, {seed, i});
     for (Ball& parent : parents) parent.depth = field.depth(parent.center);
     double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kGroupRounds; ++round) {
       const double reached = refit(parents, parts, assignWithin(costsOf(parts, parents), branching), field);
       if (reached < tightest) {
         tightest = reached;

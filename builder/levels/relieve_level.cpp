@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "balls/sphere_set.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNowhere = ~0U;
 
 /// What a step asks to save of the worst stand-off, and what it has to save to be kept. Asking for little lets most

@@ -18,7 +18,7 @@ namespace cairn::builder {
 namespace {
 
 /// Points, starts and rounds of swaps of the first search, and how many of its covers are gone on with.
-constexpr std::size_t kPoints = 1500, kStarts = 6, kCovers = 3;
+constexpr std::size_t kPoints = 1500, kCoverStarts = 6, kCovers = 3;
 constexpr int kSwapRounds = 6;
 /// How often the covers are fitted to the dense points that cost most.
 constexpr int kSeamRounds = 3;
@@ -42,8 +42,8 @@ class UpperSearch {
   }
 
   UpperCovers run() && {
-    std::vector<SphereSet> covers(kStarts);
-    tbb::parallel_for(std::size_t{0}, kStarts, [&](std::size_t i) {
+    std::vector<SphereSet> covers(kCoverStarts);
+    tbb::parallel_for(std::size_t{0}, kCoverStarts, [&](std::size_t i) {
       const SphereSet start = i == 0 ? SphereSet{fitBall(few_[0], few_, plain_)}
                                      : randomBalls(few_, plain_, problem_.branching, {problem_.seed, i});
       covers[i] = optimiseBySwaps({few_, plain_, problem_.branching}, start, kSwapRounds);
@@ -51,7 +51,7 @@ class UpperSearch {
     double standOff = std::numeric_limits<double>::infinity();
     for (const SphereSet& cover : covers) standOff = std::min(standOff, coverStandOff(few_, cover));
     result_.field = fieldNear(problem_.solid, std::max(standOff, problem_.negligible));
-    tbb::parallel_for(std::size_t{0}, kStarts, [&](std::size_t i) {
+    tbb::parallel_for(std::size_t{0}, kCoverStarts, [&](std::size_t i) {
       for (Ball& ball : covers[i]) ball.depth = result_.field->depth(ball.center);
       covers[i] = optimiseBySwaps({few_, *result_.field, problem_.branching}, std::move(covers[i]), kSwapRounds);
     });

@@ -2,7 +2,6 @@
 #include "region.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,12 +10,11 @@
 #include "balls/enclosing_ball.h"
 #include "balls/sphere_set.h"
 #include "certify/protrusion.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct CertifiedBall {
   Ball ball;

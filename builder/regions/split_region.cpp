@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "regions/reduce.h"
 #include "spheres/hubbard.h"
 #include "spheres/solid_octants.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
@@ -39,8 +39,6 @@ constexpr double kSeamAllowance = 1.01;
 constexpr double kNearlyWorst = 0.97;
 constexpr int kSeamRounds = 2;
 constexpr std::size_t kMaxSeamPoints = 400;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 PointSet pointsOf(const Pieces& pieces, std::uint64_t seed) {
   const std::vector<Vec3d> corners = cornersOf(pieces);

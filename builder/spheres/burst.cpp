@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <utility>
 
 #include "balls/enclosing_ball.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNone = ~0U;
 
 using Indices = std::vector<std::uint32_t>;  // sorted

@@ -35,9 +35,9 @@ struct Group {
   bool alive = true;
 };
 
-class Merging {
+class HubbardMerging {
  public:
-  Merging(const HubbardMedial& medial, std::span<const std::uint32_t> members, const KeepGoing& keepGoing)
+  HubbardMerging(const HubbardMedial& medial, std::span<const std::uint32_t> members, const KeepGoing& keepGoing)
       : medial_(medial), errors_(medial), keepGoing_(keepGoing) {
     for (const std::uint32_t m : members) {
       const HubbardMedial::Sphere& sphere = medial.spheres[m];
@@ -185,7 +185,7 @@ std::vector<HubbardGroup> mergeHubbard(const HubbardMedial& medial, std::span<co
                                        std::size_t count, const DepthField& solid, const KeepGoing& keepGoing) {
   assert(!members.empty() && count >= 1);
   std::vector<HubbardGroup> result;
-  for (Group& group : Merging(medial, members, keepGoing).run(count))
+  for (Group& group : HubbardMerging(medial, members, keepGoing).run(count))
     result.push_back(
         {{group.ball.center, group.ball.radius, solid.depth(group.ball.center)}, std::move(group.members)});
   return result;

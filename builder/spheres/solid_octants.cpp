@@ -13,7 +13,7 @@ namespace cairn::builder {
 namespace {
 
 /// Cubes are widened by this factor, far more than clipping rounds by, so that no point of the surface is lost between.
-constexpr double kSlack = 1 + 1e-9;
+constexpr double kOctantSlack = 1 + 1e-9;
 
 bool fits(const Cube& cube, const Piece& piece) {
   return std::all_of(piece.corners.begin(), piece.corners.end(),
@@ -24,7 +24,7 @@ bool fits(const Cube& cube, const Piece& piece) {
 std::vector<unsigned> metBy(const Piece& piece, const std::array<Cube, 8>& octants) {
   std::vector<unsigned> met;
   for (unsigned i = 0; i < 8; ++i)
-    if (triangleMeetsCube(piece.corners, octants[i].center, octants[i].halfEdge * kSlack)) met.push_back(i);
+    if (triangleMeetsCube(piece.corners, octants[i].center, octants[i].halfEdge * kOctantSlack)) met.push_back(i);
   return met;
 }
 

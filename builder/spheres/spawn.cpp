@@ -15,7 +15,7 @@ namespace {
 
 /// Halvings of the interval of the stand-off: it then is known to 0.1 % of what one ball alone needs.
 constexpr int kBisections = 10;
-constexpr std::size_t kEvaluations = 40;
+constexpr std::size_t kSpawnEvaluations = 40;
 /// First step of a centre, in parts of the radius it starts with: far enough to leave the points held already.
 constexpr double kFirstStep = 0.5;
 
@@ -58,7 +58,7 @@ class Growth {
 
   Ball grownFrom(const Vec3d& start) const {
     const double step = kFirstStep * std::max(ballAt(start).radius, standOff_);
-    const auto optimum = downhillSimplex<3>({start.x, start.y, start.z}, {step, step, step}, kEvaluations,
+    const auto optimum = downhillSimplex<3>({start.x, start.y, start.z}, {step, step, step}, kSpawnEvaluations,
                                             [&](const std::array<double, 3>& c) {
                                               return -static_cast<double>(heldBy(ballAt({c[0], c[1], c[2]})));
                                             });

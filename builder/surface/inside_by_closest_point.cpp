@@ -2,14 +2,12 @@
 #include "surface/inside_by_closest_point.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "surface/edges.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Voxel = TriangleGrid::Voxel;
 

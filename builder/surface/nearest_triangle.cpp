@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #undef HWY_TARGET_INCLUDE
@@ -16,6 +15,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 
 #include <hwy/highway.h>
+
+#include "surface/infinity.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::builder::HWY_NAMESPACE {
@@ -242,7 +243,6 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
 
 NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const NearPacket> packets, const Vec3d& query,
                           double moved, double tie) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   NearestAmong result;
   TiedPackets tied;
   double best = kInfinity, limitSq = kInfinity;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "surface/infinity.h"
+
 namespace cairn::builder {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Box {
   Vec3d lower{kInfinity, kInfinity, kInfinity}, upper{-kInfinity, -kInfinity, -kInfinity};

@@ -17,7 +17,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutBound =
     "Prove how well any cover of a mesh's surface by so many balls can fit at best: a lower bound on its worst\n"
     "protrusion, whoever makes it. With --tree, beside what each level of a tree reaches.\n\n"
     "  cairn bound rock.obj --spheres 8\n"
@@ -117,7 +117,7 @@ int run(const BoundCommand& command) {
 
 void addBoundCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<BoundCommand>();
-  CLI::App* sub = app.add_subcommand("bound", kAbout);
+  CLI::App* sub = app.add_subcommand("bound", kAboutBound);
   sub->add_option("MESH", command->mesh, "The mesh to cover")->required();
   sub->add_option("--spheres", command->spheres, "How many balls; several numbers by commas")
       ->delimiter(',')

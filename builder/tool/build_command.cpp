@@ -19,7 +19,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutBuild =
     "Build a certified sphere-tree of a closed mesh. An open or faulty one can be repaired, any one wrapped in a "
     "closed\n"
     "skin; the tree is then certified against the repaired mesh or the skin, and --mesh-output keeps that for `cairn\n"
@@ -142,7 +142,7 @@ void checkUsage(const BuildCommand& command) {
 
 void addBuildCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<BuildCommand>();
-  CLI::App* sub = app.add_subcommand("build", kAbout);
+  CLI::App* sub = app.add_subcommand("build", kAboutBuild);
   addMeshSource(*sub, command->source);
   sub->add_option("-o,--output", command->output, "Tree file to write (.cairn)")->required();
   sub->add_option("--method", command->method, "How regions are covered by spheres")

@@ -12,7 +12,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutCertify =
     "Prove that a tree bounds a mesh: every point of every triangle lies in a sphere of each level that can be "
     "reached\n"
     "through spheres holding it too, no sphere reaches farther outside than the tree says, and inner spheres lie "
@@ -63,7 +63,7 @@ int run(const CertifyCommand& command) {
 
 void addCertifyCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<CertifyCommand>();
-  CLI::App* sub = app.add_subcommand("certify", kAbout);
+  CLI::App* sub = app.add_subcommand("certify", kAboutCertify);
   sub->add_option("MESH", command->mesh, "The mesh the tree is said to bound")->required();
   sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
   addThreadsOption(*sub, command->threads);

@@ -10,7 +10,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutEvaluate =
     "Measure how well each level of a tree fits a mesh, certified and sampled.\n"
     "Ends with 1 when what `cairn certify` proves cannot be proved.\n\n"
     "  cairn evaluate rock.obj rock.cairn\n"
@@ -36,7 +36,7 @@ int run(const EvaluateCommand& command) {
 
 void addEvaluateCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<EvaluateCommand>();
-  CLI::App* sub = app.add_subcommand("evaluate", kAbout);
+  CLI::App* sub = app.add_subcommand("evaluate", kAboutEvaluate);
   sub->add_option("MESH", command->mesh, "The mesh to compare with")->required();
   sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
   addSeedOption(*sub, command->seed, "Of the sampled measures");

@@ -14,7 +14,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutExport =
     "Write a tree in another form.\n"
     "  spheres  text, one line `level x y z r parent` per sphere, breadth-first\n"
     "  sph      text of Bradshaw's sphere-tree toolkit\n"
@@ -52,7 +52,7 @@ int run(const ExportCommand& command) {
 
 void addExportCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<ExportCommand>();
-  CLI::App* sub = app.add_subcommand("export", kAbout);
+  CLI::App* sub = app.add_subcommand("export", kAboutExport);
   sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
   sub->add_option("--to", command->format, "Form to write")
       ->required()

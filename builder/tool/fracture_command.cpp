@@ -21,7 +21,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutFracture =
     "Cut a solid into the branches of its sphere-tree, for bodies that break: the mesh and the tree of every piece, "
     "and\n"
     "which pieces touch across which area. Pieces stay in the mesh's own frame.\n\n"
@@ -149,7 +149,7 @@ int run(FractureCommand& command) {
 
 void addFractureCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<FractureCommand>();
-  CLI::App* sub = app.add_subcommand("fracture", kAbout);
+  CLI::App* sub = app.add_subcommand("fracture", kAboutFracture);
   sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
   sub->add_option("-o,--output", command->folder, "Folder to write to")->required();
   sub->add_option("--method", command->method, "How regions are covered by spheres")

@@ -11,7 +11,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutInspect =
     "Show what is in a tree file: how it was built, its levels, mass properties and size in memory.\n\n"
     "  cairn inspect rock.cairn\n"
     "  cairn inspect rock.cairn --json -";
@@ -90,7 +90,7 @@ int run(const InspectCommand& command) {
 
 void addInspectCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<InspectCommand>();
-  CLI::App* sub = app.add_subcommand("inspect", kAbout);
+  CLI::App* sub = app.add_subcommand("inspect", kAboutInspect);
   sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
   sub->add_option("--json", command->json, "Write the description as JSON too; - is standard output");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });

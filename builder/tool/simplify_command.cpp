@@ -18,7 +18,7 @@
 namespace cairn::tool {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kAboutSimplify =
     "Write a closed mesh with fewer triangles, as OBJ: a scan is far finer than a game wants to carry.\n\n"
     "  cairn simplify scan.ply --triangles 1500 -o rock.obj";
 
@@ -54,7 +54,7 @@ int run(const SimplifyCommand& command) {
 
 void addSimplifyCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<SimplifyCommand>();
-  CLI::App* sub = app.add_subcommand("simplify", kAbout);
+  CLI::App* sub = app.add_subcommand("simplify", kAboutSimplify);
   sub->add_option("MESH", command->mesh, "Closed triangle mesh: OBJ, OFF, PLY, STL, glTF, ...")->required();
   sub->add_option("--triangles", command->triangles, "Most triangles to keep")
       ->check(CLI::Range(4U, 1U << 30))

@@ -14,7 +14,7 @@ namespace {
 constexpr float kLengthBonus = 1.1F;
 constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
 constexpr float kDepthBonus = 0.25F;
-constexpr float kLeastShare = 0.01F;
+constexpr float kLeastPart = 0.01F;
 
 class Chooser {
  public:
@@ -40,7 +40,7 @@ class Chooser {
   // cylinder lies on, not what is in front of it and behind.
   float share(const Contact& c) const {
     const float lowest = std::max(cluster_[static_cast<std::size_t>(choice_.index[0])].gap, 0.0F);
-    return std::clamp(1 - (c.gap - lowest) / reach_, kLeastShare, 1.0F);
+    return std::clamp(1 - (c.gap - lowest) / reach_, kLeastPart, 1.0F);
   }
 
   bool isApart(const Contact& c) const {

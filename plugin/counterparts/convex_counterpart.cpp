@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "contacts/cut_face.h"
+#include "contacts/face_limits.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -19,12 +20,6 @@ constexpr float kPlaneGain = 0.1F;
 constexpr int kMaxPulls = 3;
 // Part of the shape's size from which on a leaf's radius is large against it: it may stand in the leaf's middle.
 constexpr float kLargeLeaf = 0.25F;
-// Cosine of the 10 degrees by which a triangle may lean against the plane between shape and leaf.
-constexpr float kSameFaceCosine = 0.984807753F;
-// Triangles that a leaf may be asked about: their number has no bound, and no budget covers them.
-constexpr std::size_t kMaxTriangles = 64;
-// Fraction of a leaf's radius by which a corner may miss a triangle it stands on: no more than rounding does.
-constexpr float kSeam = 1e-4F;
 
 struct Box {
   Vec3 center, halfExtents;

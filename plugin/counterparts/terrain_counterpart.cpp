@@ -6,6 +6,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
+#include "counterparts/ground_limits.h"
 #include "placement/bullet_math.h"
 #include "terrain/terrain_balls.h"
 
@@ -13,10 +14,6 @@ namespace cairn::bullet {
 
 namespace {
 
-// Directions in which the whole tree is held.
-constexpr std::uint32_t kMaxWholes = 4;
-// Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
-constexpr float kCoveredFraction = 0.01F;
 // Nearer to a centre than this fraction of its radius, the way from a border to it is rounding.
 constexpr float kNoDirectionFraction = 0.001F;
 // Of the hundredth of a radian between normals below which faces count as one plane.

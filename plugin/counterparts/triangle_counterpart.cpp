@@ -6,6 +6,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/normal_clusters.h"
+#include "counterparts/ground_limits.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -13,10 +14,6 @@ namespace cairn::bullet {
 namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
-// Directions in which the whole tree is held.
-constexpr std::uint32_t kMaxWholes = 4;
-// Fraction of the root's radius by which a triangle must stand before the plane of a nearer one to count beside it.
-constexpr float kCoveredFraction = 0.01F;
 
 float diagonalOf(const btCollisionShape& shape) {
   btVector3 lower, upper;

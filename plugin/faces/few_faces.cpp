@@ -14,7 +14,7 @@ namespace {
 constexpr float kCarriedCosine = 0.99862953F;  // 3 degrees, the angle within which a common normal counts as the last
 // A direction that was remembered stays until another is shallower by this fraction of the sizes. Between convex bodies
 // none separates better than by not overlapping: as long as they overlap by less along it no other need be asked.
-constexpr float kHysteresisFraction = 0.003F;
+constexpr float kKeptFraction = 0.003F;
 
 constexpr float kUnknownGap = -std::numeric_limits<float>::infinity();
 
@@ -39,7 +39,7 @@ struct FewFaces::Question {
   std::array<WindowView, kMaxClusters> view;
   std::array<MeshView, kMaxClusters> ofA, ofB;  // B's against the normal: its heights count downwards
 
-  float hysteresis() const { return kHysteresisFraction * (a.radius() + b.radius()); }
+  float hysteresis() const { return kKeptFraction * (a.radius() + b.radius()); }
   // Of whole bodies.
   float separation(std::size_t k) const { return ofA[k].lowest() + ofB[k].lowest() - margins; }
 

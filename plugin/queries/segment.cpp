@@ -22,7 +22,7 @@ namespace {
 
 // Dead lanes are at infinity, where arithmetic would raise exceptions: they are moved to where squares are still
 // finite.
-constexpr float kFar = 1e18F;
+constexpr float kDeadLane = 1e18F;
 
 }  // namespace
 
@@ -32,8 +32,8 @@ Entries entriesOf(const Segment& segment, const Family& family, std::uint32_t li
   Entries entries;
   std::uint32_t met[kFamilyWidth];
   for (std::uint32_t i = 0; i < kFamilyWidth; ++i) {
-    const float x = std::min(family.x[i], kFar) - o.x, y = std::min(family.y[i], kFar) - o.y,
-                z = std::min(family.z[i], kFar) - o.z;
+    const float x = std::min(family.x[i], kDeadLane) - o.x, y = std::min(family.y[i], kDeadLane) - o.y,
+                z = std::min(family.z[i], kDeadLane) - o.z;
     const float along = x * d.x + y * d.y + z * d.z;
     const float px = x - along * d.x, py = y - along * d.y, pz = z - along * d.z;
     const float radius = family.radius[i] + segment.slack();

@@ -13,11 +13,11 @@ namespace cairn::bullet {
 
 namespace {
 
-struct Box {
+struct TriangleBounds {
   Vec3 lower, upper;
 };
 
-float distanceSq(const Box& box, const Vec3& p) {
+float distanceSq(const TriangleBounds& box, const Vec3& p) {
   float sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float outside = std::max({box.lower[axis] - p[axis], 0.0F, p[axis] - box.upper[axis]});
@@ -26,14 +26,14 @@ float distanceSq(const Box& box, const Vec3& p) {
   return sum;
 }
 
-bool meets(const SphereTree& tree, NodeId node, const Box& box) {
+bool meets(const SphereTree& tree, NodeId node, const TriangleBounds& box) {
   const Sphere s = tree.sphere(node);
   const float reach = s.radius * (1 + kOverlapSlack) + tree.reach() * kOverlapSlack;
   return distanceSq(box, s.center) <= reach * reach;
 }
 
 // The triangles of all leaves near the box, each once, ascending.
-std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const Box& box) {
+std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const TriangleBounds& box) {
   std::vector<std::uint32_t> found;
   std::vector<NodeId> stack = {kRootNode};
   while (!stack.empty()) {
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const Box& box)
 
 // The box of the body's frame, seen from the tree's frame and in its unit. It is cut to more than the body can fill
 // first, because turning an infinite box (debug drawing) makes NaN of it.
-Box toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
+TriangleBounds toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
   const btScalar limit =
       2 * (btScalar(shape.tree().reach()) * shape.scale() + shape.bodyFromTree().getOrigin().length());
   const btVector3 most(limit, limit, limit);

@@ -11,7 +11,7 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kNoDistance = std::numeric_limits<float>::infinity();
 
 // How far all of the other triangle is from this one's plane, on one side of it; 0 if it is on both, or this one has no
 // plane. In double: floats do not tell where the plane of a sliver is.
@@ -30,7 +30,7 @@ float RegionDistance::extent(const PlacedTree& tree, NodeId leaf, const Vec3& di
   const SphereTree& mesh = tree.tree();
   const Vec3 along = tree.axesFromPair() * direction;
   const Sphere ball = tree.sphere(leaf);
-  float most = -kFar;
+  float most = -kNoDistance;
   for (const std::uint32_t index : mesh.regionTriangles(leaf))
     for (const std::uint32_t v : mesh.triangles()[index]) most = std::max(most, dot(along, mesh.vertices()[v]));
   return std::min(most * tree.scale() + dot(direction, tree.toPair().translation),
@@ -42,7 +42,7 @@ float RegionDistance::place(const PlacedTree& tree, NodeId leaf, const Sphere& o
                             std::vector<Bounded>& placed) {
   const Similarity& toPair = tree.toPair();
   const auto vertices = tree.tree().vertices();
-  float others = kFar;
+  float others = kNoDistance;
   placed.clear();
   for (const std::uint32_t index : tree.tree().regionTriangles(leaf)) {
     const auto& [i, j, k] = tree.tree().triangles()[index];

@@ -10,7 +10,7 @@ namespace cairn::bullet {
 namespace {
 
 // Fraction of the leaf's radius by which a point must stand before a plane to count as a surface of its own.
-constexpr float kCoveredFraction = 0.01F;
+constexpr float kStandsOutFraction = 0.01F;
 
 float overhang(std::span<const Triangle> triangles, const auto& touches, const Vec3& p) {
   float nearestSq = std::numeric_limits<float>::max();
@@ -75,7 +75,7 @@ void TriangleContacts::offer(const PlacedTree& tree, Group& group, const Vec3& n
 }
 
 void TriangleContacts::group(const PlacedTree& tree, std::span<const Touch> touches) {
-  const float tolerance = kCoveredFraction * tree.sphere(touches[0].pair.a).radius;
+  const float tolerance = kStandsOutFraction * tree.sphere(touches[0].pair.a).radius;
   groups_.clear();
   for (const Touch& touch : touches) {
     const auto shared = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) {

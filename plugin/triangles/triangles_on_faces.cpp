@@ -5,22 +5,16 @@
 #include <cmath>
 
 #include "contacts/cut_face.h"
+#include "contacts/face_limits.h"
 
 namespace cairn::bullet {
 
 namespace {
 
-// Leaves' triangles that may be asked: their number has no bound, and no budget covers them.
-constexpr std::size_t kMaxTriangles = 64;
-// Cosine of the 10 degrees by which a region's triangle may lean against the face whose normal is looked along, and
-// within which planes are one.
-constexpr float kSameFaceCosine = 0.984807753F;
 // Cosine of the 120 degrees from which on two faces are opposite sides rather than those of a groove.
 constexpr float kOppositeCosine = -0.5F;
 // Of cosines: by how much a normal between two others may miss them where it is one of them.
 constexpr float kBesideEnds = 0.01F;
-// Fraction of a side by which a corner may miss a triangle it stands on: no more than rounding does.
-constexpr float kSeam = 1e-4F;
 // Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
 constexpr float kOneFaceFraction = 0.2F;
 // Fraction of the tree's radius by which the heights of one plane may differ from step to step.

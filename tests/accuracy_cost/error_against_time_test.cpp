@@ -10,7 +10,7 @@
 #include "accuracy_cost/experiments/statistics.h"
 #include "accuracy_cost/models/solids.h"
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::error_against_time_test {
 namespace {
 
 bool isTime(const std::string& column) {
@@ -125,4 +125,4 @@ TEST(Statistics_MedianOf, HasTheOrderStatisticsOfTheSignTest) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::error_against_time_test

@@ -9,7 +9,7 @@
 
 #include "accuracy_cost/models/solids.h"
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::frame_time_test {
 namespace {
 
 TEST(FrameTime, HasEveryStepOfEveryRun) {
@@ -71,4 +71,4 @@ TEST(FrameTimeClaims, TellBothRatiosOfEveryShape) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::frame_time_test

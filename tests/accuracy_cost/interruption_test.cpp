@@ -12,7 +12,7 @@
 #include "cairn/builder/build.h"
 #include "scenes/converge/converge.h"
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::interruption_test {
 namespace {
 
 constexpr std::uint64_t kToTheEnd = Budget::kUnlimited;
@@ -138,4 +138,4 @@ TEST(Verdict, OfInterruptionTurnsWithTheData) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::interruption_test

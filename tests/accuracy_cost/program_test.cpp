@@ -15,7 +15,7 @@
 #include "interrupted_program.h"
 #include "run_program.h"
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST_F(AccuracyCostProgram, IsCancelledWithoutAResult) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::program_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::statistics_test {
 namespace {
 
 // A few operations on numbers of size one.
@@ -53,4 +53,4 @@ TEST(Statistics, MeansAndLinearity) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::statistics_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::table_test {
 namespace {
 
 TEST(Table, GivesBackTheSameDoublesAndBytes) {
@@ -42,4 +42,4 @@ TEST(Table, RefusesWhatIsNoTable) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::table_test

@@ -9,7 +9,7 @@
 #include "accuracy_cost/experiments/thesis_ratios.h"
 #include "accuracy_cost/figures/gnuplot_script.h"
 
-namespace cairn::accuracy_cost {
+namespace cairn::accuracy_cost::verdict_test {
 namespace {
 
 Claim claim(bool holds) {
@@ -156,4 +156,4 @@ TEST(Experiments, HaveNamesOfTheirOwnAndFiguresNamedAfterThem) {
 }
 
 }  // namespace
-}  // namespace cairn::accuracy_cost
+}  // namespace cairn::accuracy_cost::verdict_test

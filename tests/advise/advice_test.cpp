@@ -6,7 +6,7 @@
 #include "advise/sieve.h"
 #include "advise/take.h"
 
-namespace cairn::advise {
+namespace cairn::advise::advice_test {
 namespace {
 
 Rung rung(std::uint64_t budget, double p99Us, double meanError, double worstError) {
@@ -107,4 +107,4 @@ TEST(Sieve, KeepsTheCheapestWhereNothingFits) {
 }
 
 }  // namespace
-}  // namespace cairn::advise
+}  // namespace cairn::advise::advice_test

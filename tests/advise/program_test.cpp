@@ -15,7 +15,7 @@
 #include "interrupted_program.h"
 #include "run_program.h"
 
-namespace cairn::advise {
+namespace cairn::advise::program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ TEST_F(AdviseProgram, IsCancelledWithoutAResult) {
 }
 
 }  // namespace
-}  // namespace cairn::advise
+}  // namespace cairn::advise::program_test

@@ -13,7 +13,7 @@
 #include "hierarchy/region_tree.h"
 #include "regions/drop_spheres.h"
 
-namespace cairn::builder {
+namespace cairn::builder::balance_test {
 namespace {
 
 // Eight operations in double, each off by 2^-53 of the result.
@@ -111,4 +111,4 @@ TEST(Balance, WithoutOne_NothingIsDropped) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::balance_test

@@ -14,7 +14,7 @@
 #include "cairn/builder/build.h"
 #include "placed_mesh.h"
 
-namespace cairn::builder {
+namespace cairn::builder::body_frame_test {
 namespace {
 
 struct Body {
@@ -145,4 +145,4 @@ TEST(BodyFrame, JitterHardlyChangesTheFirstAdaptiveLevel) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::body_frame_test

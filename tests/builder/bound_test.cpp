@@ -18,7 +18,7 @@
 #include "certify/protrusion.h"
 #include "distance_oracle.h"
 
-namespace cairn::builder {
+namespace cairn::builder::bound_test {
 namespace {
 
 using test::cuboid;
@@ -238,4 +238,4 @@ TEST(SurfaceSpread, IsOnTheSurfaceAndLeavesNoLargeGap) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::bound_test

@@ -13,7 +13,7 @@
 #include "certify/protrusion.h"
 #include "distance_oracle.h"
 
-namespace cairn::builder {
+namespace cairn::builder::certify_oracle_test {
 namespace {
 
 using test::uniform;
@@ -160,4 +160,4 @@ TEST(Protrusion, AgreesWithBruteForceOnRandomBalls) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::certify_oracle_test

@@ -12,7 +12,7 @@
 #include "built_trees.h"
 #include "certify/protrusion.h"
 
-namespace cairn::builder {
+namespace cairn::builder::certify_test {
 namespace {
 
 using test::cuboid;
@@ -325,4 +325,4 @@ TEST(Certify, ProgressNeverFalls) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::certify_test

@@ -9,7 +9,7 @@
 #include "import/self_intersection.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::check_mesh_test {
 namespace {
 
 using test::cuboid;
@@ -202,4 +202,4 @@ TEST(SelfIntersection, NamesTheLowestPairOfABruteForceSearch) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::check_mesh_test

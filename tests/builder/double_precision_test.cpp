@@ -14,7 +14,7 @@
 #include "placed_mesh.h"
 #include "run_program.h"
 
-namespace cairn::builder {
+namespace cairn::builder::double_precision_test {
 namespace {
 
 /// The same values, most significant byte first.
@@ -105,4 +105,4 @@ TEST_P(DoublePrecision, AdaptiveLevelsAreTheSameHoweverTheFilesMeshLies) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::double_precision_test

@@ -15,7 +15,7 @@
 #include "regions/method_traits.h"
 #include "regions/split_region.h"
 
-namespace cairn::builder {
+namespace cairn::builder::early_ends_test {
 namespace {
 
 using test::randomPoint;
@@ -111,4 +111,4 @@ TEST(EarlyEnds, SplitLikeAnother_IsBelowTheGoalToo) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::early_ends_test

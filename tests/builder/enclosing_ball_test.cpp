@@ -8,7 +8,7 @@
 
 #include "random_tree.h"
 
-namespace cairn::builder {
+namespace cairn::builder::enclosing_ball_test {
 namespace {
 
 // The library computes the support's circumsphere in double from up to four points; its condition is that of points of
@@ -94,4 +94,4 @@ TEST(EnclosingBall, OnePoint_HasRadiusZero) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::enclosing_ball_test

@@ -16,7 +16,7 @@
 #include "evaluate/uncovered_area.h"
 #include "evaluate/volumes.h"
 
-namespace cairn::builder {
+namespace cairn::builder::evaluate_test {
 namespace {
 
 using test::cuboid;
@@ -285,4 +285,4 @@ TEST(Evaluate, StopsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::evaluate_test

@@ -20,7 +20,7 @@
 #include "cover/piece_costs.h"
 #include "spheres/held_sets.h"
 
-namespace cairn::builder {
+namespace cairn::builder::every_target_test {
 namespace {
 
 using test::randomPoint;
@@ -200,4 +200,4 @@ TEST_F(OnEveryTarget, CostsOfAPiece_AreThoseOfEachBallAlone) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::every_target_test

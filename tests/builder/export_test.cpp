@@ -13,7 +13,7 @@
 #include "surface/icosphere.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::export_test {
 namespace {
 
 struct Line {
@@ -140,4 +140,4 @@ TEST(ExportSurfaces, RefuseALevelTheTreeLacksAndAFolderThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::export_test

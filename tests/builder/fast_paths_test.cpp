@@ -19,7 +19,7 @@
 #include "spheres/hubbard.h"
 #include "spheres/hubbard_error.h"
 
-namespace cairn::builder {
+namespace cairn::builder::fast_paths_test {
 namespace {
 
 using test::randomPoint;
@@ -244,4 +244,4 @@ TEST(Build, HubbardIsCancelledWhileItMerges) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::fast_paths_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace cairn::builder {
+namespace cairn::builder::flat_patch_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
@@ -61,4 +61,4 @@ TEST(FlatPatch, IsEmpty_WhereThePolygonIsNone) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::flat_patch_test

@@ -20,7 +20,7 @@
 #include "surface/mass_properties.h"
 #include "surface/signed_distance.h"
 
-namespace cairn::test {
+namespace cairn::test::fracture_test {
 namespace {
 
 using builder::Fracture;
@@ -191,4 +191,4 @@ TEST(Fracture, SameBitsTwice) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::fracture_test

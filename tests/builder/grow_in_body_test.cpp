@@ -17,7 +17,7 @@
 #include "regions/method_traits.h"
 #include "regions/split_region.h"
 
-namespace cairn::builder {
+namespace cairn::builder::grow_in_body_test {
 namespace {
 
 std::vector<Method> methodsGrownInTheBody() {
@@ -117,4 +117,4 @@ TEST(CutAgain, PiecesOfAnAffineImageAreTheImagesOfThePieces) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::grow_in_body_test

@@ -14,7 +14,7 @@
 #include "regions/region_normals.h"
 #include "regions/support_points.h"
 
-namespace cairn::builder {
+namespace cairn::builder::hierarchy_test {
 namespace {
 
 BuildOptions smallBuild(Method method, std::uint32_t depth = 2) {
@@ -364,4 +364,4 @@ TEST(SupportPoints, Choice_ReachesNearlyAsFarAsAllPoints) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::hierarchy_test

@@ -19,7 +19,7 @@
 #include "spheres/hubbard_error.h"
 #include "surface/planar_clusters.h"
 
-namespace cairn::builder {
+namespace cairn::builder::hubbard_test {
 namespace {
 
 // Lengths in solids of size 1 to 3, each rounded by 2^-53 of its size a few times over.
@@ -239,4 +239,4 @@ TEST(HubbardMerge, Parts_GoToTheNearestSphereAndCoverEverything) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::hubbard_test

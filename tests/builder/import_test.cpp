@@ -11,7 +11,7 @@
 #include "run_program.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::import_test {
 namespace {
 
 using test::appendBytes;
@@ -322,4 +322,4 @@ TEST(ImportOfBadFiles, EveryTruncationOfAFile) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::import_test

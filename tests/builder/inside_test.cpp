@@ -15,7 +15,7 @@
 #include "surface/signed_distance.h"
 #include "surface/triangle_in_cube.h"
 
-namespace cairn::builder {
+namespace cairn::builder::inside_test {
 namespace {
 
 using test::uniform;
@@ -228,4 +228,4 @@ TEST(TriangleInCube, MatchesPointsOfTheTriangle) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::inside_test

@@ -16,7 +16,7 @@
 #include "levels/cover_level.h"
 #include "levels/relieve_level.h"
 
-namespace cairn::builder {
+namespace cairn::builder::level_cover_test {
 namespace {
 
 double uniform(std::mt19937_64& random) {
@@ -234,4 +234,4 @@ TEST(Adaptive, NoSeedLosesTheSecondLevel) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::level_cover_test

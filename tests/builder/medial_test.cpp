@@ -13,7 +13,7 @@
 #include "medial/medial_spheres.h"
 #include "medial/voronoi_diagram.h"
 
-namespace cairn::builder {
+namespace cairn::builder::medial_test {
 namespace {
 
 constexpr Bounds kUnitBox{{-1, -1, -1}, {1, 1, 1}};
@@ -202,4 +202,4 @@ TEST(MedialSpheres, SymmetricSolid_EndsAtTheInsertionLimit) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::medial_test

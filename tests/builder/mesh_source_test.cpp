@@ -8,7 +8,7 @@
 #include "builder_meshes.h"
 #include "run_program.h"
 
-namespace cairn::builder {
+namespace cairn::builder::mesh_source_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -117,4 +117,4 @@ TEST_F(MeshSource, TheMeshOutputIsCheckedBeforeTheWork) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::mesh_source_test

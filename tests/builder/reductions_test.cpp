@@ -20,7 +20,7 @@
 #include "spheres/oriented_grid.h"
 #include "spheres/spawn.h"
 
-namespace cairn::builder {
+namespace cairn::builder::reductions_test {
 namespace {
 
 // Distances of solids of size 1 to 3, each rounded by 2^-53 of its size.
@@ -248,4 +248,4 @@ TEST(DownhillSimplex, Valley_IsDescendedAndNeverLeftWorse) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::reductions_test

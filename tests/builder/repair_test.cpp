@@ -13,7 +13,7 @@
 #include "read_back.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::repair_test {
 namespace {
 
 using test::cuboid;
@@ -264,4 +264,4 @@ TEST(RepairOf, FarFromTheOriginEndsAsASolidOrIsRefused) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::repair_test

@@ -13,7 +13,7 @@
 #include "levels/group_parts.h"
 #include "surface/convexity.h"
 
-namespace cairn::builder {
+namespace cairn::builder::share_parts_test {
 namespace {
 
 constexpr std::size_t kParents = 4, kBranching = 5;
@@ -113,4 +113,4 @@ TEST(Convexity, SeesTheDeepestDent) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::share_parts_test

@@ -10,7 +10,7 @@
 #include "cairn/builder/import.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::simplify_test {
 namespace {
 
 double volumeOf(const TriangleMesh& mesh) {
@@ -81,4 +81,4 @@ TEST(Simplify, ResultThatIntersectsItself_IsOneSentence) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::simplify_test

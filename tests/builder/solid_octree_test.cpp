@@ -11,7 +11,7 @@
 #include "cairn/builder/certify.h"
 #include "spheres/solid_octants.h"
 
-namespace cairn::builder {
+namespace cairn::builder::solid_octree_test {
 namespace {
 
 TEST(SolidOctants, Parts_HoldAllSurfaceTheyMeetAndInsideOnesNone) {
@@ -102,4 +102,4 @@ TEST(SolidOctree, Tree_HasLeavesWhollyInsideAndIsCertified) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::solid_octree_test

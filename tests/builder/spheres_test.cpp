@@ -17,7 +17,7 @@
 #include "spheres/merge.h"
 #include "spheres/octants.h"
 
-namespace cairn::builder {
+namespace cairn::builder::spheres_test {
 namespace {
 
 // Areas and distances of meshes of size 1 are sums of some thousand terms, each rounded by 2^-53 of its size.
@@ -275,4 +275,4 @@ TEST(ClosedDepth, NarrowHole_CountsAsFilled) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::spheres_test

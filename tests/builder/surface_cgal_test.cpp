@@ -15,7 +15,7 @@
 #include "builder_meshes.h"
 #include "surface/signed_distance.h"
 
-namespace cairn::builder {
+namespace cairn::builder::surface_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -58,4 +58,4 @@ TEST(SignedDistance, AgreesWithCgalOnACube) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::surface_cgal_test

@@ -10,7 +10,7 @@
 #include "surface/mass_properties.h"
 #include "surface/signed_distance.h"
 
-namespace cairn::builder {
+namespace cairn::builder::surface_test {
 namespace {
 
 using test::uniform;
@@ -241,4 +241,4 @@ TEST(MassProperties, OfACavityAreSubtracted) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::surface_test

@@ -9,7 +9,7 @@
 #include "builder_meshes.h"
 #include "run_program.h"
 
-namespace cairn::builder {
+namespace cairn::builder::tool_bound_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -62,4 +62,4 @@ TEST_F(BoundTool, RefusesInOneSentence) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::tool_bound_test

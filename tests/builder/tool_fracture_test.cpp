@@ -12,7 +12,7 @@
 #include "interrupted_program.h"
 #include "run_program.h"
 
-namespace cairn::builder {
+namespace cairn::builder::tool_fracture_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -72,4 +72,4 @@ TEST_F(ToolFracture, RefusesAnOpenMeshAndWritesNothing) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::tool_fracture_test

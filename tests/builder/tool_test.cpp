@@ -11,7 +11,7 @@
 #include "interrupted_program.h"
 #include "run_program.h"
 
-namespace cairn::builder {
+namespace cairn::builder::tool_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -343,4 +343,4 @@ TEST_F(Tool, AnInterruptedSimplifyLeavesNothingAndEndsWith130) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::tool_test

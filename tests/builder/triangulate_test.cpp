@@ -20,7 +20,7 @@
 #include "run_program.h"
 #include "surface/mass_properties.h"
 
-namespace cairn::builder {
+namespace cairn::builder::triangulate_test {
 namespace {
 
 using Outline = std::vector<std::pair<double, double>>;  // counter-clockwise
@@ -169,4 +169,4 @@ TEST(Triangulated, WhatHasNoTriangulation_StillEndsAsTriangles) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::triangulate_test

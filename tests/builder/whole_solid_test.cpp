@@ -16,7 +16,7 @@
 #include "medial/hubbard_medial.h"
 #include "surface/signed_distance.h"
 
-namespace cairn::builder {
+namespace cairn::builder::whole_solid_test {
 namespace {
 
 // Distances of solids of size 1 to 3, each rounded by 2^-53 of its size.
@@ -166,4 +166,4 @@ TEST(EvaluateBalls, OfABallAroundACubeIsKnown) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::whole_solid_test

@@ -15,7 +15,7 @@
 #include "read_back.h"
 #include "surface/farthest_point.h"
 
-namespace cairn::builder {
+namespace cairn::builder::wrap_test {
 namespace {
 
 using test::cuboid;
@@ -223,4 +223,4 @@ TEST(FarthestPoint, OfParallelSquaresIsKnown) {
 }
 
 }  // namespace
-}  // namespace cairn::builder
+}  // namespace cairn::builder::wrap_test

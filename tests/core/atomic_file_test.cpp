@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cairn {
+namespace cairn::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST_F(Writable, Device_IsAskedItself) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::atomic_file_test

@@ -15,7 +15,7 @@
 #include "random_tree.h"
 #include "scripted_traversal.h"
 
-namespace cairn::test {
+namespace cairn::test::fairness_test {
 namespace {
 
 /// Pairs of all ranks that come, finish, begin again and go, and how long each has waited, in turns.
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(Priorities, Fairness, testing::ValuesIn(kPriorities),
                          [](const auto& policy) { return policy.param; });
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::fairness_test

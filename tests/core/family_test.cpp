@@ -8,7 +8,7 @@
 #include "every_target.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::family_test {
 namespace {
 
 Family randomFamily(std::mt19937_64& engine) {
@@ -89,4 +89,4 @@ TEST(Family, DeadLanes_AreNeverHitByAnythingFinite) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::family_test

@@ -6,7 +6,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::front_error_test {
 namespace {
 
 float bruteForce(const Traversal& traversal) {
@@ -54,4 +54,4 @@ TEST_P(FrontError, IsThatOfBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Seeds, FrontError, testing::Range<std::uint64_t>(1, 7));
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::front_error_test

@@ -17,7 +17,7 @@
 #include "random_tree.h"
 #include "test_trees.h"
 
-namespace cairn::test {
+namespace cairn::test::priority_error_test {
 namespace {
 
 struct Errors {
@@ -188,4 +188,4 @@ TEST_P(PriorityError, WithoutALimit_AllFindTheSamePairs) {
 INSTANTIATE_TEST_SUITE_P(Piles, PriorityError, testing::Range<std::uint64_t>(1, 5));
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::priority_error_test

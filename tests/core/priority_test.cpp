@@ -15,7 +15,7 @@
 #include "cairn/core/worst_error_first.h"
 #include "scripted_traversal.h"
 
-namespace cairn::test {
+namespace cairn::test::priority_test {
 namespace {
 
 using Order = std::vector<int>;
@@ -240,4 +240,4 @@ TEST(Viewer, NonsenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::priority_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace cairn {
+namespace cairn::rank_heap_test {
 namespace {
 
 std::size_t firstOf(const std::map<std::size_t, RankHeap::Entry>& entries) {
@@ -46,4 +46,4 @@ TEST(RankHeap, TopIsTheFirstByBruteForce_WhateverHappens) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::rank_heap_test

@@ -3,7 +3,7 @@
 #include "every_target.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::region_gap_test {
 namespace {
 
 constexpr float kExactly = std::numeric_limits<float>::infinity();
@@ -150,4 +150,4 @@ TEST_F(RegionGapOnEveryTarget, OfTinyDistances_SameBitsOrBlurred) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::region_gap_test

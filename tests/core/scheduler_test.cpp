@@ -10,7 +10,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::scheduler_test {
 namespace {
 
 /// A handful of bodies, every two of which are a pair.
@@ -242,4 +242,4 @@ TEST(Scheduler, WhatIsPromised_IsLeftOfTheBudget) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::scheduler_test

@@ -9,7 +9,7 @@
 
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::sphere_tree_test {
 namespace {
 
 SphereTree treeOf(const SphereTreeData& data) {
@@ -125,4 +125,4 @@ TEST(SphereTree, Depth_IsBounded) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::sphere_tree_test

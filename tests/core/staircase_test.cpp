@@ -6,7 +6,7 @@
 #include "random_tree.h"
 #include "reference_traversal.h"
 
-namespace cairn {
+namespace cairn::staircase_test {
 namespace {
 
 SphereTree randomTree(std::uint64_t seed, std::uint32_t points, std::uint32_t depth) {
@@ -77,4 +77,4 @@ TEST_F(StaircaseOnEveryTarget, ARefusedStep_WouldNotHaveFitted) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::staircase_test

@@ -7,7 +7,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::traversal_test {
 namespace {
 
 using PairSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -276,4 +276,4 @@ TEST(ObstacleTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::traversal_test

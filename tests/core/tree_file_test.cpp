@@ -12,7 +12,7 @@
 #include "cairn/core/atomic_file.h"
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::tree_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST_F(TreeFile, WriterThatFails_LeavesTheOldFile) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::tree_file_test

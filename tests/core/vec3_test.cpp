@@ -7,7 +7,7 @@
 
 #include "random_tree.h"
 
-namespace cairn {
+namespace cairn::vec3_test {
 namespace {
 
 // GCC 12 optimises this rounding away unless told not to: see cmake/Targets.cmake.
@@ -28,4 +28,4 @@ TEST(Vec3, RoundingToFloat_SurvivesOptimisation) {
 }
 
 }  // namespace
-}  // namespace cairn
+}  // namespace cairn::vec3_test

@@ -6,7 +6,7 @@
 #include "scenes/heap/interpenetration.h"
 #include "test_solids.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::contact_accuracy_test {
 namespace {
 
 constexpr double kRounding = 1e-6;  // single-precision poses about a metre from the origin
@@ -113,4 +113,4 @@ TEST_F(TwoCubes, APairThatIsApartErrsByItsGapHoweverRightItsPoints) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::contact_accuracy_test

@@ -10,7 +10,7 @@
 #include "scenes/heap/interpenetration.h"
 #include "shape_names.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::converge_test {
 namespace {
 
 ConvergeOptions fewBodies(Meeting meeting) {
@@ -189,4 +189,4 @@ TEST(Converge_Cancelled, SaysSo) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::converge_test

@@ -7,7 +7,7 @@
 #include "cairn/builder/build.h"
 #include "counterpart_trials.h"
 
-namespace cairn::test {
+namespace cairn::test::counterpart_matrix_test {
 namespace {
 
 std::shared_ptr<const SphereTree> builtTree(const Solid& solid) {
@@ -90,4 +90,4 @@ TEST(CounterpartMatrix, EverythingLiesOnATree) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::counterpart_matrix_test

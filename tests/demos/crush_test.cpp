@@ -12,7 +12,7 @@
 #include "scenes/truth/placed_body.h"
 #include "shape_names.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::crush_test {
 namespace {
 
 constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact,
@@ -138,4 +138,4 @@ TEST(Crush_SameSeed, GivesTheSameBitsTwice) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::crush_test

@@ -12,7 +12,7 @@
 #include "scenes/truth/exact_check.h"
 #include "test_solids.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::exact_check_pairs_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20021;
@@ -112,4 +112,4 @@ TEST(ExactCheck_AThousandPairs, AgreesWithBruteForceOnAll) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::exact_check_pairs_test

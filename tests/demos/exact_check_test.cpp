@@ -14,7 +14,7 @@
 #include "scenes/figures/random.h"
 #include "test_solids.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::exact_check_test {
 namespace {
 
 /// Rounding of double precision over a few dozen operations on lengths of about 1.
@@ -171,4 +171,4 @@ TEST(ExactCheck_BadSurface, IsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::exact_check_test

@@ -12,7 +12,7 @@
 #include "scenes/heap/heap_run.h"
 #include "shape_names.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::heap_test {
 namespace {
 
 constexpr ShapeKind kAllShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact, ShapeKind::hull,
@@ -185,4 +185,4 @@ TEST(HeapReport_Json, HasEveryAgreedKeyForEveryShape) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::heap_test

@@ -8,7 +8,7 @@
 #include "scene_trees.h"
 #include "scenes/heap/heap.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::interpenetration_test {
 namespace {
 
 TEST(Interpenetration_OfAFreshHeap, IsNone) {
@@ -55,4 +55,4 @@ TEST(Interpenetration_OfMovedBodies, IsWhatTheMoveMade) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::interpenetration_test

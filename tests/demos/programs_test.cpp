@@ -13,7 +13,7 @@
 #include "run_program.h"
 #include "scene_trees.h"
 
-namespace cairn::test {
+namespace cairn::test::programs_test {
 namespace {
 
 /// One line that begins with the program's name, ends with a full stop and holds `words`.
@@ -303,4 +303,4 @@ TEST_F(ProgramsWithATree, HelloBulletPrintsHeightsThatFall) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::programs_test

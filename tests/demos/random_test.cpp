@@ -7,7 +7,7 @@
 
 #include "scenes/figures/quantiles.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::random_test {
 namespace {
 
 constexpr int kDraws = 20000;
@@ -71,4 +71,4 @@ TEST(Quantiles_NearestRank, AreValuesOfTheSample) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::random_test

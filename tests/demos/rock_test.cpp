@@ -11,7 +11,7 @@
 #include "scenes/figures/random.h"
 #include "scenes/truth/exact_check.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::rock_test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 25;
@@ -71,4 +71,4 @@ TEST(Rock_SameSeed, GivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::rock_test

@@ -13,7 +13,7 @@
 #include "scene_trees.h"
 #include "scenes/figures/random.h"
 
-namespace cairn::scenes {
+namespace cairn::scenes::rockfall_test {
 namespace {
 
 /// Height of the collision mesh over a point, straight from its triangles.
@@ -130,4 +130,4 @@ TEST(Rockfall_ARockBelowTheGround, IsCountedAsLost) {
 }
 
 }  // namespace
-}  // namespace cairn::scenes
+}  // namespace cairn::scenes::rockfall_test

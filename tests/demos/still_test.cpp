@@ -7,7 +7,7 @@
 #include "distance_fields.h"
 #include "still_scenes.h"
 
-namespace cairn::test {
+namespace cairn::test::still_test {
 namespace {
 
 // As a tree that `cairn build` makes, smaller: what is fitted takes half a second.
@@ -144,4 +144,4 @@ TEST(Standing, ABallLiesStillBetweenTwoEdges) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::still_test

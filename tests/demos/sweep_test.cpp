@@ -17,7 +17,7 @@
 #include "run_program.h"
 #include "scene_trees.h"
 
-namespace cairn::test {
+namespace cairn::test::sweep_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -117,4 +117,4 @@ TEST_F(Sweep, LeavesWhatIsDoneWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::sweep_test

@@ -7,7 +7,7 @@
 
 #include "textbook_shapes.h"
 
-namespace cairn::test {
+namespace cairn::test::textbook_test {
 namespace {
 
 // What Bullet's own primitives are to keep, as parts: the gates of the experiments' sources at 240 steps a second.
@@ -40,4 +40,4 @@ TEST(Textbook, SlabsSlideTheSameWithTreesOfEveryDepth) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::textbook_test

@@ -6,7 +6,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::air_drag_test {
 namespace {
 
 using effects::AirDrag;
@@ -71,4 +71,4 @@ TEST(AirDrag, LeavesTheSlowAndTheUnmeasuredAlone) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::air_drag_test

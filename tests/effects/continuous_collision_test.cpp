@@ -6,7 +6,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::continuous_collision_test {
 namespace {
 
 using effects::ContinuousCollision;
@@ -80,4 +80,4 @@ TEST(ContinuousCollision, GivesBackWhatItSet) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::continuous_collision_test

@@ -10,9 +10,9 @@
 #include "cairn/effects/friction.h"
 #include "cairn/effects/restitution.h"
 #include "cairn/effects/surface_roughness.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::effect_set_test {
 namespace {
 
 using effects::EffectSet;
@@ -183,7 +183,7 @@ TEST(EffectSet, AnImpactIsWhatTheFallSays) {
 /// What leaves elsewhere while a blow goes on changes nothing of it.
 TEST(EffectSet, ABlowGoesOnWhenOthersLeave) {
   const auto blow = [](int leaves) {
-    EffectWorld world(0, 120);
+    SlopeWorld world(0, 120);
     const Witness& witness = world.add<Witness>();
     // No restitution: Bullet takes two steps to stop it.
     world.addBody(std::make_shared<btSphereShape>(btScalar(0.5)), 3, btVector3(0, 0, 3));
@@ -228,4 +228,4 @@ TEST(EffectSet, ReportsWhatActed) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::effect_set_test

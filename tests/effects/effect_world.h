@@ -8,10 +8,9 @@
 
 #include "bullet_world.h"
 #include "cairn/effects/effect_set.h"
+#include "effect_materials.h"
 
 namespace cairn::test {
-
-inline constexpr btScalar kGravity = btScalar(9.81);
 
 inline btScalar ballVolume(btScalar radius) {
   return btScalar(4) / 3 * SIMD_PI * radius * radius * radius;

@@ -9,11 +9,9 @@
 
 #include "cairn/effects/effect_set.h"
 #include "cairn/effects/ground_height.h"
+#include "effect_materials.h"
 
 namespace cairn::test {
-
-/// The materials of the scenes below, and one that is nowhere in them.
-inline constexpr effects::MaterialId kRock = 0, kSoil = 1, kNowhere = 7;
 
 /// Ground that rises by `kRise` along x, through the origin.
 class Incline final : public effects::GroundHeight {

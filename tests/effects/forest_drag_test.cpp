@@ -6,7 +6,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::forest_drag_test {
 namespace {
 
 using effects::ForestDrag;
@@ -73,4 +73,4 @@ TEST(ForestDrag, ActsBelowItsHeightOverGroundInItsRegion) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::forest_drag_test

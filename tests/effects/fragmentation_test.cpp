@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "cairn/effects/restitution.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 #include "test_solids.h"
 #include "test_trees.h"
 
-namespace cairn::test {
+namespace cairn::test::fragmentation_test {
 namespace {
 
 using effects::Fragmentation;
@@ -41,7 +41,7 @@ std::shared_ptr<const Fragments> bar() {
 }
 
 struct Barred {
-  EffectWorld world;
+  SlopeWorld world;
   std::shared_ptr<const Fragments> kind = bar();
   std::unique_ptr<bullet::SphereTreeShape> shape;
   FragmentPart part;
@@ -247,4 +247,4 @@ TEST(Fragmentation, GenerationsEnd) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::fragmentation_test

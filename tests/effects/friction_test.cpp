@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::friction_test {
 namespace {
 
 using effects::Friction;
@@ -27,7 +27,7 @@ struct Slide {
 
 /// A box laid on a slope, let go with a speed along it.
 Slide slideOf(btScalar slope, btScalar friction, btScalar speed, btScalar seconds) {
-  EffectWorld world(slope);
+  SlopeWorld world(slope);
   world.add<Friction>(onlyRockOnSoil(friction));
   const btVector3 up(btSin(slope), 0, btCos(slope)), along(btCos(slope), 0, -btSin(slope));
   btRigidBody& box = world.addBody(std::make_shared<btBoxShape>(btVector3(kHalf, kHalf, kThin)), 10, up * kThin);
@@ -73,4 +73,4 @@ TEST(Friction, OfAPairIsTheSameEitherWayRoundAndOthersTakeTheDefault) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::friction_test

@@ -10,7 +10,7 @@
 #include "every_effect.h"
 #include "rock_slope.h"
 
-namespace cairn::test {
+namespace cairn::test::generic_test {
 namespace {
 
 constexpr int kSteps = 360;
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(Effects, DissipativeEffect,
                          testing::ValuesIn(effectsThat([](const EffectRow& row) { return row.dissipates; })), nameOf);
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::generic_test

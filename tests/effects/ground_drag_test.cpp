@@ -4,7 +4,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::ground_drag_test {
 namespace {
 
 using effects::GroundDrag;
@@ -51,4 +51,4 @@ TEST(GroundDrag, ActsOnSlowBodiesNearTheGround) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::ground_drag_test

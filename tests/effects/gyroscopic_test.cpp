@@ -9,7 +9,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::gyroscopic_test {
 namespace {
 
 using effects::Gyroscopic;
@@ -126,4 +126,4 @@ TEST(Gyroscopic, TakesUnevenBodiesAndGivesThemBack) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::gyroscopic_test

@@ -4,7 +4,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::impact_events_test {
 namespace {
 
 using effects::ImpactEvents;
@@ -152,4 +152,4 @@ TEST(ImpactEvents, ChangesNothing) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::impact_events_test

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cairn/effects/friction.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::restitution_test {
 namespace {
 
 using effects::PairTable;
@@ -33,7 +33,7 @@ TEST(RestitutionLaw, HasItsValuesAndLimits) {
 }
 
 /// Heights of the bounces of a ball dropped from `height`, above its radius.
-std::vector<btScalar> bounces(EffectWorld& world, std::shared_ptr<btCollisionShape> shape, btScalar height,
+std::vector<btScalar> bounces(SlopeWorld& world, std::shared_ptr<btCollisionShape> shape, btScalar height,
                               btScalar seconds) {
   btRigidBody& ball = world.addBody(std::move(shape), 5, btVector3(0, 0, kRadius + height));
   std::vector<btScalar> heights;
@@ -55,7 +55,7 @@ class RestitutionDrop : public testing::TestWithParam<Drop> {};
 
 TEST_P(RestitutionDrop, BouncesToTheTextbooksHeight) {
   const Drop drop = GetParam();
-  EffectWorld world(0, drop.stepsPerSecond);
+  SlopeWorld world(0, drop.stepsPerSecond);
   world.add<Restitution>(PairTable<btScalar>(drop.restitution), restitution::Constant{});
   constexpr btScalar kHeight = 10;
   const std::vector<btScalar> heights = bounces(world, std::make_shared<btSphereShape>(kRadius), kHeight, 6);
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Steps, RestitutionDrop,
 
 TEST(Restitution, IsTheLawsAtTheSpeedOfTheBlow) {
   for (const btScalar height : {btScalar(1), btScalar(5), btScalar(20)}) {
-    EffectWorld world(0, 1000);
+    SlopeWorld world(0, 1000);
     world.add<Restitution>(PairTable<btScalar>(btScalar(0.8)), restitution::Pfeiffer{});
     const std::vector<btScalar> heights = bounces(world, std::make_shared<btSphereShape>(kRadius), height, 4);
     ASSERT_FALSE(heights.empty());
@@ -90,7 +90,7 @@ TEST(Restitution, IsTheLawsAtTheSpeedOfTheBlow) {
 }
 
 TEST(Restitution, ZeroStaysDown) {
-  EffectWorld world;
+  SlopeWorld world;
   world.add<Restitution>(PairTable<btScalar>(0), restitution::Constant{});
   btRigidBody& ball = world.addBody(std::make_shared<btSphereShape>(kRadius), 5, btVector3(0, 0, kRadius + 1));
   ball.setRestitution(1);  // overridden
@@ -102,7 +102,7 @@ TEST(Restitution, ZeroStaysDown) {
 TEST(Restitution, ObliqueBlowsGripOrSlip) {
   constexpr btScalar kDown = 6, kAlong = 4, kRestitution = btScalar(0.5);
   for (const btScalar friction : {btScalar(0.05), btScalar(0.1), btScalar(0.3), btScalar(0.6)}) {
-    EffectWorld world(0, 1000);
+    SlopeWorld world(0, 1000);
     world.add<effects::Friction>(PairTable<btScalar>(friction));
     world.add<Restitution>(PairTable<btScalar>(kRestitution), restitution::Constant{});
     btRigidBody& ball =
@@ -117,4 +117,4 @@ TEST(Restitution, ObliqueBlowsGripOrSlip) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::restitution_test

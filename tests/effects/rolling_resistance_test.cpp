@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "cairn/effects/friction.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::rolling_resistance_test {
 namespace {
 
 using effects::RollingResistance;
@@ -15,7 +15,7 @@ using effects::RollingResistance;
 constexpr btScalar kRadius = btScalar(0.5), kMass = 10;
 
 struct Rolling {
-  EffectWorld world;
+  SlopeWorld world;
   btRigidBody* ball = nullptr;
 
   explicit Rolling(const RollingResistance::Lengths& lengths) {
@@ -60,4 +60,4 @@ TEST(RollingResistance, SpinningOnTheSpotDiesAwayOnlyWithItsOwnLength) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::rolling_resistance_test

@@ -7,7 +7,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::single_trees_test {
 namespace {
 
 using effects::LevelGround;
@@ -149,4 +149,4 @@ TEST(SingleTrees, TheGridFindsWhatLookingThroughAllFinds) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::single_trees_test

@@ -4,7 +4,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::sleeping_test {
 namespace {
 
 using effects::Sleeping;
@@ -78,4 +78,4 @@ TEST(Sleeping, LeavesABodyAsItCame) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::sleeping_test

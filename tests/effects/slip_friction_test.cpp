@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::slip_friction_test {
 namespace {
 
 using effects::SlipFriction;
@@ -50,7 +50,7 @@ double wayThatStops(double speed) {
 
 TEST(SlipFriction, StopsABoxWhereTheIntegralSays) {
   for (const btScalar speed : {btScalar(3), btScalar(8)}) {
-    EffectWorld world;
+    SlopeWorld world;
     world.add<SlipFriction>(kOptions, rockOnSoil());
     btRigidBody& box =
         world.addBody(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.1))), 10, btVector3(0, 0, btScalar(0.1)));
@@ -67,7 +67,7 @@ TEST(SlipFriction, StopsABoxWhereTheIntegralSays) {
 /// Slip dies away in the air: the second of two slides starts as easily as the first if the flight between was long.
 TEST(SlipFriction, RecoversInTheAir) {
   const auto lostInSecondSlide = [](btScalar flightSeconds) {
-    EffectWorld world;
+    SlopeWorld world;
     world.add<SlipFriction>(kOptions, rockOnSoil());
     btRigidBody& box =
         world.addBody(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.1))), 10, btVector3(0, 0, btScalar(0.1)));
@@ -88,7 +88,7 @@ TEST(SlipFriction, RecoversInTheAir) {
 }
 
 TEST(SlipFriction, OfOtherPairsIsLeftAlone) {
-  EffectWorld world;
+  SlopeWorld world;
   world.add<SlipFriction>(kOptions, effects::PairTable<bool>());
   world.addBody(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.1))), 10, btVector3(0, 0, btScalar(0.1)));
   world.run(1);
@@ -96,4 +96,4 @@ TEST(SlipFriction, OfOtherPairsIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::slip_friction_test

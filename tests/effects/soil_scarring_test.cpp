@@ -7,7 +7,7 @@
 #include "cairn/effects/restitution.h"
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::soil_scarring_test {
 namespace {
 
 using effects::SoilScarring;
@@ -89,4 +89,4 @@ TEST(SoilScarring, RockIsNoSoil) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::soil_scarring_test

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cairn/effects/restitution.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::surface_roughness_test {
 namespace {
 
 using effects::SurfaceRoughness;
@@ -43,7 +43,7 @@ TEST(SurfaceRoughness, TiltsByAnglesUniformUpToTheGreatest) {
 
 TEST(SurfaceRoughness, SpreadsWhatFallsStraight) {
   const auto sideways = [](btScalar height) {
-    EffectWorld world;
+    SlopeWorld world;
     world.add<effects::Restitution>(effects::PairTable<btScalar>(btScalar(0.6)), effects::restitution::Constant{});
     world.add<SurfaceRoughness>(std::vector<btScalar>{0, height}, 1);
     double sum = 0;
@@ -69,7 +69,7 @@ TEST(SurfaceRoughness, SpreadsWhatFallsStraight) {
 
 TEST(SurfaceRoughness, OfOneBodyDoesNotDependOnOthers) {
   const auto hashWith = [](bool another) {
-    EffectWorld world;
+    SlopeWorld world;
     world.add<effects::Restitution>(effects::PairTable<btScalar>(btScalar(0.6)), effects::restitution::Constant{});
     world.add<SurfaceRoughness>(std::vector<btScalar>{0, btScalar(0.1)}, 1);
     btRigidBody& ball =
@@ -87,7 +87,7 @@ TEST(SurfaceRoughness, OfOneBodyDoesNotDependOnOthers) {
 }
 
 TEST(SurfaceRoughness, GivesTheNormalsBack) {
-  EffectWorld world;
+  SlopeWorld world;
   world.add<effects::Restitution>(effects::PairTable<btScalar>(btScalar(0.6)), effects::restitution::Constant{});
   world.add<SurfaceRoughness>(std::vector<btScalar>{0, btScalar(0.2)}, 1);
   world.addBody(std::make_shared<btSphereShape>(kRadius), 5, btVector3(0, 0, kRadius + 2), kVolume);
@@ -103,4 +103,4 @@ TEST(SurfaceRoughness, GivesTheNormalsBack) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::surface_roughness_test

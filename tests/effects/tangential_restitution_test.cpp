@@ -6,9 +6,9 @@
 
 #include "cairn/effects/friction.h"
 #include "cairn/effects/restitution.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
-namespace cairn::test {
+namespace cairn::test::tangential_restitution_test {
 namespace {
 
 using effects::PairTable;
@@ -20,7 +20,7 @@ struct Blow {
 };
 
 Blow blowWith(btScalar part) {
-  EffectWorld world(0, 1000);
+  SlopeWorld world(0, 1000);
   world.add<effects::Friction>(PairTable<btScalar>(btScalar(0.6)));
   world.add<effects::Restitution>(PairTable<btScalar>(btScalar(0.5)), effects::restitution::Constant{});
   world.add<effects::TangentialRestitution>(PairTable<btScalar>(part));
@@ -43,7 +43,7 @@ TEST(TangentialRestitution, LeavesThePartAskedForAndTheSpin) {
 }
 
 TEST(TangentialRestitution, LeavesFrictionAtRestAlone) {
-  EffectWorld world(radians(20));
+  SlopeWorld world(radians(20));
   world.add<effects::Friction>(PairTable<btScalar>(btScalar(0.6)));
   world.add<effects::TangentialRestitution>(PairTable<btScalar>(btScalar(0.9)));
   const btVector3 up(btSin(radians(20)), 0, btCos(radians(20)));
@@ -54,4 +54,4 @@ TEST(TangentialRestitution, LeavesFrictionAtRestAlone) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::tangential_restitution_test

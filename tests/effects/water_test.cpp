@@ -7,7 +7,7 @@
 
 #include "effect_world.h"
 
-namespace cairn::test {
+namespace cairn::test::water_test {
 namespace {
 
 using effects::Region;
@@ -120,4 +120,4 @@ TEST(Region, IsTheInsideOfItsPolygonConcaveOrNot) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::water_test

@@ -10,7 +10,7 @@
 // The address sanitizer has to own `new` itself.
 #ifndef __SANITIZE_ADDRESS__
 
-namespace cairn::test {
+namespace cairn::test::allocation_test {
 namespace {
 
 class Allocation : public testing::TestWithParam<std::tuple<std::optional<std::int64_t>, const char*, FrontEnd>> {};
@@ -49,6 +49,6 @@ INSTANTIATE_TEST_SUITE_P(Priorities, Allocation,
                                           testing::Values(FrontEnd::dispatcher)));
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::allocation_test
 
 #endif

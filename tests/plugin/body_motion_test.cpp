@@ -11,7 +11,7 @@
 #include "contacts/relative_placement.h"
 #include "random_tree.h"
 
-namespace cairn::test {
+namespace cairn::test::body_motion_test {
 namespace {
 
 constexpr unsigned kSeed = 12;
@@ -77,4 +77,4 @@ TEST(BodyMotion, WhatRestsBesideATurningBodyMovesInItsFrame) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::body_motion_test

@@ -6,7 +6,7 @@
 
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::broken_body_test {
 namespace {
 
 constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN(), kInf = std::numeric_limits<btScalar>::infinity();
@@ -89,4 +89,4 @@ TYPED_TEST(BrokenBody, IsToldOnce) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::broken_body_test

@@ -5,7 +5,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "walled_heap.h"
 
-namespace cairn::test {
+namespace cairn::test::budget_test {
 namespace {
 
 using bullet::Unresolved;
@@ -244,4 +244,4 @@ TEST(Budget_Policies, LookAtNoMoreThanTheHeadOfALongFront) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::budget_test

@@ -12,7 +12,7 @@
 #include "casts.h"
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::character_test {
 namespace {
 
 /// A capsule that walks, in a world that outlives it.
@@ -178,4 +178,4 @@ TEST_P(Character, StandsOnATreeThatCanMoveAsOnABox) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::character_test

@@ -7,7 +7,7 @@
 
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::churn_test {
 namespace {
 
 constexpr std::uint32_t kSeed = 5;
@@ -111,4 +111,4 @@ TYPED_TEST(Churn, LeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::churn_test

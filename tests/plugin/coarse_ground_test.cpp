@@ -12,7 +12,7 @@
 #include "terrains.h"
 #include "test_solids.h"
 
-namespace cairn::test {
+namespace cairn::test::coarse_ground_test {
 namespace {
 
 using bullet::CoarseGround;
@@ -320,4 +320,4 @@ TEST(CoarseGround, SaysNothingThatIsNotTrueOverAPlane) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::coarse_ground_test

@@ -11,7 +11,7 @@
 #include "front_ends.h"
 #include "triangle_grounds.h"
 
-namespace cairn::test {
+namespace cairn::test::contact_query_test {
 namespace {
 
 // Flat regions against flat or round shapes: the closest points are told within this (measured: 1e-4 at most).
@@ -250,4 +250,4 @@ TEST_P(Ghosts, MayBeTreesThemselves) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::contact_query_test

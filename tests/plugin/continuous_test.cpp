@@ -12,7 +12,7 @@
 #include "shots.h"
 #include "triangle_grounds.h"
 
-namespace cairn::test {
+namespace cairn::test::continuous_test {
 namespace {
 
 enum class Wall { box, hull, mesh, tree, field, plane };
@@ -311,4 +311,4 @@ INSTANTIATE_TEST_SUITE_P(At, Shots,
                          nameOf);
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::continuous_test

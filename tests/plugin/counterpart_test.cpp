@@ -13,7 +13,7 @@
 #include "random_tree.h"
 #include "triangles/triangle_soup.h"
 
-namespace cairn::test {
+namespace cairn::test::counterpart_test {
 namespace {
 
 using namespace cairn::bullet;
@@ -206,4 +206,4 @@ TEST(TriangleSoup_Find, TellsTrianglesWithoutNumbersApart) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::counterpart_test

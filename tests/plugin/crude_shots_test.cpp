@@ -7,7 +7,7 @@
 
 #include "shots.h"
 
-namespace cairn::test {
+namespace cairn::test::crude_shots_test {
 namespace {
 
 // Slabs of 2 cm whose leaves are 1 to 8 m wide and hold one of their sides or both, and bodies whose leaves hold many
@@ -62,4 +62,4 @@ std::string nameOfSlab(const testing::TestParamInfo<CrudeSlab>& info) {
 INSTANTIATE_TEST_SUITE_P(At, CrudeShots, testing::ValuesIn(kCrudeSlabs), nameOfSlab);
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::crude_shots_test

@@ -10,7 +10,7 @@
 #include "bullet_world.h"
 #include "test_solids.h"
 
-namespace cairn::test {
+namespace cairn::test::cut_budget_test {
 namespace {
 
 using bullet::Unresolved;
@@ -106,4 +106,4 @@ TEST(CutBudget_Repel, ThrowsABodyAbout) {
 INSTANTIATE_TEST_SUITE_P(On, CutBudget, testing::Values(Ground::plane, Ground::box));
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::cut_budget_test

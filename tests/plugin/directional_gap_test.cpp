@@ -12,7 +12,7 @@
 #include "random_tree.h"
 #include "triangles/triangle.h"
 
-namespace cairn::test {
+namespace cairn::test::directional_gap_test {
 namespace {
 
 using bullet::DirectionalGap;
@@ -203,4 +203,4 @@ TEST(DirectionalGap, LooksOnlyAtWhatFacesAndIsInTheWindow) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::directional_gap_test

@@ -13,7 +13,7 @@
 #include "counting_create.h"
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::dispatch_test {
 namespace {
 
 constexpr btScalar kRestTolerance = bullet::kSpeculativeFraction;
@@ -360,4 +360,4 @@ TYPED_TEST(Dispatch_Scale, SameBodyAtEveryScaleRestsOnItsMesh) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::dispatch_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cairn::bullet {
+namespace cairn::bullet::emission_pace_test {
 namespace {
 
 constexpr std::uint64_t kOperations = 400;
@@ -65,4 +65,4 @@ TEST(EmissionPace, AStepWithoutPairsTeachesNothing) {
 }
 
 }  // namespace
-}  // namespace cairn::bullet
+}  // namespace cairn::bullet::emission_pace_test

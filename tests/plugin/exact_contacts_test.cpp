@@ -15,7 +15,7 @@
 #include "random_tree.h"
 #include "triangles/triangle.h"
 
-namespace cairn::test {
+namespace cairn::test::exact_contacts_test {
 namespace {
 
 using bullet::Finest;
@@ -357,4 +357,4 @@ TEST(ExactContacts, OfAFaceOnAPlaneAreItsCorners) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::exact_contacts_test

@@ -9,7 +9,7 @@
 #include "random_tree.h"
 #include "test_trees.h"
 
-namespace cairn::bullet {
+namespace cairn::bullet::face_cone_test {
 namespace {
 
 using test::uniform;
@@ -52,4 +52,4 @@ TEST(FacetedLeaves, AreThoseOfSharpEdgesAndNotOfSmoothBodies) {
 }
 
 }  // namespace
-}  // namespace cairn::bullet
+}  // namespace cairn::bullet::face_cone_test

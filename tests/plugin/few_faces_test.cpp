@@ -14,7 +14,7 @@
 #include "test_trees.h"
 #include "triangles/triangle.h"
 
-namespace cairn::test {
+namespace cairn::test::few_faces_test {
 namespace {
 
 using bullet::Contact;
@@ -239,4 +239,4 @@ TEST(FewFaces, WhatIsJustApartIsNotDeep) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::few_faces_test

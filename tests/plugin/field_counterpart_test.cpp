@@ -12,7 +12,7 @@
 #include "random_tree.h"
 #include "still_scenes.h"
 
-namespace cairn::test {
+namespace cairn::test::field_counterpart_test {
 namespace {
 
 using namespace cairn::bullet;
@@ -361,4 +361,4 @@ TEST_P(FieldWorlds, BodiesAreHeldOnAnyBudget) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::field_counterpart_test

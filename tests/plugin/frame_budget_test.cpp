@@ -8,7 +8,7 @@
 #include "cairn/bullet/step_frame.h"
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::frame_budget_test {
 namespace {
 
 using bullet::FrameBudget;
@@ -165,4 +165,4 @@ TYPED_TEST(StepFrame_Budget, HoldsBesideThatOfASingleStep) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::frame_budget_test

@@ -8,7 +8,7 @@
 
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::front_end_quality_test {
 namespace {
 
 struct Pose6 {
@@ -114,4 +114,4 @@ TEST(FrontEnd_Quality, IsNearlyTheSameForTheSameBudget) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::front_end_quality_test

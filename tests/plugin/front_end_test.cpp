@@ -8,7 +8,7 @@
 #include "cairn/core/round_robin.h"
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::front_end_test {
 namespace {
 
 // Bodies piled up between walls, so that every step has pairs to refine, new ones and known ones.
@@ -336,4 +336,4 @@ TYPED_TEST(FrontEnd_Character, WalksUpToATreeAndStopsThoughThereIsNoBudget) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::front_end_test

@@ -5,7 +5,7 @@
 #include "bullet_world.h"
 #include "triangle_grounds.h"
 
-namespace cairn::test {
+namespace cairn::test::guard_test {
 namespace {
 
 constexpr btScalar kStep = btScalar(1) / 60;
@@ -147,4 +147,4 @@ TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::guard_test

@@ -6,7 +6,7 @@
 
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::held_pair_test {
 namespace {
 
 using bullet::kSpeculativeFraction;
@@ -184,4 +184,4 @@ TEST(HeldPairs_Statistics, OfBodiesSetDownInEachOtherErrByTheirWholeSpheres) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::held_pair_test

@@ -15,7 +15,7 @@
 #include "front_ends.h"
 #include "triangle_grounds.h"
 
-namespace cairn::test {
+namespace cairn::test::install_test {
 namespace {
 
 using bullet::install;
@@ -364,4 +364,4 @@ TEST(InstalledOnAWorld, AssertsThatItsBroadPhaseIsNotReplaced) {
 #endif
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::install_test

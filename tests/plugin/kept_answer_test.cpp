@@ -10,7 +10,7 @@
 #include "contacts/relative_placement.h"
 #include "test_solids.h"
 
-namespace cairn::test {
+namespace cairn::test::kept_answer_test {
 namespace {
 
 constexpr unsigned kSeed = 20;
@@ -196,4 +196,4 @@ TEST(KeptAnswer, LapsesWithTheMargin) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::kept_answer_test

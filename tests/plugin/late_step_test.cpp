@@ -8,7 +8,7 @@
 #include "bullet_world.h"
 #include "counting_new.h"
 
-namespace cairn::test {
+namespace cairn::test::late_step_test {
 namespace {
 
 constexpr btScalar kRadius = btScalar(0.3);
@@ -148,4 +148,4 @@ TEST(LateSteps, PairsThatWereExpectedAreNotMadeInTheStep) {
 #endif
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::late_step_test

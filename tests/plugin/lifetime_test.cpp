@@ -4,7 +4,7 @@
 
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::lifetime_test {
 namespace {
 
 int contactsOf(btDispatcher& dispatcher) {
@@ -147,4 +147,4 @@ TYPED_TEST(RemovedBody_InAContactCallback, IsNamedByNoManifold) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::lifetime_test

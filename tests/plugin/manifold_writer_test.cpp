@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace cairn::test {
+namespace cairn::test::manifold_writer_test {
 namespace {
 
 using namespace cairn::bullet;
@@ -111,4 +111,4 @@ TEST(ManifoldWriter, WhatMovesKeepsItsOrder) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::manifold_writer_test

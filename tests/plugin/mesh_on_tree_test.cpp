@@ -7,7 +7,7 @@
 
 #include "counterpart_trials.h"
 
-namespace cairn::test {
+namespace cairn::test::mesh_on_tree_test {
 namespace {
 
 constexpr btScalar kMargin = btScalar(0.001);
@@ -177,4 +177,4 @@ TEST(MeshCarriedBelow, DoesNotPassThroughFromThere) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::mesh_on_tree_test

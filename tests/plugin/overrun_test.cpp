@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cairn::bullet {
+namespace cairn::bullet::overrun_test {
 namespace {
 
 constexpr double kAllowed = 500;
@@ -52,4 +52,4 @@ TEST(Overrun, OfAnotherBudgetSaysNothing) {
 }
 
 }  // namespace
-}  // namespace cairn::bullet
+}  // namespace cairn::bullet::overrun_test

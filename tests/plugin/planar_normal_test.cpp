@@ -10,7 +10,7 @@
 #include "test_solids.h"
 #include "test_trees.h"
 
-namespace cairn::test {
+namespace cairn::test::planar_normal_test {
 namespace {
 
 using bullet::Contact;
@@ -47,4 +47,4 @@ TEST(PlanarNormal, OfLeavesThatHoldBothSidesOfAPlateIsNotMadeOfNothing) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::planar_normal_test

@@ -10,7 +10,7 @@
 #include "bullet_world.h"
 #include "priorities.h"
 
-namespace cairn::test {
+namespace cairn::test::priority_test {
 namespace {
 
 /// Round-robin that keeps what it was told.
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(All, PriorityPolicies, testing::ValuesIn(kPriorities),
                          [](const auto& policy) { return policy.param; });
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::priority_test

@@ -14,7 +14,7 @@
 #include "casts.h"
 #include "ray_hits.h"
 
-namespace cairn::test {
+namespace cairn::test::ray_test {
 namespace {
 
 using Flags = btTriangleRaycastCallback::EFlags;
@@ -260,4 +260,4 @@ TEST(Ray, AtSpheresEntersEveryLeafsBall) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::ray_test

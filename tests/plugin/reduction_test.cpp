@@ -9,7 +9,7 @@
 #include "contacts/normal_clusters.h"
 #include "random_tree.h"
 
-namespace cairn::test {
+namespace cairn::test::reduction_test {
 namespace {
 
 using namespace cairn::bullet;
@@ -161,4 +161,4 @@ TEST(Clusters_Group, KeepsItsClusterFromStepToStep) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::reduction_test

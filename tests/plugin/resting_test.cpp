@@ -8,7 +8,7 @@
 #include "distance_fields.h"
 #include "front_ends.h"
 
-namespace cairn::test {
+namespace cairn::test::resting_test {
 namespace {
 
 // A body at rest lies between the speculative distance above the ground and Bullet's own allowance below it (ERP 0.2
@@ -210,4 +210,4 @@ INSTANTIATE_TEST_SUITE_P(Rounds, RestingOnRound,
                                           testing::Values(1, 2, 3, 6)));
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::resting_test

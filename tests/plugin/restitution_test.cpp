@@ -6,7 +6,7 @@
 
 #include "bullet_world.h"
 
-namespace cairn::test {
+namespace cairn::test::restitution_test {
 namespace {
 
 enum class Ground { plane, box, mesh, tree };
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(On, Restitution, testing::Values(Ground::plane, Ground:
                          nameOf);
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::restitution_test

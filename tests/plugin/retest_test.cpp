@@ -9,7 +9,7 @@
 // The address sanitizer has to own `new` itself.
 #ifndef __SANITIZE_ADDRESS__
 
-namespace cairn::test {
+namespace cairn::test::retest_test {
 namespace {
 
 using bullet::Contact;
@@ -77,6 +77,6 @@ TEST(Retests, TakeNoMoreMemoryHoweverMuchIsSaid) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::retest_test
 
 #endif

@@ -8,7 +8,7 @@
 #include "bullet_world.h"
 #include "random_tree.h"
 
-namespace cairn::test {
+namespace cairn::test::shape_interface_test {
 namespace {
 
 using bullet::BodyFrame;
@@ -156,4 +156,4 @@ TEST(SphereTreeShape_Memory, OfOneTreeIsSharedByAllItsShapesAndBodies) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::shape_interface_test

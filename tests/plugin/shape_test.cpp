@@ -9,7 +9,7 @@
 #include "bullet_world.h"
 #include "random_tree.h"
 
-namespace cairn::test {
+namespace cairn::test::shape_test {
 namespace {
 
 using bullet::BodyFrame;
@@ -193,4 +193,4 @@ TEST(SphereTreeShape_Create, RefusesAMeshWithoutSize) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::shape_test

@@ -5,7 +5,7 @@
 
 #include "bullet_world.h"
 
-namespace cairn::test {
+namespace cairn::test::small_on_leaf_test {
 namespace {
 
 constexpr btScalar kHalfSlab = 5;
@@ -66,4 +66,4 @@ TEST(RoundBesideAnEdge, FallsOffThePost) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::small_on_leaf_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace cairn::test {
+namespace cairn::test::solving_order_test {
 namespace {
 
 // A manifold of points with these distances; each remembers its distance in what goes with it through the steps.
@@ -45,4 +45,4 @@ TEST(SolvingOrder, PointsOfEqualDepthKeepTheirs) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::solving_order_test

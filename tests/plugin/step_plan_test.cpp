@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace cairn::test {
+namespace cairn::test::step_plan_test {
 namespace {
 
 using bullet::EmissionPace;
@@ -112,4 +112,4 @@ TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::step_plan_test

@@ -14,7 +14,7 @@
 #include "serialize/file_chunks.h"
 #include "serialize/tree_chunks.h"
 
-namespace cairn::test {
+namespace cairn::test::stored_shapes_test {
 namespace {
 
 using bullet::BodyFrame;
@@ -182,4 +182,4 @@ TEST(StoredShapes, ChunksOfA32BitProgramAreRead) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::stored_shapes_test

@@ -11,7 +11,7 @@
 #include "bullet_world.h"
 #include "casts.h"
 
-namespace cairn::test {
+namespace cairn::test::sweep_test {
 namespace {
 
 std::vector<std::shared_ptr<btConvexShape>> everyConvex(btScalar size) {
@@ -178,4 +178,4 @@ TEST(Sweep, ThatOnlyTurnsIsAnswered) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::sweep_test

@@ -13,7 +13,7 @@
 #include "ray_hits.h"
 #include "terrains.h"
 
-namespace cairn::test {
+namespace cairn::test::terrain_cast_test {
 namespace {
 
 using bullet::TerrainGrid;
@@ -144,4 +144,4 @@ TEST(TerrainSweep, FindsWhatAllTrianglesGive) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::terrain_cast_test

@@ -9,7 +9,7 @@
 #include "still_scenes.h"
 #include "terrains.h"
 
-namespace cairn::test {
+namespace cairn::test::terrain_ground_test {
 namespace {
 
 using bullet::TerrainDiagonals;
@@ -242,4 +242,4 @@ TEST(OnTerrain, ContactsNameTheTriangle) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::terrain_ground_test

@@ -14,7 +14,7 @@
 #include "terrain/terrain_lattice.h"
 #include "terrains.h"
 
-namespace cairn::test {
+namespace cairn::test::terrain_test {
 namespace {
 
 using bullet::TerrainDiagonals;
@@ -346,4 +346,4 @@ TEST(Terrain, IsBoundedAndHasNoMass) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::terrain_test

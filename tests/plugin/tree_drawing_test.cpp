@@ -7,7 +7,7 @@
 
 #include "bullet_world.h"
 
-namespace cairn::test {
+namespace cairn::test::tree_drawing_test {
 namespace {
 
 using bullet::errorColor;
@@ -186,4 +186,4 @@ TEST(TreeDrawing, ADrawerOfLinesGetsLines) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::tree_drawing_test

@@ -8,7 +8,7 @@
 #include "placement/tree_pose.h"
 #include "test_solids.h"
 
-namespace cairn::test {
+namespace cairn::test::tree_parts_test {
 namespace {
 
 using bullet::TreeParts;
@@ -40,4 +40,4 @@ TEST(TreeParts, OfATriangleTurnWithTheTree) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::tree_parts_test

@@ -8,7 +8,7 @@
 #include "bullet_world.h"
 #include "triangle_grounds.h"
 
-namespace cairn::test {
+namespace cairn::test::triangle_ground_test {
 namespace {
 
 struct Brick {
@@ -185,4 +185,4 @@ TEST(OnASheet, BothSidesHold) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::triangle_ground_test

@@ -11,7 +11,7 @@
 #include "triangles/touched_sides.h"
 #include "triangles/triangle_sides.h"
 
-namespace cairn::test {
+namespace cairn::test::triangle_sides_test {
 namespace {
 
 using bullet::TouchedSides;
@@ -357,4 +357,4 @@ TEST(TouchedSides, AThirdIsOutvoted) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::triangle_sides_test

@@ -5,7 +5,7 @@
 
 #include "random_tree.h"
 
-namespace cairn::bullet {
+namespace cairn::bullet::unit_vector_test {
 namespace {
 
 // Half a unit of each coordinate, and of the root and the sum of their squares.
@@ -32,4 +32,4 @@ TEST(UnitVector, IsTheQuotientWhereverSquaresKeepTheirDigits) {
 }
 
 }  // namespace
-}  // namespace cairn::bullet
+}  // namespace cairn::bullet::unit_vector_test

@@ -10,7 +10,7 @@
 #include "bullet_world.h"
 #include "casts.h"
 
-namespace cairn::test {
+namespace cairn::test::vehicle_test {
 namespace {
 
 // A slab of 60 by 12 metres, its upper side in waves of a few centimetres.
@@ -79,4 +79,4 @@ TEST(Vehicle, DrivesOverATreeAsOverBulletsMeshShape) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::vehicle_test

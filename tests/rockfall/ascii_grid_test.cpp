@@ -10,7 +10,7 @@
 #include "rockfall/terrain/ascii_grid.h"
 #include "rockfall/terrain/geo_raster.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::ascii_grid_test {
 namespace {
 
 using test::uniform;
@@ -161,4 +161,4 @@ TEST(RasterAsTerrain, KeepsMountainsPreciseInFloat) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::ascii_grid_test

@@ -10,7 +10,7 @@
 #include "random_tree.h"
 #include "run_program.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::case_test {
 namespace {
 
 using nlohmann::json;
@@ -222,4 +222,4 @@ TEST(Case_Zones, TheLastOverAPointCounts) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::case_test

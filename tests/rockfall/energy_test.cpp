@@ -6,7 +6,7 @@
 #include "rockfall/simulation/energy_watch.h"
 #include "rockfall/simulation/run.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::energy_test {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ TEST(Energy_OfARun, HardlyEverRises) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::energy_test

@@ -11,7 +11,7 @@
 #include "rockfall/outputs/log_histogram.h"
 #include "scenes/figures/random.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::ensemble_test {
 namespace {
 
 TEST(RunRange_Texts, AreReadOrRefused) {
@@ -172,4 +172,4 @@ TEST_F(RunFolders, MayOverlapButNotDiffer) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::ensemble_test

@@ -10,7 +10,7 @@
 #include "rockfall/simulation/run.h"
 #include "rockfall/simulation/scene_bounds.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::explain_test {
 namespace {
 
 using nlohmann::json;
@@ -112,4 +112,4 @@ TEST(SceneBounds_GroundMaterials, AreThoseSomewhereOnTheGround) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::explain_test

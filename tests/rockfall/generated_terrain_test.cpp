@@ -12,7 +12,7 @@
 #include "rockfall/terrain/mesh_raster.h"
 #include "test_solids.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::generated_terrain_test {
 namespace {
 
 using bullet::TerrainGrid;
@@ -206,4 +206,4 @@ TEST(MeshRaster, RefusesWhatCannotBeSampled) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::generated_terrain_test

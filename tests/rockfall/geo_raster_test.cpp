@@ -11,7 +11,7 @@
 #include "random_tree.h"
 #include "rockfall/terrain/geo_raster.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::geo_raster_test {
 namespace {
 
 using test::uniform;
@@ -140,4 +140,4 @@ TEST_F(GeoRaster, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::geo_raster_test

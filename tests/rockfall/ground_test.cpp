@@ -12,7 +12,7 @@
 #include "rockfall/terrain/ascii_grid.h"
 #include "rockfall/terrain/geo_raster.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::ground_test {
 namespace {
 
 using nlohmann::json;
@@ -249,4 +249,4 @@ TEST_F(RasterCase, GeoTiffIsWrittenWhereAskedForOrRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::ground_test

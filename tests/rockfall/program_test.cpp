@@ -15,7 +15,7 @@
 #include "rockfall/ensemble/run_folder.h"
 #include "run_program.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::program_test {
 namespace {
 
 using nlohmann::json;
@@ -201,4 +201,4 @@ TEST_F(RockfallProgram, ExplainWarnsOfWhatCanNeverAct) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::program_test

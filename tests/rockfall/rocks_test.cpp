@@ -13,7 +13,7 @@
 #include "run_program.h"
 #include "scenes/bodies/icosphere.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::rocks_test {
 namespace {
 
 constexpr std::array kKinds{RockKind::angular, RockKind::slabby, RockKind::rounded};
@@ -151,4 +151,4 @@ TEST(Rocks_Stock, HasEveryVariantOfEveryGroup) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::rocks_test

@@ -14,7 +14,7 @@
 #include "case_documents.h"
 #include "run_program.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::schema_test {
 namespace {
 
 using nlohmann::json;
@@ -133,4 +133,4 @@ TEST(Case_Schema, IsThePublishedFile) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::schema_test

@@ -12,7 +12,7 @@
 #include "rockfall/simulation/run_seed.h"
 #include "scenes/bodies/model.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::simulation_test {
 namespace {
 
 using nlohmann::json;
@@ -306,4 +306,4 @@ TEST(Run_Fragmentation, GivesNoEnergyHoweverShortTheStep) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::simulation_test

@@ -13,7 +13,7 @@
 #include "prepared_scene.h"
 #include "rockfall/simulation/run.h"
 
-namespace cairn::rockfall {
+namespace cairn::rockfall::statistics_test {
 namespace {
 
 using nlohmann::json;
@@ -140,4 +140,4 @@ TEST(Statistics_AMirroredRelease, EndsInMirroredStops) {
 }
 
 }  // namespace
-}  // namespace cairn::rockfall
+}  // namespace cairn::rockfall::statistics_test

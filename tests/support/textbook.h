@@ -12,7 +12,7 @@
 #include "cairn/effects/gyroscopic.h"
 #include "cairn/effects/restitution.h"
 #include "cairn/effects/rolling_resistance.h"
-#include "effect_worlds.h"
+#include "slope_world.h"
 
 namespace cairn::test {
 
@@ -81,7 +81,7 @@ class Bench {
   double wayOf(const btRigidBody& body) const { return double(body.getWorldTransform().getOrigin().dot(along())); }
   double speedOf(const btRigidBody& body) const { return double(body.getLinearVelocity().dot(along())); }
 
-  EffectWorld world;
+  SlopeWorld world;
 
  private:
   btScalar slope_;

@@ -4,10 +4,10 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostGroups = 100, kMostPoints = 100;
+constexpr std::size_t kMostGroups = 100, kMostReleasePoints = 100;
 constexpr std::uint64_t kMostRocks = 100000, kMostVariants = 100;
 
-std::variant<MadeRocks, MeshRocks> readSource(Object& group) {
+std::variant<MadeRocks, MeshRocks> readRockSource(Object& group) {
   const auto make = group.find("make"), mesh = group.find("mesh");
   if (make.has_value() == mesh.has_value()) {
     group.refuse("exactly one of \"make\" and \"mesh\" must be given");
@@ -28,7 +28,7 @@ SieveCurve readSieve(const Value& value) {
   Object object(value);
   SieveCurve curve;
   const Value sizes = object.at("sizes");
-  for (const Value& item : sizes.items(2, kMostPoints)) {
+  for (const Value& item : sizes.items(2, kMostReleasePoints)) {
     const auto pair = item.items(2, 2);
     if (pair.size() != 2) return curve;
     const SieveCurve::Point point{pair[0].number({0.01, 100}), pair[1].number(between(0, 1))};
@@ -59,7 +59,7 @@ RockGroup readGroup(const Value& value, const Materials& materials) {
   Object object(value);
   RockGroup group;
   group.count = static_cast<std::uint32_t>(object.at("count").whole(1, kMostRocks));
-  group.source = readSource(object);
+  group.source = readRockSource(object);
   group.sieve = readSieve(object.at("sieve_m"));
   if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
   group.densityKgPerM3 = object.at("density_kg_per_m3").number({1, 20000});

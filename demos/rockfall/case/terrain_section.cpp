@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongest = 1e5;  // metres
 constexpr double kSteepest = 89;  // degrees
-constexpr std::size_t kMostZones = 1000, kMostCorners = 10000;
+constexpr std::size_t kMostZones = 1000, kMostZoneCorners = 10000;
 
 GeneratedGrid readGrid(Object& object) {
   return {object.at("width_m").number({0, kLongest, true}), object.numberOr("cell_m", {0.01, 1000}, 1),
@@ -29,7 +29,7 @@ TerrainSource readPlane(Object& object) {
 
 TerrainSource readSteppedSlope(Object& object) {
   SteppedSlopeTerrain slope{readGrid(object), {}, object.numberOr("bank_m", between(0, 100), 0)};
-  for (const Value& corner : object.at("profile_m").items(2, kMostCorners)) {
+  for (const Value& corner : object.at("profile_m").items(2, kMostZoneCorners)) {
     slope.profileM.push_back(readPoint(corner));
     if (slope.profileM.size() > 1 && slope.profileM.back()[0] <= slope.profileM[slope.profileM.size() - 2][0])
       corner.refuse("the x of a profile must rise from point to point");
@@ -63,7 +63,7 @@ TerrainSource readGenerated(const Value& kind, Object& object) {
   return kGenerators[kind.choice(names, "generated terrain")].read(object);
 }
 
-TerrainSource readSource(Object& object) {
+TerrainSource readTerrainSource(Object& object) {
   const auto generated = object.find("generated"), raster = object.find("raster"), mesh = object.find("mesh");
   if (generated.has_value() + raster.has_value() + mesh.has_value() != 1) {
     object.refuse("exactly one of \"generated\", \"raster\" and \"mesh\" must be given");
@@ -100,7 +100,7 @@ MaterialId TerrainSection::materialAt(const MapPoint& point) const {
 TerrainSection readTerrain(const Value& value, const Materials& materials) {
   Object object(value);
   TerrainSection terrain;
-  terrain.source = readSource(object);
+  terrain.source = readTerrainSource(object);
   terrain.material = readMaterial(object.at("material"), materials);
   if (const auto zones = object.find("zones"))
     for (const Value& item : zones->items(0, kMostZones)) {

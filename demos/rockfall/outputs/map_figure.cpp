@@ -12,7 +12,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr double kLongSide = 1000, kLeft = 95, kTop = 50, kRight = 110, kBottom = 60;  // pixels
+constexpr double kLongSide = 1000, kMapLeft = 95, kMapTop = 50, kMapRight = 110, kMapBottom = 60;  // pixels
 constexpr int kSamples = 320;             // of the relief along the longer side
 constexpr int kGreys = 24, kNoGrey = -1;  // the latter over holes
 constexpr std::size_t kMostTrajectories = 400, kMostStops = 5000;
@@ -31,8 +31,8 @@ struct Frame {
     width = scale * (upper.x - lower.x);
     height = scale * (upper.y - lower.y);
   }
-  double x(double metres) const { return kLeft + (metres - lower.x) * scale; }
-  double y(double metres) const { return kTop + (upper.y - metres) * scale; }
+  double x(double metres) const { return kMapLeft + (metres - lower.x) * scale; }
+  double y(double metres) const { return kMapTop + (upper.y - metres) * scale; }
 };
 
 /// Light from the upper left, as maps have it, and a little from above so that nothing is black.
@@ -61,7 +61,7 @@ void drawRelief(Svg& svg, const Frame& frame, const Ground& ground) {
       if (grey == kNoGrey) continue;
       // Half a pixel over, so that no seams show.
       fmt::format_to(std::back_inserter(paths[static_cast<std::size_t>(grey)]), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z",
-                     kLeft + begin * side, kTop + frame.height - (row + 1) * side, (column - begin) * side + 0.5,
+                     kMapLeft + begin * side, kMapTop + frame.height - (row + 1) * side, (column - begin) * side + 0.5,
                      side + 0.5, -(column - begin) * side - 0.5);
     }
   for (int grey = 0; grey < kGreys; ++grey) {
@@ -95,31 +95,31 @@ void drawCollectors(Svg& svg, const Frame& frame, const Case& description) {
     svg.line(frame.x(a[0]), frame.y(a[1]), frame.x(b[0]), frame.y(b[1]), "stroke:#fff;stroke-width:5");
     svg.line(frame.x(a[0]), frame.y(a[1]), frame.x(b[0]), frame.y(b[1]), "stroke:#0a7d4f;stroke-width:2.5");
     const auto& upper = a[1] > b[1] ? a : b;
-    svg.text(std::clamp(frame.x(upper[0]), kLeft, kLeft + frame.width), std::max(frame.y(upper[1]), kTop) - 6,
+    svg.text(std::clamp(frame.x(upper[0]), kMapLeft, kMapLeft + frame.width), std::max(frame.y(upper[1]), kMapTop) - 6,
              collector.name, 13, Svg::Anchor::middle);
   }
 }
 
 void drawAxes(Svg& svg, const Frame& frame) {
-  svg.rectangle(kLeft, kTop, frame.width, frame.height, "fill:none;stroke:#444;stroke-width:1");
+  svg.rectangle(kMapLeft, kMapTop, frame.width, frame.height, "fill:none;stroke:#444;stroke-width:1");
   const auto stepOver = [](double span, double pixels) { return tickStep(span, std::max(3, int(pixels / 90))); };
   const double step = stepOver(frame.upper.x - frame.lower.x, frame.width);
   for (double x = std::ceil(frame.lower.x / step) * step; x <= frame.upper.x; x += step) {
-    svg.line(frame.x(x), kTop + frame.height, frame.x(x), kTop + frame.height + 5, "stroke:#444");
-    svg.text(frame.x(x), kTop + frame.height + 19, fmt::format("{:.10g}", x + 0.0), 12, Svg::Anchor::middle);
+    svg.line(frame.x(x), kMapTop + frame.height, frame.x(x), kMapTop + frame.height + 5, "stroke:#444");
+    svg.text(frame.x(x), kMapTop + frame.height + 19, fmt::format("{:.10g}", x + 0.0), 12, Svg::Anchor::middle);
   }
   const double yStep = stepOver(frame.upper.y - frame.lower.y, frame.height);
   for (double y = std::ceil(frame.lower.y / yStep) * yStep; y <= frame.upper.y; y += yStep) {
-    svg.line(kLeft - 5, frame.y(y), kLeft, frame.y(y), "stroke:#444");
-    svg.text(kLeft - 8, frame.y(y) + 4, fmt::format("{:.10g}", y + 0.0), 12, Svg::Anchor::end);
+    svg.line(kMapLeft - 5, frame.y(y), kMapLeft, frame.y(y), "stroke:#444");
+    svg.text(kMapLeft - 8, frame.y(y) + 4, fmt::format("{:.10g}", y + 0.0), 12, Svg::Anchor::end);
   }
-  svg.text(kLeft + frame.width / 2, kTop + frame.height + 42, "x (m)", 13, Svg::Anchor::middle);
-  svg.uprightText(22, kTop + frame.height / 2, "y (m)", 13);
+  svg.text(kMapLeft + frame.width / 2, kMapTop + frame.height + 42, "x (m)", 13, Svg::Anchor::middle);
+  svg.uprightText(22, kMapTop + frame.height / 2, "y (m)", 13);
 }
 
 void drawLegend(Svg& svg, const Frame& frame, double fastest, bool hasTrajectories) {
-  const double left = kLeft + frame.width + 18, step = 16;
-  double y = kTop + 12;
+  const double left = kMapLeft + frame.width + 18, step = 16;
+  double y = kMapTop + 12;
   if (hasTrajectories) {
     svg.text(left, y, "speed (m/s)", 12);
     for (std::size_t i = kSpeedColors.size(); i-- > 0;) {
@@ -140,8 +140,8 @@ void drawLegend(Svg& svg, const Frame& frame, double fastest, bool hasTrajectori
 std::string mapFigure(const Case& description, const Ground& ground, const std::vector<Trajectory>& trajectories,
                       const std::vector<StopPoint>& stops) {
   const Frame frame(ground);
-  Svg svg(kLeft + frame.width + kRight, kTop + std::max(frame.height, 190.0) + kBottom);
-  svg.beginClip(kLeft, kTop, frame.width, frame.height);
+  Svg svg(kMapLeft + frame.width + kMapRight, kMapTop + std::max(frame.height, 190.0) + kMapBottom);
+  svg.beginClip(kMapLeft, kMapTop, frame.width, frame.height);
   drawRelief(svg, frame, ground);
   const std::size_t drawn = std::min(trajectories.size(), kMostTrajectories);
   double fastest = 0;
@@ -155,7 +155,7 @@ std::string mapFigure(const Case& description, const Ground& ground, const std::
   drawCollectors(svg, frame, description);
   drawAxes(svg, frame);
   drawLegend(svg, frame, fastest, drawn > 0);
-  svg.text(kLeft, 22, fmt::format("{}: trajectories and stops", description.name), 16);
+  svg.text(kMapLeft, 22, fmt::format("{}: trajectories and stops", description.name), 16);
   return std::move(svg).finish();
 }
 

@@ -139,7 +139,7 @@ std::vector<File> filesOf(const Case& description, const Ground& ground, const G
   return files;
 }
 
-std::string hashOf(std::string_view content) {
+std::string hashOfContent(std::string_view content) {
   ContentHash hash;
   hash.add(content);
   return hash.hex();
@@ -152,7 +152,7 @@ Result<std::string> write(const std::vector<File>& files, const Parts& parts, co
   for (const auto& [name, content] : files) {
     if (const Status written = writeFileAtomically(folder / name, std::string_view(content)); !written)
       return written.error();
-    hashes[name] = hashOf(content);
+    hashes[name] = hashOfContent(content);
     all.add(name);
     all.add(content);
   }

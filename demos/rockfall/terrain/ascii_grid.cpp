@@ -72,9 +72,9 @@ struct Header {
   double noData = kUsualNoData;
 };
 
-class Reader {
+class GridReader {
  public:
-  Reader(std::string_view text, const std::string& name) : words_(text, name), name_(name) {}
+  GridReader(std::string_view text, const std::string& name) : words_(text, name), name_(name) {}
 
   Result<Raster> read() {
     if (Status status = readHeader(); !status) return status.error();
@@ -192,7 +192,7 @@ double unusedNumber(const std::vector<double>& values) {
 }  // namespace
 
 Result<Raster> parseAsciiGrid(std::string_view text, const std::string& name) {
-  return Reader(text, name).read();
+  return GridReader(text, name).read();
 }
 
 Result<Raster> readAsciiGrid(const std::filesystem::path& path) {

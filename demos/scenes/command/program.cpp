@@ -15,6 +15,7 @@
 namespace cairn::scenes {
 namespace {
 
+constexpr std::chrono::minutes kBetweenLines{5};
 // A signal handler reaches nothing but globals.
 volatile std::sig_atomic_t interruptFlag = 0;
 
@@ -73,6 +74,10 @@ bool ProgressLine::show(std::string_view what, double fraction) {
     fmt::print(stderr, "\r\x1b[K{} {:3d} % {}", title_, percent, what);
     std::fflush(stderr);
     lastPercent_ = percent;
+  }
+  if (const auto now = std::chrono::steady_clock::now(); !onTerminal_ && now - lastLine_ >= kBetweenLines) {
+    fmt::print(stderr, "{} {} % {}\n", title_, percent, what);
+    lastLine_ = now;
   }
   return !interrupted();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,8 @@ std::string refuseNoWholeNumber(const std::string& text);
 void watchForInterrupt();
 bool interrupted();
 
-/// A line on standard error that overwrites itself, shown only on a terminal; empties itself at the end.
+/// A line on standard error: on a terminal it overwrites itself, and empties itself at the end; elsewhere there is one
+/// every five minutes.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string title);
@@ -51,6 +53,7 @@ class ProgressLine {
   std::string title_;
   bool onTerminal_;
   int lastPercent_ = -1;
+  std::chrono::steady_clock::time_point lastLine_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace cairn::scenes

@@ -10,6 +10,20 @@
 namespace cairn::scenes {
 namespace {
 
+/// How far a recording is played: in each run the truth of its frames is one turn, and every player has one.
+class Turns {
+ public:
+  Turns(const PlayCallback& tell, std::size_t count) : tell_(tell), count_(static_cast<double>(count)) {}
+
+  /// False when the work is to end. `inside`: how much of the turn is done.
+  bool tell(double inside) const { return !tell_ || tell_((done_ + inside) / count_); }
+  void next() { ++done_; }
+
+ private:
+  const PlayCallback& tell_;
+  double count_, done_ = 0;
+};
+
 /// One player and what became of it so far.
 struct Entrant {
   Player& player;
@@ -20,18 +34,29 @@ struct Entrant {
 /// The frames of one run that are judged.
 class CheckedFrames {
  public:
-  CheckedFrames(const Recording& recording, std::uint32_t run, std::uint32_t every, const ExactSurface& surface,
-                const Model& model)
-      : every_(every) {
-    for (std::uint32_t frame = 0; frame < recording.framesPerRun; frame += every)
+  explicit CheckedFrames(std::uint32_t every) : every_(every) {}
+
+  /// False when the work is to end.
+  bool find(const Recording& recording, std::uint32_t run, const ExactSurface& surface, const Model& model,
+            const Turns& turns) {
+    truths_.clear();
+    for (std::uint32_t frame = 0; frame < recording.framesPerRun; frame += every_) {
+      if (!turns.tell(static_cast<double>(frame) / recording.framesPerRun)) return false;
       truths_.emplace_back(surface, model, recording.frame(run, frame));
+    }
+    return true;
   }
 
   bool has(std::uint32_t frame) const { return frame % every_ == 0; }
 
-  void judge(Entrant& entrant, std::size_t firstRecord, const std::vector<std::vector<ReportedContact>>& contacts) {
-    for (std::size_t i = 0; i < truths_.size(); ++i)
+  /// False when the work is to end.
+  bool judge(Entrant& entrant, std::size_t firstRecord, const std::vector<std::vector<ReportedContact>>& contacts,
+             const Turns& turns) {
+    for (std::size_t i = 0; i < truths_.size(); ++i) {
+      if (!turns.tell(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(truths_.size()))) return false;
       entrant.judge.judge(truths_[i], contacts[i], entrant.records[firstRecord + i * every_]);
+    }
+    return true;
   }
 
  private:
@@ -39,15 +64,17 @@ class CheckedFrames {
   std::vector<FrameTruth> truths_;
 };
 
-Status playRun(const Recording& recording, std::uint32_t run, CheckedFrames& checked, Entrant& entrant) {
+Status playRun(const Recording& recording, std::uint32_t run, CheckedFrames& checked, const Turns& turns,
+               Entrant& entrant) {
   if (Status begun = entrant.player.begin(); !begun) return begun;
   const std::size_t firstRecord = entrant.records.size();
   std::vector<std::vector<ReportedContact>> contacts;
   for (std::uint32_t frame = 0; frame < recording.framesPerRun; ++frame) {
+    if (!turns.tell(0.5 * frame / recording.framesPerRun)) return Error{std::string(builder::kCancelled)};
     entrant.records.push_back(entrant.player.show(recording.frame(run, frame)));
     if (checked.has(frame)) contacts.push_back(entrant.player.contacts());
   }
-  checked.judge(entrant, firstRecord, contacts);
+  if (!checked.judge(entrant, firstRecord, contacts, turns)) return Error{std::string(builder::kCancelled)};
   return {};
 }
 
@@ -55,22 +82,23 @@ Status playRun(const Recording& recording, std::uint32_t run, CheckedFrames& che
 
 Result<std::vector<ConvergeReport>> playRecording(const Recording& recording, const Model& model,
                                                   std::span<const std::unique_ptr<Player>> players,
-                                                  std::uint32_t truthEvery, const PlayCallback& afterTurn) {
+                                                  std::uint32_t truthEvery, const PlayCallback& progress) {
   assert(truthEvery >= 1);
   const auto surface = ExactSurface::create(model.vertices, model.triangles);
   if (!surface) return surface.error();
   std::vector<Entrant> entrants;
   for (const auto& player : players) entrants.push_back({*player, AccuracyJudge(model.size), {}});
-  double turns = 0;
+  Turns turns(progress, (entrants.size() + 1) * recording.runs);
+  CheckedFrames checked(truthEvery);
   for (std::uint32_t run = 0; run < recording.runs; ++run) {
-    CheckedFrames checked(recording, run, truthEvery, surface.value(), model);
+    if (!checked.find(recording, run, surface.value(), model, turns)) return Error{std::string(builder::kCancelled)};
+    turns.next();
     for (Entrant& entrant : entrants) {
-      if (Status played = playRun(recording, run, checked, entrant); !played) return played.error();
-      ++turns;
-      const double fraction = turns / static_cast<double>(entrants.size() * recording.runs);
-      if (afterTurn && !afterTurn(fraction)) return Error{std::string(builder::kCancelled)};
+      if (Status played = playRun(recording, run, checked, turns, entrant); !played) return played.error();
+      turns.next();
     }
   }
+  if (!turns.tell(0)) return Error{std::string(builder::kCancelled)};
   std::vector<ConvergeReport> reports;
   for (Entrant& entrant : entrants)
     reports.push_back({runCost(entrant.records), entrant.judge.result(), std::move(entrant.records)});

@@ -28,6 +28,6 @@ using PlayCallback = std::function<bool(double fraction)>;
 /// `builder::kCancelled` if the callback stops it, and if the mesh is not closed.
 Result<std::vector<ConvergeReport>> playRecording(const Recording& recording, const Model& model,
                                                   std::span<const std::unique_ptr<Player>> players,
-                                                  std::uint32_t truthEvery, const PlayCallback& afterTurn = {});
+                                                  std::uint32_t truthEvery, const PlayCallback& progress = {});
 
 }  // namespace cairn::scenes

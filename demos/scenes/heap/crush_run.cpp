@@ -6,13 +6,13 @@
 namespace cairn::scenes {
 namespace {
 
-constexpr double kTimeStep = 1.0 / 60;
+constexpr double kCrushStep = 1.0 / 60;
 
 std::optional<double> timeOfResolution(const std::vector<double>& worst) {
   std::size_t first = worst.size();
   while (first > 0 && worst[first - 1] < kResolvedFraction) --first;
   if (first == worst.size()) return {};
-  return static_cast<double>(first) * kCourseInterval * kTimeStep;
+  return static_cast<double>(first) * kCourseInterval * kCrushStep;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kBudgets[] = {10, 100, 1000, Budget::kUnlimited};
 
-struct Found {
+struct PosesFound {
   std::uint64_t poses = 0, meeting = 0, apartButNamed = 0, missed = 0, tooFar = 0;
   double deepestMissed = 0;
   double gapOverError = 0;  ///< the largest gap between the surfaces of a named pair, over the least of its errors
@@ -29,8 +29,8 @@ struct Found {
             const bullet::SphereTreeShape& shapeB, std::mt19937_64& engine);
 };
 
-void Found::look(const SmallSolid& solidA, const SmallSolid& solidB, const bullet::SphereTreeShape& shapeA,
-                 const bullet::SphereTreeShape& shapeB, std::mt19937_64& engine) {
+void PosesFound::look(const SmallSolid& solidA, const SmallSolid& solidB, const bullet::SphereTreeShape& shapeA,
+                      const bullet::SphereTreeShape& shapeB, std::mt19937_64& engine) {
   const btScalar reach = (shapeA.getAngularMotionDisc() + shapeB.getAngularMotionDisc()) * btScalar(1.1);
   const btTransform bodyA(randomTurn(engine), randomDirection(engine) * 10);
   const btTransform bodyB(randomTurn(engine),
@@ -67,13 +67,13 @@ void Found::look(const SmallSolid& solidA, const SmallSolid& solidB, const bulle
   gapOverError = std::max(gapOverError, gap / allowed);
 }
 
-Outcome run(Effort effort) {
+Outcome runRandomPoses(Effort effort) {
   const bool quick = effort == Effort::quick;
   const std::vector<SmallSolid> solids = smallSolids(2);
   std::vector<std::unique_ptr<bullet::SphereTreeShape>> shapes;
   for (const SmallSolid& solid : solids) shapes.push_back(shapeOf(solid.tree));
   std::mt19937_64 engine(32);
-  Found found;
+  PosesFound found;
   const std::uint64_t poses = quick ? 2000 : 1000000;
   while (found.poses < poses) {
     const std::size_t a = engine() % solids.size(), b = engine() % solids.size();
@@ -96,7 +96,7 @@ HardCase randomPoses() {
           "1e6 poses of pairs of four solids, traversals cut after 10, 100, 1000 operations or none: no surfaces that "
           "meet are missed, however shallow; no pair is named whose surfaces are farther apart than the least of its "
           "certified errors, and twice the slack of 2^-20 of the lengths that overlap tests have",
-          run};
+          runRandomPoses};
 }
 
 }  // namespace cairn::hard

@@ -142,7 +142,7 @@ Found measureBalls(const SmallSolid& solid, const bullet::SphereTreeShape& shape
   return found;
 }
 
-Outcome run(Effort effort) {
+Outcome runSinglePrecision(Effort effort) {
   const bool quick = effort == Effort::quick;
   const std::uint64_t rounds = quick ? 8 : 720, ballPoints = quick ? 4000 : 100000;
   std::mt19937_64 engine(31);
@@ -173,7 +173,7 @@ HardCase singlePrecision() {
       "of 1e7 points of triangles and balls, of bodies 1e-3, 1 and 1e3 times as large, at the origin and 10 km from "
       "it, none is lost by a traversal in float or farther out than it states; no tolerance: points are known to "
       "2^-62, and the float a traversal is asked with is a ball that holds its point",
-      run};
+      runSinglePrecision};
 }
 
 }  // namespace cairn::hard

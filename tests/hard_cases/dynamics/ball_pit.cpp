@@ -44,7 +44,7 @@ Figures fall(const test::TriedBody& ball, int side, double seconds) {
   return {100 * deepest / kRadius, kinetic / peak};
 }
 
-Outcome run(Effort effort) {
+Outcome runBallPit(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const std::vector<Asked> asked{{"deepest penetration", 10, Bound::atMost, "% of the radius"},
                                  {"kinetic energy at the end", isWhole ? 1e-3 : 1e-2, Bound::atMost, "of its peak"}};
@@ -61,7 +61,7 @@ HardCase ballPit() {
   return {"D11", "a pit of balls",
           "216 balls, 15 s at 60 Hz: never deeper than 10 % of the radius, kinetic energy down to a thousandth of its "
           "peak (proposed list)",
-          run};
+          runBallPit};
 }
 
 }  // namespace cairn::hard

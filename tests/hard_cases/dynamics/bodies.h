@@ -11,6 +11,9 @@
 
 namespace cairn::hard {
 
+/// Of every case, m/s2.
+inline constexpr double kGravity = 9.81;
+
 /// One body in one kind of shape; mass properties are those of the solid, whatever the shape.
 struct CaseBody {
   std::string name;

@@ -137,7 +137,7 @@ constexpr const char* kWhy =
     "contact a "
     "step or two before it is asked about again.";
 
-Outcome run(Effort effort) {
+Outcome runBudgetStarvation(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const int seeds = isWhole ? 5 : 1, steps = isWhole ? 600 : 180, bodies = isWhole ? 20 : 8;
   const std::vector<Asked> asked{{"bodies that are no number", 0, Bound::atMost, ""},
@@ -179,7 +179,7 @@ HardCase budgetStarvation() {
           "a fall of rocks on 0, 1, 10, 100 and all operations a step: no NaN, nobody lost, energy never rises by more "
           "than 1 %, the deepest pair always answered; certified errors, means of 50 piles, never rise with the budget "
           "beyond what they are enclosed to (proposed list)",
-          run};
+          runBudgetStarvation};
 }
 
 }  // namespace cairn::hard

@@ -64,7 +64,7 @@ std::vector<Piece> cardHouse(const CaseBodies& card, double margin, double degre
 }
 
 constexpr int kStones = 9;
-constexpr double kInner = 1, kOuter = 1.4, kDeep = 0.5;
+constexpr double kInner = 1, kOuter = 1.4, kColumnDeep = 0.5;
 
 // A wedge of a ring about y, standing in the middle of its own arc; its origin is its centre of mass.
 test::Solid voussoir() {
@@ -73,7 +73,7 @@ test::Solid voussoir() {
   Vec3d corner[8];
   for (int i = 0; i < 8; ++i) {
     const double r = i & 2 ? kOuter : kInner, angle = i & 1 ? half : -half;
-    corner[i] = {r * std::sin(angle), i & 4 ? kDeep / 2 : -kDeep / 2, r * std::cos(angle)};
+    corner[i] = {r * std::sin(angle), i & 4 ? kColumnDeep / 2 : -kColumnDeep / 2, r * std::cos(angle)};
   }
   const auto face = [&](int a, int b, int c, int d) {
     out.triangle(corner[a], corner[b], corner[c]);
@@ -133,7 +133,7 @@ double standing(const Building& building, const std::string& shape, double secon
   return seconds;
 }
 
-Outcome run(Effort effort) {
+Outcome runBuiltToStand(Effort effort) {
   const double seconds = effort == Effort::whole ? 10 : 1.5;
   const CaseBodies &cube = cubes(1), &card = boxes({kCard[0], kCard[1], kCard[2]}),
                    &stone = bodiesOf("voussoir", voussoir(), "", nullptr);
@@ -162,7 +162,7 @@ HardCase builtToStand() {
   return {"D3", "pyramid, card house, arch",
           "each stands for 10 s at 240 Hz and 100 iterations, cards leaning by 15, 20 and 25 degrees, or as long as "
           "the best of Bullet's shapes (proposed list)",
-          run};
+          runBuiltToStand};
 }
 
 }  // namespace cairn::hard

@@ -23,7 +23,7 @@ struct Parting {
 };
 
 Parting part(const test::TriedBody& body, double width, double overlap, double seconds) {
-  constexpr int kStepsPerSecond = 60;
+  constexpr int kPartingSteps = 60;
   test::StillWorld w;
   w.world.setGravity(btVector3(0, 0, 0));
   // A little aside of each other and turned: nothing is symmetric.
@@ -37,7 +37,7 @@ Parting part(const test::TriedBody& body, double width, double overlap, double s
   for (btRigidBody* each : {&left, &right}) each->setGravity(btVector3(0, 0, 0));
   const btVector3 before = right.getWorldTransform().getOrigin() - left.getWorldTransform().getOrigin();
   Parting result;
-  for (int i = 0; i < int(seconds * kStepsPerSecond); ++i) {
+  for (int i = 0; i < int(seconds * kPartingSteps); ++i) {
     w.step();
     for (const btRigidBody* each : {&left, &right}) {
       if (!test::isSane(*each)) return {std::numeric_limits<double>::quiet_NaN(), 1, 100};
@@ -51,7 +51,7 @@ Parting part(const test::TriedBody& body, double width, double overlap, double s
   return result;
 }
 
-Outcome run(Effort effort) {
+Outcome runDeepOverlap(Effort effort) {
   const double seconds = effort == Effort::whole ? 10 : 3;
   const std::vector<Asked> asked{
       {"cubes, greatest speed", 3, Bound::atMost, "m/s"},    {"cubes that change sides", 0, Bound::atMost, "of 3"},
@@ -85,7 +85,7 @@ HardCase deepOverlap() {
   return {"D5", "deep in each other",
           "two cubes, two rocks, 25, 50 and 90 % in each other, weightless: they part, no faster than 3 m/s, neither "
           "through the other (proposed list)",
-          run};
+          runDeepOverlap};
 }
 
 }  // namespace cairn::hard

@@ -12,7 +12,7 @@
 namespace cairn::hard {
 namespace {
 
-Outcome run(Effort) {
+Outcome runFarFromOrigin(Effort) {
   const std::vector<Asked> asked{{"rolling, off that at the origin", 1, Bound::atMost, "%"}};
   constexpr double kFar = 1e4;
   return {compare(asked, balls(0.5),
@@ -32,7 +32,7 @@ HardCase farFromOrigin() {
       "D14", "ten kilometres from the origin",
       "a ball rolls down a slope 10 km out: within 1 % of what it does at the origin, in single precision (proposed "
       "list)",
-      run};
+      runFarFromOrigin};
 }
 
 }  // namespace cairn::hard

@@ -113,7 +113,7 @@ Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMo
   return worst;
 }
 
-Outcome run(Effort) {
+Outcome runFlatMeshes(Effort) {
   const std::vector<test::TriedGround> all = grounds();
   const CaseBodies &block = boxes({test::kBlock[0], test::kBlock[1], test::kBlock[2]}), &ball = balls(test::kRoller);
   const double blockSize = std::sqrt(1 + 0.16 + 0.09), ballSize = 2 * test::kRoller * std::sqrt(3.0);
@@ -141,7 +141,7 @@ HardCase flatMeshes() {
   return {"D10", "over the seams of a flat mesh",
           "a block slides, a ball rolls on five triangulations of a plane at 60 Hz: within 2 % of what it does on a "
           "plane, aside by at most 0.01, hopping by at most 0.005 of its size (proposed list)",
-          run};
+          runFlatMeshes};
 }
 
 }  // namespace cairn::hard

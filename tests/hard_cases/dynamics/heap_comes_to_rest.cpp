@@ -26,7 +26,7 @@ Figures drop(const test::TriedBody& rock, int bodies, double seconds, double wat
   return {speeds[speeds.size() / 2], double(pile.countLost())};
 }
 
-Outcome run(Effort effort) {
+Outcome runHeapComesToRest(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const std::vector<Asked> asked{{"greatest speed, median of the last steps", 0.05, Bound::atMost, "m/s"},
                                  {"lost", 0, Bound::atMost, ""}};
@@ -42,7 +42,7 @@ HardCase heapComesToRest() {
   return {"D12", "a heap comes to rest",
           "200 rocks, 30 s at 60 Hz: the fastest slower than 0.05 m/s in half of the steps of the last 10 s, nobody "
           "lost (proposed list)",
-          run};
+          runHeapComesToRest};
 }
 
 }  // namespace cairn::hard

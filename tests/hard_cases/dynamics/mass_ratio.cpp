@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies.h"
 #include "compare.h"
 #include "dynamics_cases.h"
 
@@ -18,7 +19,7 @@ namespace cairn::hard {
 namespace {
 
 constexpr int kCubes = 5;
-constexpr double kStep = 1.0 / 240, kGravity = 9.81;
+constexpr double kStep = 1.0 / 240;
 
 // Deepest penetration in parts of the size, greatest speed in parts of sqrt(2 g H) with H the stack's height.
 Figures load(const test::TriedBody& cube, double ratio, double seconds) {
@@ -44,7 +45,7 @@ Figures load(const test::TriedBody& cube, double ratio, double seconds) {
   return {100 * deepest / std::sqrt(3.0), fastest / std::sqrt(2 * kGravity * kCubes)};
 }
 
-Outcome run(Effort effort) {
+Outcome runMassRatio(Effort effort) {
   const double seconds = effort == Effort::whole ? 10 : 2;
   const std::vector<Asked> asked{{"1 : 10, deepest penetration", 5, Bound::atMost, "% of size"},
                                  {"1 : 100, deepest penetration", 5, Bound::atMost, "% of size"},
@@ -65,7 +66,7 @@ HardCase massRatio() {
   return {"D4", "heavy on light",
           "five cubes, the top one 10, 100 and 1000 times as heavy, 10 s at 240 Hz: at most 5 % of the size deep up to "
           "1 : 100, where it may not fall; at 1 : 1000 it may, never faster than 2 sqrt(2gH) (proposed list)",
-          run};
+          runMassRatio};
 }
 
 }  // namespace cairn::hard

@@ -46,7 +46,6 @@ double Pile::kineticEnergy() const {
 }
 
 double Pile::energy() const {
-  constexpr double kGravity = 9.81;
   double sum = kineticEnergy();
   for (const btRigidBody* body : bodies_) sum += kGravity * double(body->getWorldTransform().getOrigin().z());
   return sum;

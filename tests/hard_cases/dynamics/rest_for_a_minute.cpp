@@ -13,7 +13,7 @@
 namespace cairn::hard {
 namespace {
 
-Outcome run(Effort effort) {
+Outcome runRestForAMinute(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const std::vector<Asked> asked{{"place, RMS about its mean", 0.01, Bound::atMost, "% of size"},
                                  {"drift", 0.1, Bound::atMost, "% of size"}};
@@ -38,7 +38,7 @@ HardCase restForAMinute() {
   return {"D1", "at rest for a minute",
           "ten rocks on a plane, 60 s without sleep, their median: RMS at most 1e-4 of its size, drift 1e-3 "
           "(proposed list)",
-          run};
+          runRestForAMinute};
 }
 
 }  // namespace cairn::hard

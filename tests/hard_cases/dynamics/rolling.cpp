@@ -7,7 +7,6 @@
 namespace cairn::hard {
 
 double rollDown(const test::TriedBody& tried, const RollingStart& start) {
-  constexpr double kGravity = 9.81;
   const double angle = start.degrees * std::numbers::pi / 180, clock = std::sqrt(start.radius / 0.5);
   const btVector3 up(btScalar(std::sin(angle)), 0, btScalar(std::cos(angle)));
   const btVector3 down(btScalar(std::cos(angle)), 0, btScalar(-std::sin(angle)));

@@ -25,7 +25,7 @@ Figures at(std::size_t kind, double size, double seconds) {
   return {lie(rocks(1, size)[kind].body, start).front(), rollDown(ball, {.radius = radius, .timeStep = clock / 240})};
 }
 
-Outcome run(Effort effort) {
+Outcome runSmallAndLarge(Effort effort) {
   const double seconds = effort == Effort::whole ? 60 : 3;
   std::vector<Figures> all;
   double usualRms = 0;
@@ -49,7 +49,7 @@ HardCase smallAndLarge() {
       "D13", "a centimetre, a hundred metres",
       "D1 and a rolling ball at both sizes, time in proportion to the root of the size: at rest at most twice the RMS "
       "of a rock of a metre, rolling within 2 % (proposed: within twice)",
-      run};
+      runSmallAndLarge};
 }
 
 }  // namespace cairn::hard

@@ -129,7 +129,7 @@ std::vector<Shapes> compounds() {
   return all;
 }
 
-Outcome run(Effort) {
+Outcome runSphereCountIndependence(Effort) {
   const std::vector<Asked> asked{{"restitution, spread", 2, Bound::atMost, "%"},
                                  {"friction, spread", 2, Bound::atMost, "%"},
                                  {"rolling acceleration, spread", 2, Bound::atMost, "%"}};
@@ -146,7 +146,7 @@ HardCase sphereCountIndependence() {
   return {"D15", "the number of spheres does not show",
           "one box and one ball of 8, 64 and 512 leaves: restitution, friction and rolling acceleration within 2 % of "
           "each other (proposed list)",
-          run};
+          runSphereCountIndependence};
 }
 
 }  // namespace cairn::hard

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kEdge = 1;
 
-Outcome run(Effort effort) {
+Outcome runStackOfTen(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const double size = kEdge * std::sqrt(3.0);
   const test::StackStart start{
@@ -39,7 +39,7 @@ HardCase stackOfTen() {
   return {"D2", "a stack of ten",
           "ten cubes, 20 s at 60 Hz and 30 iterations, nine stacks: median drift below 0.05 of the size, the top as "
           "near where it was (proposed list)",
-          run};
+          runStackOfTen};
 }
 
 }  // namespace cairn::hard

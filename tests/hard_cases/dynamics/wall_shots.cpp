@@ -38,7 +38,7 @@ int through(const Bullets& bullets, const std::shared_ptr<btCollisionShape>& wal
   return passed;
 }
 
-Outcome run(Effort effort) {
+Outcome runWallShots(Effort effort) {
   const int count = effort == Effort::whole ? 1000 : 60;
   const CaseBodies &rods = boxes({1, 0.3, 0.3}), &round = balls(0.4);
   // Of Bullet's shapes only convex ones are looked ahead for.
@@ -61,7 +61,7 @@ HardCase wallShots() {
   return {"D6", "shots at a thin wall",
           "1000 rods, balls and rocks at 10 to 300 m/s, continuous collision on: none through a wall of 0.1 m "
           "(proposed list)",
-          run};
+          runWallShots};
 }
 
 }  // namespace cairn::hard

@@ -101,7 +101,7 @@ class Breaker {
   const builder::TriangleMesh solid_ = test::meshOf(test::cuboid({1, 1, 1}, 1));
 };
 
-Outcome run(Effort effort) {
+Outcome runBrokenFiles(Effort effort) {
   FamilyDemands demands(effort, 1);
   Breaker breaker(demands, effort);
   for (const Format& format : kFormats) {
@@ -125,7 +125,7 @@ HardCase brokenFiles() {
           "every file, of seven forms, with one such slip or cut after any byte is refused with file and line, element "
           "or count (proposed list); no read past the end: the same importer under ASan in the asan preset and in "
           "fuzzing",
-          run};
+          runBrokenFiles};
 }
 
 }  // namespace cairn::hard

@@ -109,7 +109,7 @@ const std::vector<Vec3d> kCube{{1, 1, 1},  {1, 1, -1},  {1, -1, 1},  {1, -1, -1}
                                {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
 const std::vector<Vec3d> kOctahedron{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-Outcome run(Effort effort) {
+Outcome runCosphericalPoints(Effort effort) {
   const bool quick = effort == Effort::quick;
   Violations violations;
   examine(kCube, 2, violations);
@@ -141,7 +141,7 @@ HardCase cosphericalPoints() {
   return {"G1", "cube, octahedron, grid, integer points of a sphere",
           "no site inside the sphere of a tetrahedron, tetrahedra fill the hull: both exactly, in integers, where the "
           "proposed list allows 1e-9 of the size; trees of cube, octahedron and gridded cube",
-          run};
+          runCosphericalPoints};
 }
 
 }  // namespace cairn::hard

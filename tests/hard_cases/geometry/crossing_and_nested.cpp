@@ -45,7 +45,7 @@ Measure disagreements(const char* name, std::uint64_t count, int points) {
   return {name, double(count), 0, Bound::atMost, "of " + std::to_string(points), "", 0};
 }
 
-Outcome run(Effort effort) {
+Outcome runCrossingAndNested(Effort effort) {
   const bool quick = effort == Effort::quick;
   FamilyDemands demands(effort, 60);
   const int points = quick ? 2000 : 100000;
@@ -95,7 +95,7 @@ HardCase crossingAndNested() {
   return {"G9", "shells that cross, shells in shells",
           "inside tests agree with the winding number for all of 1e5 points, where the proposed list asks for 99.9 %; "
           "crossing shells are refused, and their wrap agrees with it beyond the distance the wrap states",
-          run};
+          runCrossingAndNested};
 }
 
 }  // namespace cairn::hard

@@ -53,7 +53,7 @@ std::vector<std::byte> withoutSource(const SphereTree& tree) {
   return encodeTree(SphereTree::create(std::move(data)).value());
 }
 
-Outcome run(Effort effort) {
+Outcome runDuplicateVertices(Effort effort) {
   FamilyDemands demands(effort, 60);
   const builder::TriangleMesh mesh = solid(effort);
   const auto welded = demands.accepted(demands.import("welded.obj", test::objText(mesh)));
@@ -94,7 +94,7 @@ HardCase duplicateVertices() {
       "a soup, vertices twice and a hundred times: the same tree as the welded mesh, byte for byte (proposed list); "
       "copies 1e-12 of the size apart are refused as open; after --repair their balls are that tree's to 1e-4 of "
       "the size, the resolution of the certificate",
-      run};
+      runDuplicateVertices};
 }
 
 }  // namespace cairn::hard

@@ -23,7 +23,7 @@ builder::TriangleMesh folded(const std::array<Vec3d, 3>& corners) {
   return mesh;
 }
 
-Outcome run(Effort effort) {
+Outcome runFlatSolids(Effort effort) {
   FamilyDemands demands(effort, 60);
   demands.refuses(demands.import("flat.obj", test::objText(folded({Vec3d{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}))), "flat");
   demands.refuses(
@@ -56,7 +56,7 @@ HardCase flatSolids() {
       "G5", "flat mesh, sheets",
       "no volume: refused by that name; a sheet down to a ten-millionth thick: a tree that covers it (proposed list) "
       "with balls no larger than twice those of a grid of 8 by 8, 1/16 of the size each",
-      run};
+      runFlatSolids};
 }
 
 }  // namespace cairn::hard

@@ -16,7 +16,7 @@
 namespace cairn::hard {
 namespace {
 
-Outcome run(Effort effort) {
+Outcome runFlippedWinding(Effort effort) {
   FamilyDemands demands(effort, 60);
   const builder::TriangleMesh right =
       test::moved(test::lumpyBall(effort == Effort::quick ? 2 : 10, 10), [](const Vec3d& v) { return Vec3d(Vec3(v)); });
@@ -53,7 +53,7 @@ HardCase flippedWinding() {
   return {"G10", "flipped winding, whole and one face",
           "refused by name; --repair turns just these triangles and gives the right volume with the right sign "
           "(proposed list), to the rounding of the sum",
-          run};
+          runFlippedWinding};
 }
 
 }  // namespace cairn::hard

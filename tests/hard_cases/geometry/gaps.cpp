@@ -93,7 +93,7 @@ double beyondStated(const SphereTree& tree, const builder::TriangleMesh& mesh, i
   return most / builder::boundsOf(mesh).diagonal();
 }
 
-Outcome run(Effort effort) {
+Outcome runGaps(Effort effort) {
   const bool quick = effort == Effort::quick;
   FamilyDemands demands(effort, 120);
   Outcome outcome;
@@ -127,7 +127,7 @@ HardCase gaps() {
       "G14", "torus, spiral, comb",
       "no point of any ball, of any level, is farther from the solid than the ball states (proposed list), by CGAL's "
       "distances over points of its sphere; leaves err by less than the width of the gaps",
-      run};
+      runGaps};
 }
 
 }  // namespace cairn::hard

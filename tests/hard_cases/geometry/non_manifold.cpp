@@ -40,7 +40,7 @@ std::uint64_t outside(const builder::TriangleMesh& wrap, const builder::Triangle
   return count;
 }
 
-Outcome run(Effort effort) {
+Outcome runNonManifold(Effort effort) {
   const bool quick = effort == Effort::quick;
   FamilyDemands demands(effort, 60);
   const builder::TriangleMesh cube = test::meshOf(test::cuboid({1, 1, 1}, 1));
@@ -82,7 +82,7 @@ HardCase nonManifold() {
   return {"G8", "an edge of four triangles, a T-junction",
           "refused with edge and count, or the open edge, named; --repair closes the junction and says why it cannot "
           "mend the edge, --wrap makes a solid of it (proposed list) that holds every point of the original",
-          run};
+          runNonManifold};
 }
 
 }  // namespace cairn::hard

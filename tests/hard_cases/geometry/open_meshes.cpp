@@ -17,7 +17,7 @@
 namespace cairn::hard {
 namespace {
 
-Outcome run(Effort effort) {
+Outcome runOpenMeshes(Effort effort) {
   FamilyDemands demands(effort, 60);
   const builder::TriangleMesh whole =
       test::moved(test::lumpyBall(effort == Effort::quick ? 3 : 10, 7), [](const Vec3d& v) { return Vec3d(Vec3(v)); });
@@ -54,7 +54,7 @@ HardCase openMeshes() {
       "G7", "one triangle missing",
       "refused, with the edge named; --repair fills the hole, says so (proposed list) and gives the solid back, its "
       "volume to the rounding of the sum",
-      run};
+      runOpenMeshes};
 }
 
 }  // namespace cairn::hard

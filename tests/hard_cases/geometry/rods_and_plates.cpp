@@ -24,7 +24,7 @@ double radiusOfEqualParts(const Vec3d& size, double leaves) {
   return length(part) / 2;
 }
 
-Outcome run(Effort effort) {
+Outcome runRodsAndPlates(Effort effort) {
   FamilyDemands demands(effort, 120);
   Outcome outcome;
   const std::uint32_t depth = demands.options().depth;
@@ -58,7 +58,7 @@ HardCase rodsAndPlates() {
       "G13", "rod 1000:1, plate 1000:1000:1",
       "covered everywhere, spheres within 8 to the level, the error stated (proposed list) and within one and a half "
       "times the radius of balls around as many equal parts",
-      run};
+      runRodsAndPlates};
 }
 
 }  // namespace cairn::hard

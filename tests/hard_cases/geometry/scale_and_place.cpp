@@ -20,7 +20,7 @@ struct Move {
   double scale, diagonals;
 };
 
-Outcome run(Effort effort) {
+Outcome runScaleAndPlace(Effort effort) {
   FamilyDemands demands(effort, 120);
   const bool quick = effort == Effort::quick;
   Outcome outcome;
@@ -62,7 +62,7 @@ HardCase scaleAndPlace() {
   return {"G12", "scale 1e-6 and 1e6, 1e6 sizes from the origin",
           "the tree is the base tree scaled and shifted: centres and radii to 1e-4 of the size (proposed list), errors "
           "to the 1 % and 1e-4 of the size they are certified to",
-          run};
+          runScaleAndPlace};
 }
 
 }  // namespace cairn::hard

@@ -12,7 +12,7 @@
 namespace cairn::hard {
 namespace {
 
-Outcome run(Effort effort) {
+Outcome runTooLittle(Effort effort) {
   FamilyDemands demands(effort, 1);
   const auto file = [&](const char* name, const char* text, const char* named) {
     demands.refuses(demands.import(name, text), named);
@@ -53,7 +53,7 @@ HardCase tooLittle() {
   return {
       "G6", "a triangle, a segment, a point, nothing",
       "each of 12 files and 5 meshes in memory is refused by one sentence that names what is missing (proposed list)",
-      run};
+      runTooLittle};
 }
 
 }  // namespace cairn::hard

@@ -34,7 +34,7 @@ std::uint64_t hashOf(const test::TriedBody& tried, bool withIsland, int steps, s
   return hash.value();
 }
 
-Outcome run(Effort effort) {
+Outcome runSameBits(Effort effort) {
   const int steps = effort == Effort::whole ? 1200 : 180;
   const std::vector<Asked> asked{{"second run in the process differs", 0, Bound::atMost, ""},
                                  {"a far island makes it differ", 0, Bound::atMost, ""},
@@ -56,7 +56,7 @@ HardCase sameBits() {
   return {"I2", "the same bits",
           "a heap of 12 rocks, 20 s: equal state hashes in fresh worlds, and with an unrelated heap a kilometre away "
           "(PEEL's determinism scene)",
-          run};
+          runSameBits};
 }
 
 }  // namespace cairn::hard

@@ -60,7 +60,7 @@ Hour knockAbout(const test::TriedBody& rock, int seconds) {
   return hour;
 }
 
-Outcome run(Effort effort) {
+Outcome runAnHourOfBlows(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const Hour hour = knockAbout(rocks(1, 1).front().body, isWhole ? 3600 : 20);
   return {{{"bodies that are no number", double(hour.insane), 0, Bound::atMost, "", "", 0},
@@ -79,7 +79,7 @@ HardCase anHourOfBlows() {
       "L2", "an hour of blows",
       "a heap of 12 rocks, one of them struck by 2 N s every second for an hour: no NaN, nobody lost, no more energy "
       "than the blow's 2 J/kg, no more than 1 MiB of memory more, the narrow phase's work at the end as at first",
-      run};
+      runAnHourOfBlows};
 }
 
 }  // namespace cairn::hard

@@ -32,7 +32,7 @@ Figures leaveAlone(const test::TriedBody& rock, double seconds) {
   return {ways[ways.size() / 2], rise, 1000 * pile.kineticEnergy() / double(places.size()), double(pile.countLost())};
 }
 
-Outcome run(Effort effort) {
+Outcome runTenMinutesAtRest(Effort effort) {
   const double seconds = effort == Effort::whole ? 600 : 5;
   const std::vector<Asked> asked{{"drift, median", 100 * 1e-3 * seconds / 60, Bound::atMost, "% of size"},
                                  {"energy gained", 1, Bound::atMost, "%"},
@@ -48,7 +48,7 @@ HardCase tenMinutesAtRest() {
   return {"L1", "ten minutes at rest",
           "a heap of 12 rocks, 600 s without sleep: drift at the pace D1 allows, 1e-3 of the size a minute, no more "
           "than 1 % of its energy gained, 1 mJ/kg moving at the end, the status of heaps that lie",
-          run};
+          runTenMinutesAtRest};
 }
 
 }  // namespace cairn::hard

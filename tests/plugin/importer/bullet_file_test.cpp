@@ -12,7 +12,7 @@
 #include "random_tree.h"
 #include "saved_world.h"
 
-namespace cairn::test {
+namespace cairn::test::bullet_file_test {
 namespace {
 
 using bullet::BodyFrame;
@@ -339,4 +339,4 @@ TEST(BulletFile, FilesWithoutTreesLoadAsEver) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::bullet_file_test

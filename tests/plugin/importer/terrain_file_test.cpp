@@ -8,7 +8,7 @@
 #include "saved_world.h"
 #include "terrains.h"
 
-namespace cairn::test {
+namespace cairn::test::terrain_file_test {
 namespace {
 
 template <class Importer>
@@ -40,4 +40,4 @@ TEST(SavedTerrain, IsLeftOutAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::terrain_file_test

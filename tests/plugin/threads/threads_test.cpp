@@ -12,7 +12,7 @@
 
 #include "bullet_world.h"
 
-namespace cairn::test {
+namespace cairn::test::threads_test {
 namespace {
 
 btITaskScheduler* scheduler() {
@@ -112,4 +112,4 @@ TEST(Threads, NothingIsLostWhenBodiesComeAndGo) {
 }
 
 }  // namespace
-}  // namespace cairn::test
+}  // namespace cairn::test::threads_test

@@ -56,12 +56,12 @@ Status checkUnits(const OGRSpatialReference* reference) {
 }
 
 // Where rows and columns are: `way` is +1 where rows go north.
-struct Frame {
+struct GeoFrame {
   double cell = 1, x = 0, y = 0;
   bool isNorthUp = true;
 };
 
-Result<Frame> frameOf(GDALDataset& dataset) {
+Result<GeoFrame> frameOf(GDALDataset& dataset) {
   std::array<double, 6> t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None) return Error{"does not say where it is: it has no georeference"};
   if (t[2] != 0 || t[4] != 0) return Error{"is turned against north: warp it to a north-up grid first"};
@@ -70,7 +70,7 @@ Result<Frame> frameOf(GDALDataset& dataset) {
                  " m: warp it to square ones first"};
   const bool isNorthUp = t[5] < 0;
   const double first = isNorthUp ? t[3] - (dataset.GetRasterYSize() - 0.5) * t[1] : t[3] + 0.5 * t[1];
-  return Frame{t[1], t[0] + 0.5 * t[1], first, isNorthUp};
+  return GeoFrame{t[1], t[0] + 0.5 * t[1], first, isNorthUp};
 }
 
 Status readBand(GDALRasterBand& band, bool isNorthUp, Raster& raster) {
@@ -98,9 +98,9 @@ Result<Raster> readOpen(GDALDataset& dataset) {
   const auto rows = static_cast<std::uint64_t>(std::max(dataset.GetRasterYSize(), 0));
   if (Status status = checkRasterSize(columns, rows); !status) return status.error();
   if (Status status = checkUnits(dataset.GetSpatialRef()); !status) return status.error();
-  const Result<Frame> frame = frameOf(dataset);
+  const Result<GeoFrame> frame = frameOf(dataset);
   if (!frame) return frame.error();
-  const Frame& f = frame.value();
+  const GeoFrame& f = frame.value();
   Raster raster{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), f.cell, f.x, f.y, {}, {}};
   raster.values.resize(columns * rows);
   raster.projection = dataset.GetProjectionRef();

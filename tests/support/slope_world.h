@@ -7,16 +7,14 @@
 
 #include "bullet_world.h"
 #include "cairn/effects/effect_set.h"
+#include "effect_materials.h"
 
 namespace cairn::test {
 
-inline constexpr effects::MaterialId kRock = 0, kSoil = 1, kIce = 2;
-inline constexpr btScalar kGravity = btScalar(9.81);
-
 /// A world with a set of effects and one ground, a plane through the origin that leans down along +x.
-class EffectWorld {
+class SlopeWorld {
  public:
-  explicit EffectWorld(btScalar slopeRadians = 0, btScalar stepsPerSecond = 240)
+  explicit SlopeWorld(btScalar slopeRadians = 0, btScalar stepsPerSecond = 240)
       : step_(1 / stepsPerSecond),
         ground_(bullet.add(
             std::make_shared<btStaticPlaneShape>(btVector3(btSin(slopeRadians), 0, btCos(slopeRadians)), btScalar(0)),
