@@ -11,7 +11,10 @@ Cairn: collision detection that keeps its deadline.
                              print what a step costs with the tree and with GImpact, draw two pictures (out/demo/)
   ./cairn.sh test            what continuous integration runs: release, sanitizers, double precision, fuzzing, formatting
   ./cairn.sh test fast       the release tests alone
-  ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, double, plugin, fuzz)
+  ./cairn.sh test sanitizers all of it but the demos under address and undefined-behaviour sanitizers, the builder too, which takes
+                             most of the time
+  ./cairn.sh build [PRESET]  configure and build one preset into build/PRESET (release, dev, asan, asan-plugin, double,
+                             plugin, fuzz)
   ./cairn.sh bench           the heap of bunnies against Bullet's own shapes, as a table
   ./cairn.sh bench inside [MESH] [OPTIONS] queries per second of the inside tests on a mesh (default the bunny)
   ./cairn.sh bench traversal [TREE] [OPTIONS] sphere tests per second of whole traversals (default of generated trees),
@@ -110,7 +113,7 @@ configure_and_build() {
 build() {
   local preset=${1:-release}
   case $preset in
-    plugin | double | threads) need build core plugin tests ;;
+    plugin | double | asan-plugin | threads) need build core plugin tests ;;
     fuzz) need build core plugin builder tests fuzz ;;
     *) need "${everything[@]}" tests rockfall ;;
   esac
@@ -164,12 +167,13 @@ run_tests() {
 }
 
 test_all() {
+  [[ ${1:-} == sanitizers ]] && { run_tests asan; return; }
   need "${everything[@]}" tests fuzz lint
   lint
   run_tests release
   [[ ${1:-} == fast ]] && { say "All fast tests passed in $SECONDS s"; return; }
   run_tests double
-  run_tests asan
+  run_tests asan-plugin
   build fuzz
   say "Fuzzing tree files, case files and the narrow phase for a short while"
   ctest --test-dir build/fuzz -R '^fuzz.(tree_file|case_file|narrow_phase)$' --output-on-failure
