@@ -38,7 +38,7 @@ struct Group {
 class HubbardMerging {
  public:
   HubbardMerging(const HubbardMedial& medial, std::span<const std::uint32_t> members, const KeepGoing& keepGoing)
-      : medial_(medial), errors_(medial), keepGoing_(keepGoing) {
+      : errors_(medial), keepGoing_(keepGoing) {
     for (const std::uint32_t m : members) {
       const HubbardMedial::Sphere& sphere = medial.spheres[m];
       Group group{{sphere.ball.center, sphere.ball.radius}, SampleSet(sphere.samples, medial), {m}, {}};
@@ -150,7 +150,6 @@ class HubbardMerging {
     adopt(fresh);
   }
 
-  const HubbardMedial& medial_;
   HubbardError errors_;
   const KeepGoing& keepGoing_;
   std::vector<Group> groups_;

@@ -24,9 +24,9 @@ void Fragmentation::setSiblings(std::span<const std::uint32_t> bodyIds) {
 // The solver is told depth zero: it stops what closes, and pushes nothing out.
 bool Fragmentation::holdApart(Contact& contact) {
   if (contact.sides[0].body == nullptr || contact.sides[1].body == nullptr) return false;
-  const auto [low, high] = std::minmax(contact.sides[0].body->id, contact.sides[1].body->id);
-  const auto found =
-      std::ranges::find_if(siblings_, [&](const Siblings& s) { return s.ids[0] == low && s.ids[1] == high; });
+  const auto ids = std::minmax(contact.sides[0].body->id, contact.sides[1].body->id);
+  const auto found = std::ranges::find_if(
+      siblings_, [&](const Siblings& s) { return s.ids[0] == ids.first && s.ids[1] == ids.second; });
   if (found == siblings_.end()) return false;
   found->touch = true;
   contact.point->m_distance1 = std::max(contact.point->m_distance1, btScalar(0));
