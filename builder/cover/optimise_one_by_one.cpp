@@ -23,7 +23,7 @@ constexpr std::size_t kSearchPoints = 300;
 constexpr std::size_t kEvaluations = 100;
 /// First steps of the search, in parts of the radius.
 constexpr double kFirstStep = 0.1;
-/// A round that saves less than this part of the metric is the last.
+/// A pass over the balls that saves less than this part of the metric is the last.
 constexpr double kWorthAPass = 0.01;
 constexpr int kMaxPasses = 10;
 
@@ -71,7 +71,7 @@ class OneByOne {
   /// Alg. 9.
   void run() {
     double metric = metricOf(members_);
-    for (int round = 0; round < kMaxPasses; ++round) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
       std::vector<bool> done(members_.size(), false);
       for (std::size_t n = 0; n < members_.size(); ++n) {
         std::size_t worst = members_.size();

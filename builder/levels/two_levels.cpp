@@ -28,7 +28,7 @@ constexpr double kNextWeight = 0.5;
 /// Families drawn; of these the most promising are filled up, and the best of the pairs gone on with.
 constexpr std::size_t kDraws = 12, kFilledUp = 6, kTightened = 4;
 /// The upper level's limit on its way down: this factor a step, to this part of what it needs for itself at least.
-constexpr double kFamilyTightening = 0.975, kTightest = 1.02;
+constexpr double kUpperTightening = 0.975, kTightest = 1.02;
 /// Pairs that are completed between the points, and attempts to relieve their lower levels.
 constexpr std::size_t kCompleted = 3;
 constexpr ReliefEffort kRelief{.attempts = 25, .redraws = 0};
@@ -118,7 +118,7 @@ class Search {
     TwoLevels best = levels;
     const double lowest = kTightest * tightest();
     while (levels.upper.limit > lowest) {
-      CoverLevel next{levels.upper.balls, std::max(kFamilyTightening * levels.upper.limit, lowest)};
+      CoverLevel next{levels.upper.balls, std::max(kUpperTightening * levels.upper.limit, lowest)};
       const LevelProblem problem = level(*uppers_.field, all_, problem_.branching, next.limit);
       next.balls = optimiseLevel(problem, std::move(next.balls));
       const bool kept = next.balls.size() == levels.upper.balls.size();

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Zlib
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <limits>

@@ -13,7 +13,7 @@ constexpr float kMaySinkFraction = 0.25F;
 // How far apart (in radii of the sphere that asks) planes may be that are taken for one surface.
 constexpr float kOneSurfaceFraction = 0.05F;
 // How much farther than its speed explains (in radii of the root) a tree may move in a step by itself.
-constexpr btScalar kOwnTurnFraction = btScalar(0.5);
+constexpr btScalar kTreeMotionFraction = btScalar(0.5);
 
 float massHeight(const PlacedTree& tree, const TriangleTouch& touch) {
   return dot(touch.face, tree.toPair().translation - touch.nearest);
@@ -33,7 +33,7 @@ void TriangleSides::beginStep(const PairPlacement& placement) {
   treeBody_ = placement.treeBody;
   other_ = placement.other;
   const btScalar moved = back_.getOrigin().length();  // of the tree's body, which is at the pair frame's origin
-  const btScalar own = btScalar(placement.travel) + kOwnTurnFraction * btScalar(tree.sphere(kRootNode).radius);
+  const btScalar own = btScalar(placement.travel) + kTreeMotionFraction * btScalar(tree.sphere(kRootNode).radius);
   if (moved > own) {
     reset();
     back_.setIdentity();

@@ -4,7 +4,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostGroups = 100, kMostReleasePoints = 100;
+constexpr std::size_t kMostGroups = 100, kMostSieveSizes = 100;
 constexpr std::uint64_t kMostRocks = 100000, kMostVariants = 100;
 
 std::variant<MadeRocks, MeshRocks> readRockSource(Object& group) {
@@ -28,7 +28,7 @@ SieveCurve readSieve(const Value& value) {
   Object object(value);
   SieveCurve curve;
   const Value sizes = object.at("sizes");
-  for (const Value& item : sizes.items(2, kMostReleasePoints)) {
+  for (const Value& item : sizes.items(2, kMostSieveSizes)) {
     const auto pair = item.items(2, 2);
     if (pair.size() != 2) return curve;
     const SieveCurve::Point point{pair[0].number({0.01, 100}), pair[1].number(between(0, 1))};

@@ -19,12 +19,12 @@ struct ConvergeReport {
   std::vector<StepRecord> records;  ///< one a frame, run after run
 };
 
-/// Told after each player's turn how much is done, from 0 to 1; returns false to stop.
+/// Told before each frame, shown or judged, how much is done, from 0 to 1; returns false to stop.
 using PlayCallback = std::function<bool(double fraction)>;
 
 /// Shows a recording to every player, run by run in turn, so that a busy machine disturbs all of them alike. Every
-/// `truthEvery`-th frame (>= 1) is judged, after the turn: the check must not cool the caches of what is timed. The
-/// truth of a frame is found once, whoever is judged by it. Reports in the players' order. Fails with
+/// `truthEvery`-th frame (>= 1) is judged, after the player's turn: the check must not cool the caches of what is
+/// timed. The truth of a frame is found once, whoever is judged by it. Reports in the players' order. Fails with
 /// `builder::kCancelled` if the callback stops it, and if the mesh is not closed.
 Result<std::vector<ConvergeReport>> playRecording(const Recording& recording, const Model& model,
                                                   std::span<const std::unique_ptr<Player>> players,

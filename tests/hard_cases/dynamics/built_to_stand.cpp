@@ -64,7 +64,7 @@ std::vector<Piece> cardHouse(const CaseBodies& card, double margin, double degre
 }
 
 constexpr int kStones = 9;
-constexpr double kInner = 1, kOuter = 1.4, kColumnDeep = 0.5;
+constexpr double kInner = 1, kOuter = 1.4, kRingDeep = 0.5;
 
 // A wedge of a ring about y, standing in the middle of its own arc; its origin is its centre of mass.
 test::Solid voussoir() {
@@ -73,7 +73,7 @@ test::Solid voussoir() {
   Vec3d corner[8];
   for (int i = 0; i < 8; ++i) {
     const double r = i & 2 ? kOuter : kInner, angle = i & 1 ? half : -half;
-    corner[i] = {r * std::sin(angle), i & 4 ? kColumnDeep / 2 : -kColumnDeep / 2, r * std::cos(angle)};
+    corner[i] = {r * std::sin(angle), i & 4 ? kRingDeep / 2 : -kRingDeep / 2, r * std::cos(angle)};
   }
   const auto face = [&](int a, int b, int c, int d) {
     out.triangle(corner[a], corner[b], corner[c]);

@@ -23,7 +23,7 @@ struct Parting {
 };
 
 Parting part(const test::TriedBody& body, double width, double overlap, double seconds) {
-  constexpr int kPartingSteps = 60;
+  constexpr int kPartingStepsPerSecond = 60;
   test::StillWorld w;
   w.world.setGravity(btVector3(0, 0, 0));
   // A little aside of each other and turned: nothing is symmetric.
@@ -37,7 +37,7 @@ Parting part(const test::TriedBody& body, double width, double overlap, double s
   for (btRigidBody* each : {&left, &right}) each->setGravity(btVector3(0, 0, 0));
   const btVector3 before = right.getWorldTransform().getOrigin() - left.getWorldTransform().getOrigin();
   Parting result;
-  for (int i = 0; i < int(seconds * kPartingSteps); ++i) {
+  for (int i = 0; i < int(seconds * kPartingStepsPerSecond); ++i) {
     w.step();
     for (const btRigidBody* each : {&left, &right}) {
       if (!test::isSane(*each)) return {std::numeric_limits<double>::quiet_NaN(), 1, 100};
