@@ -2,6 +2,8 @@
 #include "counterparts/triangle_counterpart.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
@@ -14,13 +16,15 @@ namespace cairn::bullet {
 namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
+}  // namespace
 
-float diagonalOf(const btCollisionShape& shape) {
+float TriangleCounterpart::size(const btCollisionShape& shape) const {
   btVector3 lower, upper;
   shape.getAabb(btTransform::getIdentity(), lower, upper);
-  return static_cast<float>((upper - lower).length());
+  const auto diagonal = static_cast<float>((upper - lower).length());
+  // A foreign shape may say that it has no end, which need not be a number.
+  return std::isfinite(diagonal) ? diagonal : std::numeric_limits<float>::infinity();
 }
-}  // namespace
 
 void TriangleCounterpart::reset() {
   Counterpart::reset();
@@ -93,7 +97,7 @@ void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::v
   const std::size_t first = contacts.size();
   divide(pairs);
   contacts_.append(placement_, inPair_, others_, traversal_.done(), sides_, contacts);
-  onFaces_.append(placement_, diagonalOf(*placement_.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
+  onFaces_.append(placement_, size(*placement_.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
   for (std::size_t i = first; i < contacts.size(); ++i) {
     const TriangleSoup::Source& source = soup_.triangles()[contacts[i].pair.b];
     const NodeId leaf = contacts[i].pair.a;
@@ -106,7 +110,7 @@ void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::v
 void TriangleCounterpart::divide(std::span<const NodePair> pairs) {
   others_.clear();
   ofFaces_.clear();
-  const bool isSmaller = diagonalOf(*placement_.otherShape) <= float(placement_.treeShape->size());
+  const bool isSmaller = size(*placement_.otherShape) <= float(placement_.treeShape->size());
   for (const NodePair& pair : pairs)
     (isSmaller && TrianglesOnFaces::isFor(placement_.tree, pair.a) ? ofFaces_ : others_).push_back(pair);
   std::ranges::sort(ofFaces_, {}, [](const NodePair& pair) { return std::pair(pair.a, pair.b); });

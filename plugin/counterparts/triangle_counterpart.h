@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -33,7 +32,7 @@ class TriangleCounterpart final : public Counterpart {
   /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
   /// up to four. Linear in the triangles; only what is appended is counted as work.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
-  float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
+  float size(const btCollisionShape& shape) const override;
 
  private:
   void gather();

@@ -155,7 +155,7 @@ void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
   for (Face& face : faces_)
     if (isFarSide(face, tolerance)) face.threshold = -placement.reach;
   if (std::ranges::none_of(faces_, [&](const Face& face) { return deepestInFront(face) < placement.reach; }))
-    bringOut();
+    bringOut(placement.reach);
 }
 
 // What was in front has sunk by no more than it can have moved, and by no more than half the way to what was behind.
@@ -185,12 +185,27 @@ bool TrianglesOnFaces::isFarSide(const Face& face, float tolerance) const {
   });
 }
 
-// What goes through a face although nothing else touches overlaps for certain: it is in front of whichever face it
-// crosses least deep.
-void TrianglesOnFaces::bringOut() {
-  const auto least = std::ranges::max_element(faces_, {}, &Face::crossing);
-  if (least == faces_.end() || least->crossing == kNothing) return;
-  least->threshold = least->crossing;
+// What goes through a face although nothing else touches overlaps for certain: it is in front of whichever plane it
+// crosses least deep, in all the leaves that share it.
+void TrianglesOnFaces::bringOut(float reach) {
+  const auto isOfOnePlane = [&](const Face& one, const Face& other) {
+    return dot(one.outwards, other.outwards) >= kSameFaceCosine &&
+           std::abs(one.offset - other.offset) <= planeTolerance_;
+  };
+  const Face* least = nullptr;
+  float leastCrossing = kNothing;
+  for (const Face& face : faces_) {
+    if (face.crossing <= leastCrossing) continue;
+    float crossing = face.crossing;
+    for (const Face& other : faces_)
+      if (other.crossing != kNothing && isOfOnePlane(face, other)) crossing = std::min(crossing, other.crossing);
+    if (crossing <= leastCrossing) continue;
+    least = &face;
+    leastCrossing = crossing;
+  }
+  if (!least) return;
+  for (Face& face : faces_)
+    if (isOfOnePlane(*least, face)) face.threshold = leastCrossing - reach;
 }
 
 std::size_t TrianglesOnFaces::placeOf(const PlacedTree& tree, const Face& face) const {

@@ -78,7 +78,7 @@ class TrianglesOnFaces {
   float thresholdOf(const Seen& last, float tolerance, float size) const;
   float deepestInFront(const Face& face) const;
   bool isFarSide(const Face& face, float tolerance) const;
-  void bringOut();
+  void bringOut(float reach);
   // In `seen_`; its size where nothing is known of the plane.
   std::size_t placeOf(const PlacedTree& tree, const Face& face) const;
   void remember(const PlacedTree& tree, float reach, bool isComplete);

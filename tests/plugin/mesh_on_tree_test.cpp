@@ -176,5 +176,21 @@ TEST(MeshCarriedBelow, DoesNotPassThroughFromThere) {
   }
 }
 
+// A tree of fifty metres does not make a stone of ten centimetres near to anything half a metre away.
+TEST(SmallMesh, ComesToRestOnAnyTree) {
+  constexpr btScalar kStill = btScalar(0.005);
+  for (const double width : {5.0, 50.0, 200.0})
+    for (const int cells : {1, 8}) {
+      StillWorld w;
+      w.add(treeShape(plainTree(cuboid({width, width, width / 10}, cells))), 0, btVector3(0, 0, btScalar(-width / 20)));
+      btRigidBody& body = w.add(gimpactMesh(cuboid({0.1, 0.08, 0.06}, 2), kMargin), 1,
+                                btVector3(btScalar(0.3), btScalar(0.2), btScalar(0.08)));
+      body.setActivationState(DISABLE_DEACTIVATION);
+      w.step(180);
+      EXPECT_LT(body.getLinearVelocity().length(), kStill) << width << " m, " << cells << " cells";
+      EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.03, 0.002) << width << " m, " << cells << " cells";
+    }
+}
+
 }  // namespace
 }  // namespace cairn::test::mesh_on_tree_test
