@@ -36,8 +36,9 @@ struct Contact {
   /// Of an exact one: how far apart the bodies may be for all that. Both its points are on their surfaces, so it is no
   /// more than its depth: what has crossed in its direction may be past each other.
   float exactError = 0;
-  bool isExact = false;    ///< measured between source triangles
-  bool isSettled = false;  ///< exact, or nothing finer can be told
+  bool isExact = false;     ///< measured between source triangles
+  bool isCrossing = false;  ///< of triangles that cross, which does not tell how deep the bodies are in each other
+  bool isSettled = false;   ///< exact, or nothing finer can be told
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
   bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart
   bool isWhole = false;       ///< of whole bodies: whatever is nearest in its direction, so that its id may change

@@ -54,6 +54,11 @@ float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& f
          length(angularVelocity(first) - angularVelocity(second)) * disc;
 }
 
+float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWrapper& smaller) {
+  return speedInFrameOf(*larger.getCollisionObject(), *smaller.getCollisionObject(),
+                        static_cast<float>(smaller.getCollisionShape()->getAngularMotionDisc()));
+}
+
 // What is no number, or endless, makes no number of a sum, or an endless one.
 bool isBroken(const btCollisionObjectWrapper& wrapper) {
   const btTransform& pose = wrapper.getWorldTransform();

@@ -29,6 +29,9 @@ float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
 /// per second. `disc`: as above.
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);
 
+/// The same of a whole body in the frame of a larger one.
+float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWrapper& smaller);
+
 /// Whether its place, its speeds or the forces on it are no number or endless: the solver would hand that on to
 /// whatever it touches.
 bool isBroken(const btCollisionObjectWrapper& body);

@@ -159,6 +159,8 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   PairPlacement placement = place(treeBody, otherBody, threshold);
   setMotion(*placement.treeShape, treeBody, otherBody, timeStep);
   placement.travel = closingSpeed_ * static_cast<float>(timeStep);
+  const bool isMeshOnTree = kind_ == CounterpartKind::triangles && !treeIsSmaller_;
+  placement.slip = isMeshOnTree ? speedIn(treeBody, otherBody) * static_cast<float>(timeStep) : placement.travel;
   noticeSetDown(motion_.placement, treeBody, otherBody, timeStep);
   isPlaced_ = isBegun_ = true;
   moved_ = unseenWay_ = 0;

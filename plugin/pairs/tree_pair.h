@@ -226,6 +226,7 @@ class alignas(64) TreePair {
   void bringPoints(bool standsIn);
   void countSaid();
   PairReport reportHeld(bool isWhole) const;
+  bool saysWhole() const;
   double standInErrorFraction() const;
   static RelativePlacement relativePlacement(const SphereTreeShape& shape, const btTransform& tree,
                                              const btTransform& other);

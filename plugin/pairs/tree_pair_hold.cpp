@@ -299,11 +299,18 @@ PairReport TreePair::reportHeld(bool isWhole) const {
   report.isUnresolved = true;
   const bool isFollowed = moved_ <= kMostFollowed * smallerSize_;
   if (isFollowed) report.errorFraction = heldError_ + double(moved_ / smallerSize_);
-  if (isWhole) report.errorFraction = std::max(report.errorFraction, standInErrorFraction());
+  if (isWhole || saysWhole()) report.errorFraction = std::max(report.errorFraction, standInErrorFraction());
   report.errorFraction += double(unseenWay_ / smallerSize_);
   report.contacts = saidContacts_;
   report.manifolds = saidManifolds_;
   return report;
+}
+
+// Also where it is only carried along, until an answer takes its place.
+bool TreePair::saysWhole() const {
+  if (wholeAt_ < 0) return false;
+  const btPersistentManifold* const m = manifolds_[static_cast<std::size_t>(wholeAt_)];
+  return m && m->getNumContacts() > 0;
 }
 
 // Of spheres, how far they stand out; of points, all of the body may be in the ground beside them.

@@ -15,6 +15,17 @@ constexpr int kRoundsOneByOne = 32;
 // The gap of one that others stand for.
 constexpr float kReplaced = std::numeric_limits<float>::infinity();
 
+bool hasDeeper(const auto& clusters, float depth) {
+  return std::ranges::any_of(clusters, [&](std::span<const Contact> members) {
+    return std::ranges::any_of(members, [&](const Contact& contact) { return contact.gap < -depth; });
+  });
+}
+
+bool hasCrossing(const auto& clusters) {
+  return std::ranges::any_of(
+      clusters, [](std::span<const Contact> members) { return std::ranges::any_of(members, &Contact::isCrossing); });
+}
+
 bool canBeSharpened(const Contact& contact) {
   return !contact.isSettled && !contact.ofSpheres;
 }
@@ -33,6 +44,8 @@ TreePair::Clusters TreePair::pastLeaves(btManifoldResult& result, Budget& budget
     goOnToTriangles(members, held.span(), budget);
     clusters[k] = members;
   }
+  const Clusters ofLeaves = clustersOf(scratch.contacts);
+  if (hasCrossing(clusters) && !hasDeeper(clusters, 0) && hasDeeper(ofLeaves, speculative_)) clusters = ofLeaves;
   const bool isSilent = std::ranges::all_of(clusters, [](std::span<Contact> members) { return members.empty(); });
   if (isSilent && wasDone_ && !contacts_.isOfMesh()) clusters = breakSilence(budget, scratch);
   if (budget.hasDeadline()) report.onTriangles += Budget::Clock::now() - began;

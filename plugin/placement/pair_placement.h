@@ -21,6 +21,7 @@ struct PairPlacement {
   btTransform other;                             ///< the other body, its origin relative to the pair frame's
   float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
   float travel = 0;                              ///< bound on how far the bodies move against each other in a step
+  float slip = 0;                                ///< the same of the smaller body's points alone, in the larger's frame
 };
 
 }  // namespace cairn::bullet

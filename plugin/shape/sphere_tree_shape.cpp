@@ -89,6 +89,12 @@ void SphereTreeShape::setLocalScaling(const btVector3& scaling) {
   if (Status status = setScale(scaling); !status) std::fprintf(stderr, "%s\n", status.error().message.c_str());
 }
 
+void SphereTreeShape::setMargin(btScalar margin) {
+  if (margin >= 0 && std::isfinite(margin)) return btConcaveShape::setMargin(margin);
+  std::fprintf(stderr, "margin of a sphere-tree shape: %g is no length of 0 or more, use one in metres\n",
+               double(margin));
+}
+
 void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {
   const btTransform worldFromTree = t * bodyFromTree_;
   const btScalar grow = getMargin() + kSpeculativeFraction * size_;

@@ -142,6 +142,7 @@ bool ExactContacts::appendNearest(const PlacedTree& a, const PlacedTree& b, floa
       nearestYet = distance;
       nearest.normal = unitVector(outwards);
       nearest.gap = dot(nearest.normal, line) - margins;
+      nearest.isCrossing = !(lengthSq(line) > 0) || trianglesCross(t, u);
       nearest.position = (points.onFirst + points.onSecond) * 0.5F;
     }
   nearest.isExact = true;

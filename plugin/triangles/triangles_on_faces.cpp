@@ -49,6 +49,10 @@ bool TrianglesOnFaces::isFor(const PlacedTree& tree, NodeId leaf) {
   return (tree.isFaceted(leaf) || tree.isPlanar(leaf)) && tree.tree().regionTriangles(leaf).size() <= kMaxTriangles;
 }
 
+std::span<const Contact> TrianglesOnFaces::ofFace(const Face& face) const {
+  return std::span(found_).subspan(face.begin, face.end - face.begin);
+}
+
 std::span<const TrianglesOnFaces::Own> TrianglesOnFaces::ownsOf(const Face& face) const {
   return std::span(owns_).subspan(face.owns, face.ownsEnd - face.owns);
 }
@@ -121,7 +125,7 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
     if (found_.size() == before) continue;
     const auto [lowest, highest] = std::ranges::minmax_element(std::span(found_).subspan(before), {}, &Contact::gap);
     if (lowest->gap >= 0 || highest->gap < 0) continue;
-    face.crossing = face.crossing == kNothing ? lowest->gap : std::min(face.crossing, lowest->gap);
+    face.isCrossed = true;
   }
   face.end = found_.size();
 }
@@ -144,7 +148,7 @@ void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle&
 
 // Of a plane that is new what is no deeper than the bodies can have moved is in front.
 void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
-  const float tolerance = placement.reach + placement.travel;
+  const float tolerance = placement.reach + placement.slip;
   for (Face& face : faces_) {
     const std::size_t place = placeOf(placement.tree, face);
     const Seen* const last = place < seen_.size() ? &seen_[place] : nullptr;
@@ -154,8 +158,7 @@ void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
   }
   for (Face& face : faces_)
     if (isFarSide(face, tolerance)) face.threshold = -placement.reach;
-  if (std::ranges::none_of(faces_, [&](const Face& face) { return deepestInFront(face) < placement.reach; }))
-    bringOut(placement.reach);
+  bringOut(placement.reach, kPushedFraction * size);
 }
 
 // What was in front has sunk by no more than it can have moved, and by no more than half the way to what was behind.
@@ -173,39 +176,52 @@ float TrianglesOnFaces::deepestInFront(const Face& face) const {
 }
 
 // The far side of what something stands on sees it as well, from behind; where bodies are fast, that may be no deeper
-// than a step explains, and what is squeezed comes up there.
+// than a step explains, and what is squeezed comes up there. What goes through the one and not through the other came
+// from there.
 bool TrianglesOnFaces::isFarSide(const Face& face, float tolerance) const {
   if (face.wasTouched) return false;
   const float deepest = deepestInFront(face);
   return std::ranges::any_of(faces_, [&](const Face& other) {
     if (dot(other.outwards, face.outwards) >= kOppositeCosine) return false;
+    if (deepest < 0 && !face.isCrossed && other.isCrossed) return true;
     const float ofOther = deepestInFront(other);
     if (ofOther == std::numeric_limits<float>::infinity()) return false;
     return face.isNew ? ofOther > deepest + 0.5F * tolerance : other.wasTouched && ofOther < -tolerance;
   });
 }
 
-// What goes through a face although nothing else touches overlaps for certain: it is in front of whichever plane it
-// crosses least deep, in all the leaves that share it.
-void TrianglesOnFaces::bringOut(float reach) {
-  const auto isOfOnePlane = [&](const Face& one, const Face& other) {
-    return dot(one.outwards, other.outwards) >= kSameFaceCosine &&
-           std::abs(one.offset - other.offset) <= planeTolerance_;
-  };
-  const Face* least = nullptr;
-  float leastCrossing = kNothing;
-  for (const Face& face : faces_) {
-    if (face.crossing <= leastCrossing) continue;
-    float crossing = face.crossing;
-    for (const Face& other : faces_)
-      if (other.crossing != kNothing && isOfOnePlane(face, other)) crossing = std::min(crossing, other.crossing);
-    if (crossing <= leastCrossing) continue;
-    least = &face;
-    leastCrossing = crossing;
+bool TrianglesOnFaces::isOfOnePlane(const Face& one, const Face& other) const {
+  return dot(one.outwards, other.outwards) >= kSameFaceCosine && std::abs(one.offset - other.offset) <= planeTolerance_;
+}
+
+// The leaves that share a plane know how deep something is in any of them, and whether it crosses it there.
+void TrianglesOnFaces::gatherPlanes() {
+  for (Face& face : faces_) face.deepest = std::ranges::min(ofFace(face), {}, &Contact::gap).gap;
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!isOfOnePlane(faces_[i], faces_[j])) continue;
+      faces_[i].isCrossed = faces_[j].isCrossed = faces_[i].isCrossed || faces_[j].isCrossed;
+      faces_[i].deepest = faces_[j].deepest = std::min(faces_[i].deepest, faces_[j].deepest);
+    }
+}
+
+// What goes through a face overlaps for certain, and if nothing holds it, it is in front of whichever plane it crosses
+// least deep. Where it is held as well, no deeper than `alsoTo` through a face that is new: a floor, and now a wall.
+// What is deeper stands beside an edge.
+void TrianglesOnFaces::bringOut(float reach, float alsoTo) {
+  const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= reach; };
+  if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed && mayBeLost(face); })) return;
+  gatherPlanes();
+  const bool isHeld = std::ranges::any_of(
+      faces_, [&](const Face& face) { return face.deepest >= face.threshold && deepestInFront(face) < reach; });
+  float least = kNothing;
+  for (const Face& face : faces_)
+    if (face.isCrossed && !isHeld) least = std::max(least, face.deepest);
+  for (Face& face : faces_) {
+    const bool isLeast = least != kNothing && face.deepest >= least;
+    if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo)))
+      face.threshold = std::min(face.threshold, face.deepest - reach);
   }
-  if (!least) return;
-  for (Face& face : faces_)
-    if (isOfOnePlane(*least, face)) face.threshold = leastCrossing - reach;
 }
 
 std::size_t TrianglesOnFaces::placeOf(const PlacedTree& tree, const Face& face) const {

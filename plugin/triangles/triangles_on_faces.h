@@ -17,7 +17,8 @@ namespace cairn::bullet {
 /// normals. All are flat, so what counts are corners of either and where edges cross.
 ///
 /// Seen along a face, what stands on the other side of the body lies deep behind it. Which points are in front of a
-/// plane and which behind is remembered as how deep those in front were, and how deep, at least, those behind.
+/// plane and which behind is remembered as how deep those in front were, and how deep, at least, those behind. Of what
+/// was set down in the tree nothing is remembered: it comes out of the planes it crosses least deep.
 class TrianglesOnFaces {
  public:
   /// Whether the leaf is flat, and of few triangles, as no budget covers them.
@@ -53,7 +54,8 @@ class TrianglesOnFaces {
     float offset = 0;  // of the plane, along that
     std::size_t owns = 0, ownsEnd = 0;
     std::size_t begin = 0, end = 0;  // in `found_`
-    float crossing = kNothing;       // gap of the lowest point of what stands on both sides of the plane
+    bool isCrossed = false;          // something stands on both sides of it
+    float deepest = 0;               // the lowest gap over any face of the plane
     bool isNew = false;              // nothing is known of the plane from before
     bool wasTouched = false;
     float threshold = 0;  // of gaps; what is below is behind
@@ -73,12 +75,15 @@ class TrianglesOnFaces {
             std::span<const NodePair> pairs);
   void compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair);
   std::span<const Own> ownsOf(const Face& face) const;
+  std::span<const Contact> ofFace(const Face& face) const;
 
   void decide(const PairPlacement& placement, float size);
   float thresholdOf(const Seen& last, float tolerance, float size) const;
   float deepestInFront(const Face& face) const;
   bool isFarSide(const Face& face, float tolerance) const;
-  void bringOut(float reach);
+  void gatherPlanes();
+  bool isOfOnePlane(const Face& one, const Face& other) const;
+  void bringOut(float reach, float alsoTo);
   // In `seen_`; its size where nothing is known of the plane.
   std::size_t placeOf(const PlacedTree& tree, const Face& face) const;
   void remember(const PlacedTree& tree, float reach, bool isComplete);

@@ -47,13 +47,14 @@ Mat3d turnFrom(Bytes& bytes) {
 }
 
 Vec3d directionFrom(Bytes& bytes) {
-  return normalized(Vec3d(bytes.between(-1, 1), bytes.between(-1, 1), bytes.between(-1, 1)) + Vec3d(1e-3, 0, 0));
+  return normalized(Vec3d{bytes.between(-1, 1), bytes.between(-1, 1), bytes.between(-1, 1)} + Vec3d(1e-3, 0, 0));
 }
 
 /// One in the other, points of the surfaces in one place, root balls that just touch, near, or absurdly far apart.
 Vec3d offsetFrom(Bytes& bytes, const Scene& scene) {
   const double reach = scene.reachA() + scene.reachB();
-  switch (bytes.below(5)) {
+  const std::uint32_t kind = bytes.below(5);
+  switch (kind) {
     case 0:
       return {};
     case 1: {
@@ -63,13 +64,12 @@ Vec3d offsetFrom(Bytes& bytes, const Scene& scene) {
       const SurfacePoint p = any(scene.a);
       return scene.between(p, any(scene.b)) * -1.0;
     }
-    case 2:
-      return directionFrom(bytes) * (reach * (1 + bytes.between(-1, 1) * 1e-6));
-    case 3:
-      return directionFrom(bytes) * (reach * bytes.part());
     default:
-      return directionFrom(bytes) * (reach * std::pow(10.0, bytes.below(20)));
+      break;
   }
+  const Vec3d direction = directionFrom(bytes);
+  if (kind == 2) return direction * (reach * (1 + bytes.between(-1, 1) * 1e-6));
+  return direction * (reach * (kind == 3 ? bytes.part() : std::pow(10.0, bytes.below(20))));
 }
 
 Scene sceneFrom(Bytes& bytes) {
@@ -81,10 +81,13 @@ Scene sceneFrom(Bytes& bytes) {
   }
   if (bytes.below(4) == 0) scene.poseB = scene.poseA;
   scene.poseB.translation = offsetFrom(bytes, scene);
-  const Vec3d away = directionFrom(bytes) * (bytes.below(4) == 0 ? std::pow(10.0, bytes.below(10)) : 0.0);
+  Vec3d away = directionFrom(bytes);
+  away *= bytes.below(4) == 0 ? std::pow(10.0, bytes.below(10)) : 0.0;
   scene.poseA.translation += away;
   scene.poseB.translation += away;
-  if (bytes.below(2) == 0) scene.margin = static_cast<float>(scene.reachA() * bytes.part() * bytes.powerOfTen(2));
+  if (bytes.below(2) != 0) return scene;
+  const double part = bytes.part();
+  scene.margin = static_cast<float>(scene.reachA() * part * bytes.powerOfTen(2));
   return scene;
 }
 

@@ -8,7 +8,8 @@
 
 namespace cairn::fuzz {
 
-/// Hands out an input's bytes one by one, zeros after its end: every input means something.
+/// Hands out an input's bytes one by one, zeros after its end: every input means something. Ask in statements of their
+/// own or in braces: in which order a call's arguments and an operator's sides are evaluated, each compiler chooses.
 class Bytes {
  public:
   explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -97,8 +97,8 @@ ShapePtr heightFieldFrom(Bytes& bytes, btScalar size) {
 
 ShapePtr terrainFrom(Bytes& bytes, btScalar size) {
   std::mt19937_64 engine(bytes.next());
-  bullet::TerrainGrid grid = test::randomTerrain(engine, {2 + bytes.below(6), 2 + bytes.below(6), double(size)},
-                                                 bytes.below(4) == 1 ? 100 : 0);
+  const test::TerrainSize cells{2 + bytes.below(6), 2 + bytes.below(6), double(size)};
+  bullet::TerrainGrid grid = test::randomTerrain(engine, cells, bytes.below(4) == 1 ? 100 : 0);
   grid.diagonals = test::kEveryDiagonals[bytes.below(3)];
   auto shape = bullet::TerrainShape::create(std::move(grid));
   if (shape) return std::move(shape).value();
@@ -110,9 +110,10 @@ ShapePtr fixedFrom(Bytes& bytes, btScalar size) {
   switch (bytes.below(7)) {
     case 0:
       return std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), lengthFrom(bytes, size));
-    case 1:
-      return std::make_shared<btStaticPlaneShape>((pointFrom(bytes, 1) + btVector3(0, 0, btScalar(1e-3))).normalized(),
-                                                  lengthFrom(bytes, size));
+    case 1: {
+      const btVector3 normal = pointFrom(bytes, 1) + btVector3(0, 0, btScalar(1e-3));
+      return std::make_shared<btStaticPlaneShape>(normal.normalized(), lengthFrom(bytes, size));
+    }
     case 2:
       return test::meshOf(cornersFrom(bytes, size));
     case 3:
@@ -132,7 +133,7 @@ MadeShape compoundFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged, int 
   std::vector<ShapePtr> children;
   MadeShape made;
   const auto add = [&](ShapePtr child) {
-    const btQuaternion turn(pointFrom(bytes, 1) + btVector3(0, 0, 2), btScalar(bytes.between(0, 3)));
+    const btQuaternion turn{pointFrom(bytes, 1) + btVector3(0, 0, 2), btScalar(bytes.between(0, 3))};
     compound->addChildShape(btTransform(turn, pointFrom(bytes, 1)), child.get());
     children.push_back(std::move(child));
   };
@@ -148,6 +149,11 @@ MadeShape compoundFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged, int 
 
 }  // namespace
 
+double scaleFrom(Bytes& bytes, int mostPowerOfTen) {
+  const double power = bytes.powerOfTen(mostPowerOfTen);
+  return power * bytes.between(1, 2);
+}
+
 MadeShape treeShapeFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged) {
   MadeShape made;
   made.hasTree = true;
@@ -156,7 +162,7 @@ MadeShape treeShapeFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged) {
   made.isHonest = !tree;
   if (!tree) tree = solidTrees()[bytes.below(std::uint32_t(solidTrees().size()))].tree;
   const auto frame = bytes.below(2) == 0 ? bullet::BodyFrame::principalAxes : bullet::BodyFrame::mesh;
-  const auto scale = btScalar(bytes.powerOfTen(mostPowerOfTen) * bytes.between(1, 2));
+  const auto scale = btScalar(scaleFrom(bytes, mostPowerOfTen));
   auto shape = bullet::SphereTreeShape::create(tree, frame, scale);
   if (!shape) {
     requireSentence(shape.error().message);
@@ -174,7 +180,7 @@ MadeShape shapeFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged) {
   const std::uint32_t kind = bytes.below(8);
   if (kind < 4) return treeShapeFrom(bytes, mostPowerOfTen, mayBeDamaged);
   if (kind == 4) return compoundFrom(bytes, mostPowerOfTen, mayBeDamaged, 2);
-  const auto size = btScalar(bytes.powerOfTen(mostPowerOfTen) * bytes.between(1, 2));
+  const auto size = btScalar(scaleFrom(bytes, mostPowerOfTen));
   if (kind == 5) return {fixedFrom(bytes, size), nullptr, false, true, true};
   return {convexFrom(bytes, size), nullptr, false, bytes.below(2) == 0, true};
 }

@@ -19,6 +19,9 @@ struct MadeShape {
   bool isHonest = true;  ///< its tree's balls and errors hold
 };
 
+/// A power of ten of an exponent of -`mostPowerOfTen` to that, once or up to twice.
+double scaleFrom(Bytes& bytes, int mostPowerOfTen);
+
 /// A tree of a solid, also scaled, with a margin, in either frame; of those asked for, sometimes a damaged one.
 MadeShape treeShapeFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged);
 

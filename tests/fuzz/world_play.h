@@ -101,8 +101,8 @@ class Play {
     const Actor* const other = any();
     const auto size = btScalar(other && other->made.tree ? other->made.tree->size() : btScalar(1));
     const auto coordinate = [&] { return size * btScalar(bytes_.between(-1, 1)); };
-    const btQuaternion turn(btScalar(bytes_.between(-1, 1)), btScalar(bytes_.between(-1, 1)),
-                            btScalar(bytes_.between(-1, 1)), btScalar(1.1));
+    const btQuaternion turn{btScalar(bytes_.between(-1, 1)), btScalar(bytes_.between(-1, 1)),
+                            btScalar(bytes_.between(-1, 1)), btScalar(1.1)};
     switch (bytes_.below(4)) {
       case 0:  // the very same place
         return other && !other->isBroken ? other->body->getWorldTransform() : btTransform(turn, state.origin);
@@ -113,9 +113,9 @@ class Play {
       }
       case 2:
         return btTransform(btQuaternion::getIdentity(),
-                           state.origin + btVector3(coordinate(), coordinate(), coordinate()));
+                           state.origin + btVector3{coordinate(), coordinate(), coordinate()});
       default:
-        return btTransform(turn.normalized(), state.origin + btVector3(coordinate(), coordinate(), coordinate()));
+        return btTransform(turn.normalized(), state.origin + btVector3{coordinate(), coordinate(), coordinate()});
     }
   }
 
@@ -157,7 +157,7 @@ class Play {
   void scale() {
     Actor* const actor = any();
     if (!actor || !actor->made.tree) return;
-    const auto s = btScalar(bytes_.powerOfTen(state.mostPowerOfTen) * bytes_.between(1, 2));
+    const auto s = btScalar(scaleFrom(bytes_, state.mostPowerOfTen));
     actor->made.tree->setLocalScaling(btVector3(s, s, s));
     w.world.updateSingleAabb(actor->body);
   }
@@ -212,8 +212,8 @@ class Play {
     Actor* const actor = any();
     if (!actor || actor->isBroken) return;
     const auto part = [&] { return btScalar(20 * bytes_.between(-1, 1)); };
-    actor->body->setLinearVelocity(btVector3(part(), part(), part()));
-    actor->body->setAngularVelocity(btVector3(part(), part(), part()));
+    actor->body->setLinearVelocity(btVector3{part(), part(), part()});
+    actor->body->setAngularVelocity(btVector3{part(), part(), part()});
     actor->body->activate();
   }
 

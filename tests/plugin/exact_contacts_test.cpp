@@ -264,6 +264,22 @@ TEST_P(Silence, IsBrokenByWhatIsTrue) {
 INSTANTIATE_TEST_SUITE_P(Depths, Silence, testing::Values(btScalar(1e-4), btScalar(1e-3)));
 
 // As the signs of volumes say; both are in double, of the same floats.
+// Deep in each other few triangles face each other: how deep is told by the leaves.
+TEST(ExactContacts, DoNotKeepBodiesInEachOther) {
+  constexpr double kRadius = 0.5;
+  const auto tree = plainTree(ball(kRadius, 5), 4);
+  for (const double apart : {0.05, 0.2, 0.4, 0.7}) {
+    BulletWorld<> w;
+    w.world.setGravity(btVector3(0, 0, 0));
+    w.dispatcher.setFinest(Finest::triangles);
+    const btRigidBody& one = w.add(treeShape(tree), 1, btVector3(0, 0, 0));
+    const btRigidBody& other = w.add(treeShape(tree), 1, btVector3(btScalar(apart), 0, 0));
+    w.step(300);
+    const btVector3 between = other.getWorldTransform().getOrigin() - one.getWorldTransform().getOrigin();
+    EXPECT_GT(between.length(), 1.8 * kRadius) << apart << " apart";
+  }
+}
+
 TEST(ExactContacts, KnowWhichTrianglesCross) {
   std::mt19937_64 engine(kSeed);
   int crossing = 0, different = 0;

@@ -192,5 +192,91 @@ TEST(SmallMesh, ComesToRestOnAnyTree) {
     }
 }
 
+// Points of a fast spinning body sink by more in a step than the body does.
+TEST(SpinningMesh, GoesThroughNoThinSlab) {
+  constexpr int kSeeds = 6;
+  const auto [ring, rod] = std::pair(torus(0.4, 0.12, 24), cuboid({1, 0.15, 0.15}, 4));
+  for (const double thickness : {0.2, 0.4})
+    for (const int cells : {1, 8, 32}) {
+      const auto slab = treeShape(plainTree(cuboid({8, 8, thickness}, cells)));
+      for (int seed = 0; seed < kSeeds; ++seed) {
+        std::mt19937 engine(static_cast<std::uint32_t>(seed));
+        std::uniform_real_distribution<float> uniform(-1, 1);
+        const auto number = [&] { return btScalar(uniform(engine)); };
+        StillWorld w;
+        w.add(slab, 0, btVector3(0, 0, btScalar(-thickness / 2)));
+        const btQuaternion turned = btQuaternion{number(), number(), number(), btScalar(1.1)}.normalized();
+        btRigidBody& body = w.add(gimpactMesh(seed % 2 ? rod : ring, kMargin), 1, btVector3(0, 0, 1), turned);
+        body.setActivationState(DISABLE_DEACTIVATION);
+        body.setLinearVelocity(btVector3(0, 0, -3));
+        body.setAngularVelocity(btVector3{number(), number(), number()} * 8);
+        w.step(180);
+        EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.05)
+            << thickness << " m, " << cells << " cells, seed " << seed;
+      }
+    }
+}
+
+// As deep as a solver leaves what it has caught.
+TEST(RoundMeshSetDown, ComesOut) {
+  const std::pair<Solid, double> all[] = {{ball(0.3, 8), 0.3}, {torus(0.4, 0.12, 24), 0.12}};
+  for (const auto& [solid, height] : all)
+    for (const int cells : {1, 4, 16})
+      for (const double depth : {0.0015, 0.003, 0.006, 0.01}) {
+        StillWorld w;
+        w.add(treeShape(plainTree(cuboid({8, 8, 1}, cells))), 0, btVector3(0, 0, btScalar(-0.5)));
+        btRigidBody& body = w.add(gimpactMesh(solid, kMargin), 1, btVector3(0, 0, btScalar(height - depth)));
+        body.setActivationState(DISABLE_DEACTIVATION);
+        w.step(180);
+        // A facet lies lower than the ball.
+        EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), height, 0.0015 + 0.02 * height)
+            << height << ", " << cells << " cells, " << depth;
+      }
+}
+
+// A query has no steps before it: all of what it finds is new.
+TEST(MeshInATree, IsToldAsDeepAsItIs) {
+  struct Deepest final : btCollisionWorld::ContactResultCallback {
+    btScalar gap = 1;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+      gap = std::min(gap, point.getDistance());
+      return 0;
+    }
+  };
+  const std::pair<Solid, double> all[] = {{ball(0.3, 8), 0.3}, {torus(0.4, 0.12, 24), 0.12}, {block(), 0.15}};
+  for (const auto& [solid, height] : all)
+    for (const int cells : {1, 4, 16})
+      for (const double depth : {0.002, 0.01, 0.04}) {
+        StillWorld w;
+        btRigidBody& ground = w.add(treeShape(plainTree(cuboid({8, 8, 1}, cells))), 0, btVector3(0, 0, btScalar(-0.5)));
+        btRigidBody& body = w.add(gimpactMesh(solid, kMargin), 1, btVector3(0, 0, btScalar(height - depth)));
+        Deepest deepest;
+        w.world.contactPairTest(&ground, &body, deepest);
+        EXPECT_NEAR(deepest.gap, -depth, 2 * double(kMargin)) << height << ", " << cells << " cells, " << depth;
+      }
+}
+
+// A blade a program swings: its speeds tell how far it goes in a step.
+TEST(KinematicMesh, PushesWhatItStrikes) {
+  for (const int cells : {1, 8}) {
+    StillWorld w;
+    w.world.setGravity(btVector3(0, 0, 0));
+    btRigidBody& plate = w.add(treeShape(plainTree(cuboid({2, 2, 0.2}, cells))), 1, btVector3(0, 0, 0));
+    plate.setActivationState(DISABLE_DEACTIVATION);
+    btRigidBody& blade = w.add(gimpactMesh(cuboid({0.6, 0.2, 0.1}, 2), kMargin), 0, btVector3(0, 0, btScalar(0.4)));
+    blade.setCollisionFlags(blade.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    blade.setActivationState(DISABLE_DEACTIVATION);
+    for (int i = 0; i < 30; ++i) {
+      btTransform at = blade.getWorldTransform();
+      at.getOrigin() -= btVector3(0, 0, btScalar(0.04));
+      blade.setWorldTransform(at);
+      w.step(1);
+    }
+    EXPECT_LT(plate.getLinearVelocity().z(), -1) << cells;
+    EXPECT_LT(plate.getWorldTransform().getOrigin().z(), blade.getWorldTransform().getOrigin().z()) << cells;
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test::mesh_on_tree_test

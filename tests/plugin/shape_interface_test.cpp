@@ -130,6 +130,18 @@ TEST(SphereTreeShape_Margin, HoldsBodiesApart) {
   EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.5 + kMargin, 0.01);
 }
 
+TEST(SphereTreeShape_Margin, OfNoLengthIsRefusedInOneSentenceAndChangesNothing) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1)));
+  shape->setMargin(kMargin);
+  for (const btScalar wrong : {btScalar(-0.1), btScalar(NAN), btScalar(INFINITY)}) {
+    testing::internal::CaptureStderr();
+    shape->setMargin(wrong);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(shape->getMargin(), kMargin);
+  }
+}
+
 TEST(SphereTreeShape_Name, IsThatOfTheKind) {
   EXPECT_STREQ(treeShape(plainTree(cuboid({1, 1, 1}, 1)))->getName(), "CairnSphereTree");
 }

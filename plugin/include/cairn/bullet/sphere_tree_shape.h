@@ -96,6 +96,8 @@ class SphereTreeShape final : public btConcaveShape {
   /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it. A compound scaled
   /// unevenly hands that on to its children: it moves its trees' places and leaves their size.
   void setLocalScaling(const btVector3& scaling) override;
+  /// A margin that is negative, endless or no number is refused in the same way, and leaves the shape as it was.
+  void setMargin(btScalar margin) override;
   const btVector3& getLocalScaling() const override { return localScaling_; }
 
   /// The box of the source mesh's convex hull at this rotation (within 1e-4 of the size), grown by the margin and by
