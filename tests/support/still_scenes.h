@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bullet_world.h"
+#include "greatest.h"
 
 namespace cairn::test {
 
@@ -70,7 +71,7 @@ inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
   StackRun run;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const btVector3 way = bodies[i]->getWorldTransform().getOrigin() - places[i];
-    run.drift = std::max(run.drift, std::hypot(double(way.x()), double(way.y())));
+    run.drift = greatest(run.drift, std::hypot(double(way.x()), double(way.y())));
     run.settling = -double(way.z());
     const btVector3 spin = bodies[i]->getWorldTransform().getBasis().transpose() * bodies[i]->getAngularVelocity();
     run.energy += 0.5 * double(bodies[i]->getLinearVelocity().length2() + (spin * spin).dot(cube.inertia));
@@ -92,10 +93,12 @@ inline std::vector<StackRun> runStacks(const TriedBody& cube, const StackStart& 
   return runs;
 }
 
-/// Of one figure of several runs, the one that `fraction` of them do not exceed: 0.5 for the median.
+/// Of one figure of several runs, the one that `fraction` of them do not exceed: 0.5 for the median. No number if any is
+/// none.
 inline double quantile(const std::vector<StackRun>& runs, double StackRun::*figure, double fraction) {
   std::vector<double> sorted;
   for (const StackRun& run : runs) sorted.push_back(run.*figure);
+  if (std::ranges::any_of(sorted, [](double value) { return std::isnan(value); })) return NAN;
   std::ranges::sort(sorted);
   return sorted[static_cast<std::size_t>(std::lround(fraction * double(sorted.size() - 1)))];
 }

@@ -52,8 +52,9 @@ Figures medianOf(const std::vector<Figures>& runs) {
   for (std::size_t i = 0; i < runs.front().size(); ++i) {
     std::vector<double> all;
     for (const Figures& run : runs) all.push_back(run[i]);
-    std::ranges::sort(all);
-    medians.push_back(all[all.size() / 2]);
+    const bool isBroken = std::ranges::any_of(all, [](double value) { return std::isnan(value); });
+    if (!isBroken) std::ranges::sort(all);
+    medians.push_back(isBroken ? NAN : all[all.size() / 2]);
   }
   return medians;
 }

@@ -38,7 +38,7 @@ std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& 
 /// The worst of several runs, figure by figure; what is no number is worst.
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
 
-/// The median of several runs, figure by figure (of an even number, the upper).
+/// The median of several runs, figure by figure (of an even number, the upper); no number if any is none.
 Figures medianOf(const std::vector<Figures>& runs);
 
 }  // namespace cairn::hard

@@ -96,8 +96,8 @@ Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMo
   Worst worst;
   for (const test::TriedGround& ground : grounds) {
     const test::SlopeRun run = runOn(ground);
-    worst.slower = std::max(worst.slower, 100 * std::abs(run.acceleration / level - 1));
-    worst.aside = std::max(worst.aside, std::abs(run.aside));
+    worst.slower = test::greatest(worst.slower, 100 * std::abs(run.acceleration / level - 1));
+    worst.aside = test::greatest(worst.aside, std::abs(run.aside));
     const test::Slope slope = test::Trials::slopeOf(ground, mover, rolls ? 10 : 30, rolls ? 1 : 0.3, false);
     test::SlopeScene scene(mover.body, slope);
     double lowest = 1, highest = -1;
@@ -105,10 +105,10 @@ Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMo
     for (int i = slope.fromStep; i < slope.toStep; ++i) {
       scene.step(1);
       const double height = scene.along(scene.way(), 2);
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
+      lowest = -test::greatest(-lowest, -height);
+      highest = test::greatest(highest, height);
     }
-    worst.hop = std::max(worst.hop, highest - lowest);
+    worst.hop = test::greatest(worst.hop, highest - lowest);
   }
   return worst;
 }

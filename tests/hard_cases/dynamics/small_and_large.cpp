@@ -32,7 +32,7 @@ Outcome runSmallAndLarge(Effort effort) {
   for (std::size_t kind = 0; kind < 3; ++kind) {
     const Figures usual = at(kind, 1, seconds), small = at(kind, kSmall, seconds), large = at(kind, kLarge, seconds);
     if (kind == 0) usualRms = usual[0];
-    const double off = std::max(std::abs(small[1] / usual[1] - 1), std::abs(large[1] / usual[1] - 1));
+    const double off = test::greatest(std::abs(small[1] / usual[1] - 1), std::abs(large[1] / usual[1] - 1));
     all.push_back({small[0], large[0], 100 * off});
   }
   const std::vector<Asked> asked{{"a centimetre at rest, RMS", 2 * usualRms, Bound::atMost, "% of size"},

@@ -27,7 +27,7 @@ Outcome runStackOfTen(Effort effort) {
   const std::vector<Measure> measures = compare(asked, cubes(kEdge), [&](const CaseBody& body) -> Figures {
     const std::vector<test::StackRun> runs = test::runStacks(body.body, start, isWhole ? 9 : 3);
     double height = 0;
-    for (const test::StackRun& each : runs) height = std::max(height, std::abs(each.settling));
+    for (const test::StackRun& each : runs) height = test::greatest(height, std::abs(each.settling));
     return {100 * test::quantile(runs, &test::StackRun::drift, 0.5) / size, 100 * height / size};
   });
   return {measures, ""};

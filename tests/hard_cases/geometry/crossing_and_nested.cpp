@@ -76,11 +76,12 @@ Outcome runCrossingAndNested(Effort effort) {
     demands.build(wrapped->mesh);
     const builder::SignedDistance skin(wrapped->mesh);
     std::uint64_t ofWrap = 0;
-    for (int i = 0; i < points; ++i) {
+    for (int compared = 0; compared < points;) {
       const Vec3d p = randomIn(builder::boundsOf(crossing), engine);
       const test::DistanceOracle original{crossing};
       // Between the surface and its wrap the two may differ: that is what the wrap says of itself.
       if (original.distance(p) <= wrapped->farthestUpper) continue;
+      ++compared;
       ofWrap += (skin.depth(p) > 0) != (original.windingNumber(p) > 0.5) ? 1 : 0;
     }
     outcome.measures.push_back(disagreements("wrapped: against the original's winding number", ofWrap, points));

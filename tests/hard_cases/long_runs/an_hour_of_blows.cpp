@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -17,12 +18,12 @@
 namespace cairn::hard {
 namespace {
 
-/// Resident memory of the process, KiB; 0 where the system does not tell.
+/// Resident memory of the process, KiB; no number where the system does not tell.
 double residentKib() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
     if (line.starts_with("VmRSS:")) return std::stod(line.substr(6));
-  return 0;
+  return NAN;
 }
 
 struct Hour {
@@ -32,9 +33,10 @@ struct Hour {
   double operations = 0;  // mean of the last tenth over that of the first, less 1, per cent
 };
 
+constexpr double kBlow = 2;  // m/s, and of a kilogram also what it brings in J
+constexpr int kBodies = 12;
+
 Hour knockAbout(const test::TriedBody& rock, int seconds) {
-  constexpr double kBlow = 2;  // m/s
-  constexpr int kBodies = 12;
   Pile pile(rock, 1, {.bodies = kBodies, .doSleep = true});
   scenes::Random random(11);
   for (int i = 0; i < 5 * test::kStepsPerSecond; ++i) pile.step();
@@ -50,10 +52,10 @@ Hour knockAbout(const test::TriedBody& rock, int seconds) {
       const double operations = double(pile.world().dispatcher.lastStep().operations);
       (second < tenth ? first : second >= seconds - tenth ? last : hour.operations) += operations;
     }
-    hour.energy = std::max(hour.energy, pile.kineticEnergy() / kBodies);
+    hour.energy = test::greatest(hour.energy, pile.kineticEnergy() / kBodies);
     if (second == tenth) memory = residentKib();
   }
-  hour.operations = first > 0 ? 100 * (last / first - 1) : 0;
+  hour.operations = first > 0 && last > 0 ? 100 * (last / first - 1) : NAN;
   hour.memory = residentKib() - memory;
   hour.insane = pile.countInsane();
   hour.lost = pile.countLost();
@@ -65,7 +67,7 @@ Outcome runAnHourOfBlows(Effort effort) {
   const Hour hour = knockAbout(rocks(1, 1).front().body, isWhole ? 3600 : 20);
   return {{{"bodies that are no number", double(hour.insane), 0, Bound::atMost, "", "", 0},
            {"bodies lost", double(hour.lost), 0, Bound::atMost, "", "", 0},
-           {"kinetic energy a second after a blow, most", hour.energy, 2, Bound::atMost, "J/kg", "", 0},
+           {"kinetic energy a second after a blow, most", hour.energy, kBlow / kBodies, Bound::atMost, "J/kg", "", 0},
            {"memory grown", hour.memory, 1024, Bound::atMost, "KiB", "", 0},
            {"narrow phase, last tenth over first, more", hour.operations, isWhole ? 10.0 : 50.0, Bound::atMost,
             "% operations", "", 0}},
@@ -78,7 +80,7 @@ HardCase anHourOfBlows() {
   return {
       "L2", "an hour of blows",
       "a heap of 12 rocks, one of them struck by 2 N s every second for an hour: no NaN, nobody lost, no more energy "
-      "than the blow's 2 J/kg, no more than 1 MiB of memory more, the narrow phase's work at the end as at first",
+      "than the blow's 2 J among all, no more than 1 MiB of memory more, the narrow phase's work at the end as at first",
       runAnHourOfBlows};
 }
 
