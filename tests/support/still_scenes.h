@@ -93,8 +93,8 @@ inline std::vector<StackRun> runStacks(const TriedBody& cube, const StackStart& 
   return runs;
 }
 
-/// Of one figure of several runs, the one that `fraction` of them do not exceed: 0.5 for the median. No number if any is
-/// none.
+/// Of one figure of several runs, the one that `fraction` of them do not exceed: 0.5 for the median. No number if any
+/// is none.
 inline double quantile(const std::vector<StackRun>& runs, double StackRun::*figure, double fraction) {
   std::vector<double> sorted;
   for (const StackRun& run : runs) sorted.push_back(run.*figure);

@@ -77,7 +77,7 @@ struct Fall {
 Fall fall(const test::TriedBody& tried, const PileOptions& options, int steps, const Operations& operations) {
   Pile pile(tried, kSize, options);
   Judge judge(tried, options);
-  if (operations && !pile.world().dispatcher.setBudget({*operations, {}}).ok()) return {};
+  if (operations && !pile.world().dispatcher.setBudget({*operations, {}}).ok()) return {.insane = NAN};
   const double start = pile.energy();
   double least = start;
   Fall result;
@@ -110,7 +110,7 @@ double errorOf(std::uint64_t seed, const Operations& operations, int bodies, int
     body->setCenterOfMassTransform(at);
   }
   auto& world = pile.world();
-  if (operations && !world.dispatcher.setBudget({*operations, {}}).ok()) return -1;
+  if (operations && !world.dispatcher.setBudget({*operations, {}}).ok()) return NAN;
   for (int i = 0; i < passes; ++i) world.world.performDiscreteCollisionDetection();
   const bullet::StepStatistics& step = world.dispatcher.lastStep();
   return worst ? step.worstErrorFraction : step.meanErrorFraction;
@@ -123,7 +123,7 @@ double worstRise(int seeds, int bodies, int passes, bool worst) {
   for (const Operations& budget : budgets) {
     double sum = 0;
     for (int seed = 1; seed <= seeds; ++seed) sum += errorOf(std::uint64_t(seed), budget, bodies, passes, worst);
-    rise = std::max(rise, sum / seeds - before);
+    rise = test::greatest(rise, sum / seeds - before);
     before = sum / seeds;
   }
   return 100 * rise;

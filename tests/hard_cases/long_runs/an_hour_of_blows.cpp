@@ -80,7 +80,8 @@ HardCase anHourOfBlows() {
   return {
       "L2", "an hour of blows",
       "a heap of 12 rocks, one of them struck by 2 N s every second for an hour: no NaN, nobody lost, no more energy "
-      "than the blow's 2 J among all, no more than 1 MiB of memory more, the narrow phase's work at the end as at first",
+      "than the blow's 2 J among all, no more than 1 MiB of memory more, the narrow phase's work at the end as at "
+      "first",
       runAnHourOfBlows};
 }
 
