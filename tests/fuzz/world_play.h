@@ -21,6 +21,8 @@ struct Actor {
   btRigidBody* body = nullptr;
   MadeShape made;
   bool isBroken = false;  ///< was made no number
+  bool isPredicted =
+      false;  ///< Bullet itself looks ahead for it, and makes contacts with whatever it finds, broken or not
 };
 
 /// What was asked of the narrow phase, and of the play as a whole.
@@ -97,6 +99,8 @@ class Play {
 
   Actor* any() { return actors.empty() ? nullptr : &actors[bytes_.below(std::uint32_t(actors.size()))]; }
 
+  bool anyIs(bool Actor::*what) const { return std::ranges::any_of(actors, what); }
+
   btTransform placeFrom() {
     const Actor* const other = any();
     const auto size = btScalar(other && other->made.tree ? other->made.tree->size() : btScalar(1));
@@ -132,7 +136,11 @@ class Play {
     w.world.removeRigidBody(actor.body);
     w.world.addRigidBody(actor.body, actor.made.hasTree ? kTrees : kOthers, actor.made.hasTree ? -1 : kTrees);
     if (bytes_.below(2) == 0) actor.body->setActivationState(DISABLE_DEACTIVATION);
-    if (state.moves && bytes_.below(8) == 1) actor.body->setCcdMotionThreshold(btScalar(0.1));
+    const bool looksAhead = state.moves && bytes_.below(8) == 1;
+    if (looksAhead && (actor.made.hasTree || !anyIs(&Actor::isBroken))) {
+      actor.body->setCcdMotionThreshold(btScalar(0.1));
+      actor.isPredicted = !actor.made.hasTree;
+    }
     state.isHonest = state.isHonest && actor.made.isHonest;
     actors.push_back(std::move(actor));
   }
@@ -229,7 +237,7 @@ class Play {
 
   void harm() {
     Actor* const actor = any();
-    if (!actor || actor->body->isStaticObject() || bytes_.below(4) != 1) return;
+    if (!actor || actor->body->isStaticObject() || bytes_.below(4) != 1 || anyIs(&Actor::isPredicted)) return;
     actor->isBroken = true;
     constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN(),
                        kEndless = std::numeric_limits<btScalar>::infinity();
