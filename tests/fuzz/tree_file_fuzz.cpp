@@ -11,7 +11,6 @@
 #include "cairn/core/tree_file.h"
 #include "cairn/core/tree_pair_traversal.h"
 #include "cairn_tree_generated.h"
-#include "random_tree.h"
 
 namespace {
 
@@ -55,21 +54,6 @@ void mendChecksum(std::vector<std::byte>& bytes) {
 }
 
 }  // namespace
-
-extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t maxSize);
-
-// Starts from real trees instead of waiting for the fuzzer to guess one.
-extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t maxSize, unsigned seed) {
-  if (size < 16 || seed % 64 == 0) {
-    auto tree = SphereTree::create(cairn::test::randomTree(seed % 5 + 1, 20 + seed % 30, seed % 3).data);
-    const std::vector<std::byte> bytes = cairn::encodeTree(tree.value());
-    if (bytes.size() <= maxSize) {
-      std::memcpy(data, bytes.data(), bytes.size());
-      return bytes.size();
-    }
-  }
-  return LLVMFuzzerMutate(data, size, maxSize);
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::vector<std::byte> bytes(size);
