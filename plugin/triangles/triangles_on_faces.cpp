@@ -15,6 +15,8 @@ namespace {
 constexpr float kOppositeCosine = -0.5F;
 // Of cosines: by how much a normal between two others may miss them where it is one of them.
 constexpr float kBesideEnds = 0.01F;
+// Fraction of a triangle's least height that is its rim.
+constexpr float kRimFraction = 0.25F;
 // Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
 constexpr float kOneFaceFraction = 0.2F;
 // Fraction of the tree's radius by which the heights of one plane may differ from step to step.
@@ -102,11 +104,12 @@ void TrianglesOnFaces::addOwns(const PlacedTree& tree, NodeId leaf, Face& face) 
     const float offset = dot(face.outwards, supportOf(triangle, face.outwards));
     if (std::abs(face.offset - offset) > tolerance) return;
     face.offset = std::max(face.offset, offset);
-    Own own{triangle.a, triangle.normal(), {}};
+    Own own{triangle.a, triangle.normal(), {}, -kNothing};
     const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 along = corner[(i + 1) % 3] - corner[i], inwards = unitVector(cross(face.outwards, along));
       own.sides[i] = {inwards, dot(inwards, corner[i]) - kSeam * length(along)};
+      own.height = std::min(own.height, dot(inwards, corner[(i + 2) % 3] - corner[i]));
     }
     owns_.push_back(own);
   });
@@ -120,14 +123,27 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
   for (const NodePair& pair : pairs) {
     const Triangle& other = triangles[pair.b];
     if (dot(face.outwards, supportOf(other, -face.outwards)) >= ceiling) continue;
-    const std::size_t before = found_.size();
-    for (const Own& own : ownsOf(face)) compare(face, own, other, pair);
-    if (found_.size() == before) continue;
-    const auto [lowest, highest] = std::ranges::minmax_element(std::span(found_).subspan(before), {}, &Contact::gap);
-    if (lowest->gap >= 0 || highest->gap < 0) continue;
-    face.isCrossed = true;
+    float lowest = -kNothing, highest = kNothing;
+    for (const Own& own : ownsOf(face)) {
+      const std::size_t before = found_.size();
+      compare(face, own, other, pair);
+      const std::span<const Contact> common = std::span(found_).subspan(before);
+      if (!isWellOver(own, common, placement.reach + placement.slip)) continue;
+      const auto [least, most] = std::ranges::minmax_element(common, {}, &Contact::gap);
+      lowest = std::min(lowest, least->gap);
+      highest = std::max(highest, most->gap);
+    }
+    face.isCrossed = face.isCrossed || (lowest < 0 && highest >= 0);
   }
   face.end = found_.size();
+}
+
+// What lies over no more than the rim stands on the face beyond it: a plate on a beam is no wall to the beam's sides.
+bool TrianglesOnFaces::isWellOver(const Own& own, std::span<const Contact> points, float tolerance) {
+  if (points.empty()) return false;
+  Vec3 middle{};
+  for (const Contact& point : points) middle += point.position;
+  return own.isOver(middle * (1 / static_cast<float>(points.size())), -std::min(tolerance, kRimFraction * own.height));
 }
 
 // The other triangle is cut by the planes through the own one's sides along the direction; what is left of it lies over
@@ -207,7 +223,7 @@ void TrianglesOnFaces::gatherPlanes() {
 
 // What goes through a face overlaps for certain, and if nothing holds it, it is in front of whichever plane it crosses
 // least deep. Where it is held as well, no deeper than `alsoTo` through a face that is new: a floor, and now a wall.
-// What is deeper stands beside an edge.
+// What is deeper, or goes through the face on the other side, too, stands beside an edge.
 void TrianglesOnFaces::bringOut(float reach, float alsoTo) {
   const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= reach; };
   if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed && mayBeLost(face); })) return;
@@ -217,9 +233,14 @@ void TrianglesOnFaces::bringOut(float reach, float alsoTo) {
   float least = kNothing;
   for (const Face& face : faces_)
     if (face.isCrossed && !isHeld) least = std::max(least, face.deepest);
+  const auto isSpanned = [&](const Face& face) {
+    return std::ranges::any_of(faces_, [&](const Face& other) {
+      return other.isCrossed && dot(other.outwards, face.outwards) < kOppositeCosine;
+    });
+  };
   for (Face& face : faces_) {
     const bool isLeast = least != kNothing && face.deepest >= least;
-    if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo)))
+    if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo && !isSpanned(face))))
       face.threshold = std::min(face.threshold, face.deepest - reach);
   }
 }

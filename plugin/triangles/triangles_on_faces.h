@@ -46,6 +46,7 @@ class TrianglesOnFaces {
   struct Own {
     Vec3 corner, normal;
     std::array<Side, 3> sides;
+    float height;  // the least, along the face
     bool isOver(const Vec3& point, float slack) const;
   };
   // Those of a leaf's triangles that lie in one plane, and what stands over them.
@@ -73,6 +74,7 @@ class TrianglesOnFaces {
   void addOwns(const PlacedTree& tree, NodeId leaf, Face& face);
   void look(const PairPlacement& placement, Face& face, std::span<const Triangle> triangles,
             std::span<const NodePair> pairs);
+  static bool isWellOver(const Own& own, std::span<const Contact> points, float tolerance);
   void compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair);
   std::span<const Own> ownsOf(const Face& face) const;
   std::span<const Contact> ofFace(const Face& face) const;

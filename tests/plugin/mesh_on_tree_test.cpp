@@ -136,8 +136,8 @@ TEST(MeshOverABeam, Hangs) {
       {{cuboid({kWidth, 0.4, kThickness}, 1), {0, 0, (kHeight - kThickness) / 2}},
        {cuboid({kThickness, 0.4, kHeight - kThickness}, 1), {(kThickness - kWidth) / 2, 0, -kThickness / 2}},
        {cuboid({kThickness, 0.4, kHeight - kThickness}, 1), {(kWidth - kThickness) / 2, 0, -kThickness / 2}}});
-  for (const int cells : {1, 4, 16})
-    for (const double fall : {0.002, 0.05}) {
+  for (const int cells : {1, 4, 8, 16})
+    for (const double fall : {0.002, 0.018, 0.042, 0.05}) {
       StillWorld w;
       w.add(treeShape(plainTree(cuboid({0.1, 4, 0.1}, cells))), 0, btVector3(0, 0, btScalar(-0.05)));
       btRigidBody& body = w.add(gimpactMesh(channel, kMargin), 1, btVector3(0, 0, btScalar(rest + fall)));
