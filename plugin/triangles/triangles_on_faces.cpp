@@ -67,6 +67,7 @@ void TrianglesOnFaces::append(const PairPlacement& placement, float size, std::s
   owns_.clear();
   faces_.clear();
   found_.clear();
+  onRim_.clear();
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
     while (end < pairs.size() && pairs[end].a == pairs[begin].a) ++end;
     const std::size_t first = faces_.size();
@@ -128,7 +129,9 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
       const std::size_t before = found_.size();
       compare(face, own, other, pair);
       const std::span<const Contact> common = std::span(found_).subspan(before);
-      if (!isWellOver(own, common, placement.reach + placement.slip)) continue;
+      const bool isRim = !isWellOver(own, common, placement.reach + placement.slip);
+      onRim_.resize(found_.size(), isRim);
+      if (isRim) continue;
       const auto [least, most] = std::ranges::minmax_element(common, {}, &Contact::gap);
       lowest = std::min(lowest, least->gap);
       highest = std::max(highest, most->gap);
@@ -261,6 +264,7 @@ void TrianglesOnFaces::remember(const PlacedTree& tree, float reach, bool isComp
     Seen& seen = seen_[place];
     for (std::size_t i = face.begin; i < face.end; ++i) {
       const float gap = found_[i].gap;
+      if (onRim_[i]) continue;
       if (gap < face.threshold) {
         seen.behind = std::max(seen.behind, std::min(gap, 0.0F));
         continue;

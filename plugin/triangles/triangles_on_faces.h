@@ -100,6 +100,7 @@ class TrianglesOnFaces {
   std::vector<Own> owns_;
   std::vector<Face> faces_;
   std::vector<Contact> found_;
+  std::vector<bool> onRim_;         // of `found_`
   std::vector<Contact> onBorders_;  // of what stands over them, at edges
   std::vector<Seen> seen_;
 };
