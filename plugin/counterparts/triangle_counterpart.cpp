@@ -123,7 +123,7 @@ Contact TriangleCounterpart::boundingContact(const NodePair& pair) {
   Contact contact;
   contact.ofSpheres = true;
   contact.pair = pair;
-  contact.normal = side * touch.line;
+  contact.normal = side * (lengthSq(touch.line) > 0 ? touch.line : anyNormalOf(inPair_[pair.b]));
   contact.gap = side * touch.distance - placement_.tree.sphere(pair.a).radius - placement_.treeMargin;
   contact.position = touch.nearest + contact.normal * (0.5F * contact.gap);
   contact.id = {static_cast<int>(placement_.tree.tree().level(pair.a)), static_cast<int>(pair.a), source.part,

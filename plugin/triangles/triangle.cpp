@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cairn::bullet {
 
@@ -51,6 +52,17 @@ bool edgesPierce(const Triangle& edges, const Triangle& t) {
 
 bool trianglesCross(const Triangle& first, const Triangle& second) {
   return edgesPierce(first, second) || edgesPierce(second, first);
+}
+
+// Of a point every direction is: then the longest edge has no length, and z is told.
+Vec3 anyNormalOf(const Triangle& t) {
+  const Vec3 normal = t.normal();
+  if (lengthSq(normal) > 0) return normal;
+  const Vec3 longest = std::max({t.b - t.a, t.c - t.b, t.a - t.c},
+                                [](const Vec3& u, const Vec3& v) { return lengthSq(u) < lengthSq(v); });
+  const bool isUpright = std::abs(longest.z) >= std::abs(longest.x) && std::abs(longest.z) >= std::abs(longest.y);
+  const Vec3 across = unitVector(cross(longest, isUpright ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+  return lengthSq(across) > 0 ? across : Vec3(0, 0, 1);
 }
 
 NearestPoints nearestOfTriangles(const Triangle& first, const Triangle& second) {

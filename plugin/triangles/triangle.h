@@ -13,6 +13,9 @@ struct Triangle {
   Vec3 normal() const { return unitVector(cross(b - a, c - a)); }
 };
 
+/// Unit, and square to the triangle: its normal; of a degenerate one any direction across it.
+Vec3 anyNormalOf(const Triangle& t);
+
 /// The corner that lies farthest along `direction`.
 inline Vec3 supportOf(const Triangle& t, const Vec3& direction) {
   const float a = dot(direction, t.a), b = dot(direction, t.b), c = dot(direction, t.c);

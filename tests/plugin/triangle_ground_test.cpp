@@ -184,5 +184,26 @@ TEST(OnASheet, BothSidesHold) {
     }
 }
 
+// Its nearest point is the centre itself, and it has no normal: with nothing to spend whole spheres stand in.
+TEST(WithoutArea, ThroughTheCentreStillHasADirection) {
+  const btVector3 low(-1, -1, 0), high(1, 1, 0), point(0, 0, 0), upright(0, 0, 1);
+  for (const std::vector<btVector3>& corners :
+       {std::vector{low, low, high}, std::vector{point, point, point}, std::vector{-upright, upright, upright}}) {
+    BulletWorld<> w;
+    w.add(meshOf(corners), 0, btVector3(0, 0, 0));
+    w.add(treeShape(plainTree(cuboid({1, 1, 1}, 2))), 1, btVector3(0, 0, 0));
+    ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+    w.world.performDiscreteCollisionDetection();
+    int points = 0;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i)
+      for (int k = 0; k < w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts(); ++k, ++points) {
+        const btManifoldPoint& p = w.dispatcher.getManifoldByIndexInternal(i)->getContactPoint(k);
+        EXPECT_NEAR(p.m_normalWorldOnB.length(), 1, 1e-5);
+        EXPECT_LT(p.getDistance(), 0);
+      }
+    EXPECT_GT(points, 0) << "the test shows nothing";
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test::triangle_ground_test
