@@ -17,7 +17,8 @@ TriangleTouch touchOf(const PlacedTree& tree, const Triangle& triangle, const No
   const TrianglePoint nearest = nearestOnTriangle(triangle, center);
   const Vec3 out = center - nearest.point, winding = triangle.normal();
   TriangleTouch touch{pair, nearest.point, {}, dot(winding, out) < 0 ? -winding : winding, length(out), nearest.onFace};
-  touch.line = touch.onFace || touch.distance == 0 ? touch.face : out / touch.distance;
+  const Vec3 line = unitVector(out);
+  touch.line = touch.onFace || lengthSq(line) == 0 ? touch.face : line;
   return touch;
 }
 
