@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "hierarchy/body_frame.h"
 #include "hierarchy/divide_among_leaves.h"
 #include "levels/complete_level.h"
 #include "levels/fit_families.h"
@@ -49,7 +48,7 @@ CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const 
   return completeLevel(surface, std::move(level), kRelief);
 }
 
-/// All levels, fitted in the frame of `solid`. Empty when `progress` cancelled.
+/// Empty when `progress` cancelled.
 std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                                   const LevelProgress& progress) {
   const auto ballsOf = [&](std::uint32_t level) { return std::pow(static_cast<double>(settings.branching), level); };
@@ -70,26 +69,13 @@ std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& sol
   return levels;
 }
 
-/// The levels in the mesh frame; limits allow for the rounding of the body's mesh.
-void moveOut(std::vector<CoverLevel>& levels, const BodyFrame& frame) {
-  for (CoverLevel& level : levels) {
-    level.limit = (level.limit + 2 * kBodyRounding) * frame.unit();
-    for (ChildBall& child : level.balls) child.ball = frame.outOf(child.ball);
-  }
-}
-
 }  // namespace
 
 RegionTree growLevels(Region root, std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                       const LevelProgress& progress) {
   if (root.ball.standOff() <= settings.negligible) return {{std::move(root), 0, 0, 0}};
-  const BodyFrame frame(solid.mesh());
-  const TriangleMesh body = bodyMesh(solid.mesh(), frame);
-  SplitSettings inBody = settings;
-  inBody.negligible = settings.negligible / boundsOf(solid.mesh()).diagonal() * boundsOf(body).diagonal();
-  std::vector<CoverLevel> levels = fitLevels(depth, SignedDistance(body), inBody, progress);
+  const std::vector<CoverLevel> levels = fitLevels(depth, solid, settings, progress);
   if (levels.empty() || !progress(depth - 1, 1, 1)) return {};
-  moveOut(levels, frame);
   return divideAmongLeaves(std::move(root), levels, solid);
 }
 

@@ -14,7 +14,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
     MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
     MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
-    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels, GrownIn::mesh},
+    MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels, GrownIn::body},
     MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres,
                  GrownIn::body},
     MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},

@@ -26,7 +26,7 @@ enum class Division : std::uint8_t {
 
 /// The frame a tree is grown in.
 enum class GrownIn : std::uint8_t {
-  mesh,  ///< the mesh's: divided along the axes the user gave it. Levels see to the body's frame themselves.
+  mesh,  ///< the mesh's: divided along the axes the user gave it
   body,  ///< the body's own (hierarchy/body_frame.h): place, turn and scale of the mesh change nothing
 };
 

@@ -5,7 +5,6 @@
 #include "family_demands.h"
 #include "geometry_cases.h"
 #include "oracle/tree_difference.h"
-#include "table/verdict.h"
 
 // The same solid in micrometres, in megametres, and a million of its sizes away: single precision would leave it a
 // handful of different coordinates.
@@ -48,10 +47,6 @@ Outcome runScaleAndPlace(Effort effort) {
           {name + ": errors differ, beyond 1 %, by", apart.errors / size, 1e-4, Bound::atMost, "of size", "", 0});
     }
   }
-  if (verdictOn(outcome) == Verdict::misses)
-    outcome.why =
-        "adaptive, of which the division of the surface among a level's balls alone is not computed in the body's own "
-        "frame: last digits tip pieces to a neighbour; its errors are the same";
   demands.addTo(outcome);
   return outcome;
 }
