@@ -102,12 +102,17 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     matching.choiceOf[static_cast<std::size_t>(last)] = -1;
   }
   const int continued = manifold.getNumContacts();
+  std::array<std::optional<FrictionAnchor>, kMaxPoints> anchors;  // of what the chosen contacts continue
   for (int i = 0; i < continued; ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    point.m_localPointA = matching.local[static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)])];
+    const auto k = static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)]);
+    anchors[k] = FrictionAnchor::of(point);
+    if (anchors[k]) FrictionAnchor::release(point);
+    point.m_localPointA = matching.local[k];
     ++point.m_lifeTime;
   }
-  for (int k = 0; k < choice.count; ++k) add(manifold, chosen(cluster, choice, k));
+  for (int k = 0; k < choice.count; ++k)
+    add(manifold, chosen(cluster, choice, k), anchors[static_cast<std::size_t>(k)]);
   if (gContactProcessedCallback)
     for (int i = 0; i < continued; ++i)
       gContactProcessedCallback(manifold.getContactPoint(i), const_cast<btCollisionObject*>(manifold.getBody0()),
@@ -115,7 +120,8 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
   if (motion_.isSlow()) putDeepestLast(manifold);
 }
 
-void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact) {
+void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact,
+                         const std::optional<FrictionAnchor>& anchor) {
   btPersistentManifold* const before = result_.getPersistentManifold();
   result_.setPersistentManifold(&manifold);
   const ContactId& id = contact.id;
@@ -141,6 +147,7 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     btManifoldPoint& point = manifold.getContactPoint(i);
     if (point.m_positionWorldOnB != told || point.m_distance1 != distance) continue;
     if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
+    if (anchor) anchor->hold(manifold, point);
     tellSolver(point, contact);
   }
 }

@@ -40,9 +40,12 @@ void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btS
     const btVector3 normal = (turned * point.m_normalWorldOnB).normalized();
     point.m_normalWorldOnB = normal;
     point.m_positionWorldOnA = pose0 * point.m_localPointA;
-    point.m_distance1 = (point.m_positionWorldOnA - pose1 * point.m_localPointB).dot(normal);
-    point.m_positionWorldOnB = point.m_positionWorldOnA - normal * point.m_distance1;
-    point.m_localPointB = pose1.invXform(point.m_positionWorldOnB);
+    point.m_positionWorldOnB = pose1 * point.m_localPointB;
+    point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(normal);
+    if ((point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) == 0) {
+      point.m_positionWorldOnB = point.m_positionWorldOnA - normal * point.m_distance1;
+      point.m_localPointB = pose1.invXform(point.m_positionWorldOnB);
+    }
     ++point.m_lifeTime;
     if (point.m_distance1 > farthest) manifold.removeContactPoint(i);
   }
