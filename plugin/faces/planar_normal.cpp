@@ -79,7 +79,16 @@ bool PlanarNormal::add(const Vec3& normal, const Vec3& towards, std::size_t most
   return true;
 }
 
-// Face normals point outwards: B's towards A as they are, A's reversed.
+// Face normals point outwards: B's towards A as they are, A's reversed. The larger body's come first, as of two that are
+// nearly the same the first is taken: measured along a small face's normal a large one would be as deep as it is wide
+// times the tilt.
+void PlanarNormal::collectFacesOfBoth(const PlacedTree& a, const PlacedTree& b, const Contact& contact) {
+  const bool isLargerFirst = a.sphere(kRootNode).radius >= b.sphere(kRootNode).radius;
+  if (isLargerFirst) collectFaces(a, contact.pair.a, -1, contact.normal);
+  collectFaces(b, contact.pair.b, 1, contact.normal);
+  if (!isLargerFirst) collectFaces(a, contact.pair.a, -1, contact.normal);
+}
+
 void PlanarNormal::collectFaces(const PlacedTree& tree, NodeId node, float side, const Vec3& towards) {
   if (!tree.isFaceted(node)) return;
   const Mat3 pairFromAxes = transpose(tree.axesFromPair());
@@ -114,8 +123,7 @@ void PlanarNormal::putLastFirst(std::span<const Vec3> lasts, float bonus) {
 bool PlanarNormal::isFartherAlongOther(const PlacedTree& a, const PlacedTree& b, float margins, const Contact& contact,
                                        float least) {
   candidates_.clear();
-  collectFaces(a, contact.pair.a, -1, contact.normal);
-  collectFaces(b, contact.pair.b, 1, contact.normal);
+  collectFacesOfBoth(a, b, contact);
   collectEdges(a, b, contact);
   return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
     return deepestAlong(a, b, margins, std::span(&contact, 1), candidate.normal, least) > least;
@@ -128,8 +136,7 @@ Vec3 PlanarNormal::find(const PlacedTree& a, const PlacedTree& b, float margins,
   candidates_.clear();
   for (const Contact& c : deepest(cluster, kMaxFaceContacts)) {
     if (c.ofSpheres) continue;
-    collectFaces(a, c.pair.a, -1, c.normal);
-    collectFaces(b, c.pair.b, 1, c.normal);
+    collectFacesOfBoth(a, b, c);
   }
   const float size = a.sphere(kRootNode).radius + b.sphere(kRootNode).radius;
   for (Candidate& face : candidates_) face.bonus = kFaceFraction * size;

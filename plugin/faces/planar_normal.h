@@ -46,7 +46,8 @@ class PlanarNormal {
     float bonus;  // world length by which it may be deeper than others and still be taken
   };
 
-  // The two bodies in turn, deepest contact first.
+  // Deepest contact first.
+  void collectFacesOfBoth(const PlacedTree& a, const PlacedTree& b, const Contact& contact);
   void collectFaces(const PlacedTree& tree, NodeId node, float side, const Vec3& towards);
   void collectEdges(const PlacedTree& a, const PlacedTree& b, const Contact& contact);
   void putLastFirst(std::span<const Vec3> lasts, float bonus);

@@ -143,5 +143,48 @@ TEST(Standing, ABallLiesStillBetweenTwoEdges) {
   }
 }
 
+struct Deepest final : btCollisionWorld::ContactResultCallback {
+  btScalar distance = 1000;
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    distance = std::min(distance, point.getDistance());
+    return 0;
+  }
+};
+
+// Measured along the small body's face, nearly parallel to its own, a large leaf would be as deep as it is wide times
+// the tilt.
+TEST(Standing, ABlockHardlyTiltedIsAsFarAsItIs_WhicheverBodyIsFirst) {
+  constexpr btScalar kAbove = 0.001F;
+  constexpr double kDistanceTolerance = 5e-4;
+  const Vec3d size(1, 0.4, 0.3);
+  const TriedBody block = bodyOf(cuboid(size, 2)), slab = bodyOf(cuboid({16, 16, 1}, 8));
+  for (const btScalar tilt : {0.005F, 0.02F, 0.04F, 0.052F})
+    for (int place = 0; place < 8; ++place) {
+      SCOPED_TRACE(std::to_string(tilt) + " rad at place " + std::to_string(place));
+      BulletWorld<> w;
+      btRigidBody& ground = w.add(slab.shape, 0, btVector3(0, 0, btScalar(-0.5)));
+      const btQuaternion turn =
+          btQuaternion(btVector3(0, 0, 1), btScalar(0.4 * place)) * btQuaternion(btVector3(1, 0.3F, 0), tilt);
+      btScalar lowest = 0;
+      for (int c = 0; c < 8; ++c) {
+        const btVector3 corner(btScalar(c & 1 ? 0.5 : -0.5) * btScalar(size.x),
+                               btScalar(c & 2 ? 0.5 : -0.5) * btScalar(size.y),
+                               btScalar(c & 4 ? 0.5 : -0.5) * btScalar(size.z));
+        lowest = std::min(lowest, quatRotate(turn, corner).z());
+      }
+      const btVector3 at(btScalar(1.3 * place - 5), btScalar(0.9 * place - 3), kAbove - lowest);
+      btRigidBody& body = w.add(block.shape, 1, at, turn);
+      for (const bullet::Finest finest : {bullet::Finest::leaves, bullet::Finest::triangles}) {
+        w.dispatcher.setFinest(finest);
+        Deepest bodyFirst, groundFirst;
+        w.world.contactPairTest(&body, &ground, bodyFirst);
+        w.world.contactPairTest(&ground, &body, groundFirst);
+        EXPECT_NEAR(bodyFirst.distance, kAbove, kDistanceTolerance);
+        EXPECT_NEAR(groundFirst.distance, kAbove, kDistanceTolerance);
+      }
+    }
+}
+
 }  // namespace
 }  // namespace cairn::test::still_test
