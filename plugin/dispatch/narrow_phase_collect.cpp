@@ -64,6 +64,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
+  if (mayDefer && (body0.m_parent || body1.m_parent) && !pair.isOfCompound()) noteCompound(pair);
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) fetchPairsAskedNext(pair);
@@ -101,9 +102,28 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
   return true;
 }
 
-// Bullet's interface cannot return it.
+void NarrowPhase::Impl::noteCompound(TreePair& pair) {
+  pair.noteCompound();
+  const std::lock_guard lock(mutex_);
+  ofCompounds_.push_back(&pair);
+}
+
+// How many were.
+std::uint32_t NarrowPhase::Impl::settleLeftOvers() {
+  std::uint32_t settled = 0;
+  for (TreePair* const pair : ofCompounds_)
+    if (pair->settleLeftOver()) ++settled;
+  if (settled > 0) tellOfBroken();
+  return settled;
+}
+
 void NarrowPhase::Impl::countBroken() {
   ++brokenPairs_;
+  tellOfBroken();
+}
+
+// Bullet's interface cannot return it.
+void NarrowPhase::Impl::tellOfBroken() {
   if (hasToldOfBroken_.exchange(true)) return;
   std::fprintf(
       stderr,

@@ -141,6 +141,7 @@ void NarrowPhase::Impl::release(TreePair* pair) {
     dismiss(pair->collectedAt());
   }
   open_.forget(*pair);
+  if (pair->isOfCompound()) std::erase(ofCompounds_, pair);
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -167,7 +168,7 @@ void NarrowPhase::Impl::endStep() {
   isAnswering_ = true;
   statistics_ = {};
   statistics_.pairs = apartPairs_.exchange(0);
-  statistics_.brokenPairs = brokenPairs_.exchange(0);
+  statistics_.brokenPairs = brokenPairs_.exchange(0) + settleLeftOvers();
   errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 

@@ -65,6 +65,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void takeTime(const btDispatcherInfo& info);
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void countBroken();
+  void tellOfBroken();
+  void noteCompound(TreePair& pair);
+  std::uint32_t settleLeftOvers();
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
   bool isWorlds(btOverlappingPairCache& pairs);
@@ -179,6 +182,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::atomic<std::size_t> askedUntil_{0};
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
+  std::vector<TreePair*> ofCompounds_;  // pairs in use that Bullet may keep without asking about them
 
   struct NewPair {
     PairKey key;

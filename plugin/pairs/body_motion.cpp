@@ -18,14 +18,25 @@ float inverseMass(const btCollisionObject& object) {
   return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
+// What is no number, or endless, makes no number of a sum, or an endless one.
+btScalar sumOf(const btVector3& v) {
+  return v.x() + v.y() + v.z();
+}
+
+btScalar sumOf(const btTransform& pose) {
+  return sumOf(pose.getOrigin() + pose.getBasis()[0] + pose.getBasis()[1] + pose.getBasis()[2]);
+}
+
 }  // namespace
 
 Vec3 linearVelocity(const btCollisionObject& object) {
+  if (object.isStaticObject()) return {};
   const btRigidBody* body = btRigidBody::upcast(&object);
   return toVec3(body ? body->getLinearVelocity() : object.getInterpolationLinearVelocity());
 }
 
 Vec3 angularVelocity(const btCollisionObject& object) {
+  if (object.isStaticObject()) return {};
   const btRigidBody* body = btRigidBody::upcast(&object);
   return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
 }
@@ -59,13 +70,16 @@ float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWra
                         static_cast<float>(smaller.getCollisionShape()->getAngularMotionDisc()));
 }
 
-// What is no number, or endless, makes no number of a sum, or an endless one.
+bool isBroken(const btCollisionObject& object) {
+  if (!std::isfinite(sumOf(object.getWorldTransform()))) return true;
+  const btRigidBody* const body = btRigidBody::upcast(&object);
+  if (!body || body->isStaticObject()) return false;
+  return !std::isfinite(sumOf(body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() +
+                              body->getTotalTorque()));
+}
+
 bool isBroken(const btCollisionObjectWrapper& wrapper) {
-  const btTransform& pose = wrapper.getWorldTransform();
-  btVector3 sum = pose.getOrigin() + pose.getBasis()[0] + pose.getBasis()[1] + pose.getBasis()[2];
-  if (const btRigidBody* body = btRigidBody::upcast(wrapper.getCollisionObject()))
-    sum += body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() + body->getTotalTorque();
-  return !std::isfinite(sum.x() + sum.y() + sum.z());
+  return !std::isfinite(sumOf(wrapper.getWorldTransform())) || isBroken(*wrapper.getCollisionObject());
 }
 
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second) {

@@ -12,6 +12,7 @@ namespace cairn::bullet {
 
 /// World axes, length per second. What is no rigid body (a multibody's link, a ghost) says how it moved, not how it
 /// moves.
+/// Zero of what is static, whose speed Bullet's solver does not look at either.
 Vec3 linearVelocity(const btCollisionObject& object);
 /// World axes, radians per second.
 Vec3 angularVelocity(const btCollisionObject& object);
@@ -32,8 +33,10 @@ float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& f
 /// The same of a whole body in the frame of a larger one.
 float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWrapper& smaller);
 
-/// Whether its place, its speeds or the forces on it are no number or endless: the solver would hand that on to
-/// whatever it touches.
+/// Whether its place, or, of a body that moves, its speeds or the forces on it are no number or endless: the solver
+/// would hand that on to whatever it touches.
+bool isBroken(const btCollisionObject& object);
+/// The same of a body, or of a part of one, that stands elsewhere.
 bool isBroken(const btCollisionObjectWrapper& body);
 
 /// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass

@@ -63,6 +63,7 @@ void TreePair::reset() {
   promised_ = {};
   ahead_ = {};
   isFast_ = false;
+  isOfCompound_ = false;
   roots_.reset();
   forgetWaiting();
   id_ = kUnnamed;
@@ -93,14 +94,6 @@ bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollis
                                  otherBody.getCollisionObject()->getWorldTransform().getOrigin()));
   }
   clearManifolds();  // a guard may have been left
-  isSettled_.store(true, std::memory_order_relaxed);
-  return true;
-}
-
-bool TreePair::settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  if (!isBroken(body0) && !isBroken(body1)) return false;
-  forget();
-  isBroken_ = true;
   isSettled_.store(true, std::memory_order_relaxed);
   return true;
 }

@@ -67,6 +67,13 @@ class alignas(64) TreePair {
                    Finest finest, btScalar sweptTime);
   /// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
   bool settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  /// The same of points left by an earlier step, for a pair that may not be asked about in this one: Bullet passes over
+  /// children of compounds whose boxes are apart in the compound's frame, and leaves them their points. Precondition:
+  /// the bodies live.
+  bool settleLeftOver();
+  /// Whether one of its sides was a child of a compound. `noteCompound`: from now on.
+  bool isOfCompound() const { return isOfCompound_; }
+  void noteCompound() { isOfCompound_ = true; }
   /// Whether it was settled for that the last time it was.
   bool isBrokenPair() const { return isBroken_; }
   /// Whether `settleApart` said so for the copies last taken.
@@ -243,6 +250,7 @@ class alignas(64) TreePair {
                   float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
+  void forgetBroken();
   PairPlacement place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                       btScalar threshold);
   void setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold);
@@ -280,6 +288,7 @@ class alignas(64) TreePair {
   bool isSurveyed_ = false;  // in this step
   bool isFast_ = false;      // in this step
   bool isBroken_ = false;    // when it was last settled
+  bool isOfCompound_ = false;
   bool wasDone_ = true;      // the traversal, when a step last ended in which something was done for it
   // For bodies that move far in a step.
   std::unique_ptr<Sweep> sweep_;  // made when it is first needed

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "front_ends.h"
 
@@ -86,6 +89,59 @@ TYPED_TEST(BrokenBody, IsToldOnce) {
   const std::string told = testing::internal::GetCapturedStderr();
   EXPECT_EQ(told.find("no number"), told.rfind("no number"));
   EXPECT_NE(told.find("no number"), std::string::npos) << told;
+}
+
+// Bullet looks neither at the forces on a static body nor at its speed, and never takes them away.
+TYPED_TEST(BrokenBody, StaticBodiesGoOnHolding) {
+  const auto tree = plainTree(ball(double(kRadius), 6));
+  const std::shared_ptr<btCollisionShape> grounds[] = {
+      std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0.5)),
+      std::make_shared<btBoxShape>(btVector3(2, 2, btScalar(0.5))), treeShape(plainTree(cuboid({4, 4, 1}, 4)))};
+  for (const auto& ground : grounds)
+    for (const Harm how : {Harm::speed, Harm::spin, Harm::force, Harm::torque}) {
+      SCOPED_TRACE(std::string(ground->getName()) + ", harm " + std::to_string(int(how)));
+      BulletWorld<TypeParam> w;
+      btRigidBody& below = w.add(ground, 0, btVector3(0, 0, btScalar(-0.5)));
+      btRigidBody& body = w.add(treeShape(tree), 1, btVector3(btScalar(0.1), 0, 2 * kRadius));
+      harm(below, how);
+      w.step(60);
+      EXPECT_EQ(w.dispatcher.lastStep().brokenPairs, 0U);
+      EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), kRadius, 0.05 * double(kRadius));
+    }
+}
+
+// Bullet keeps a compound's child that it does not ask about, with the points it had, where boxes overlap in the world
+// and not in the compound's frame.
+TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneOfThoseItTouches) {
+  const auto cube = plainTree(cuboid({0.5, 0.4, 0.3}, 2)), round = plainTree(ball(0.25, 6));
+  const auto first = treeShape(round), second = treeShape(cube);
+  const auto dumbbell = std::make_shared<btCompoundShape>();
+  dumbbell->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.2), 0, 0)), first.get());
+  dumbbell->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(-0.2), 0, 0)), second.get());
+  for (unsigned seed = 0; seed < 80; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const auto pick = [&](unsigned n) { return int(random() % n); };
+    const auto turn = [&] {
+      const btVector3 axis(1, btScalar(pick(3)), btScalar(pick(3)));
+      return btQuaternion(axis.normalized(), btScalar(pick(6)));
+    };
+    BulletWorld<TypeParam> w;
+    w.addGround();
+    ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+    btRigidBody& broken = w.add(dumbbell, 1, btVector3(0, 0, btScalar(0.4)), turn());
+    std::vector<btRigidBody*> others;
+    for (int i = 0; i < 6; ++i) {
+      const btVector3 at(btScalar(0.4 * (i % 3) - 0.4), btScalar(0.02 * i - 0.1), btScalar(0.9 + 0.5 * (i / 2)));
+      others.push_back(&w.add(treeShape(i % 2 != 0 ? cube : round), 1, at, turn()));
+    }
+    for (btRigidBody* body : others) body->setActivationState(DISABLE_DEACTIVATION);
+    broken.setActivationState(DISABLE_DEACTIVATION);
+    w.step(40 + pick(60));
+    harm(broken, Harm::force);
+    w.step(30);
+    for (const btRigidBody* body : others) ASSERT_TRUE(isSane(*body));
+  }
 }
 
 }  // namespace
