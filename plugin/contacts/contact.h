@@ -10,9 +10,9 @@ namespace cairn::bullet {
 
 /// What a contact point came from, as it is written into Bullet's manifold point (part, index) of either side. On a
 /// tree: the leaf's level and its `NodeId`. On a triangle mesh: the mesh's own part and triangle. On a terrain: the
-/// triangle, and as part 0, or one plus which of a flat leaf's support points it is. On anything else:
-/// part -1 and, because a flat leaf touches a flat shape in several points, which of the leaf's support points it is
-/// (-1 for the extreme one).
+/// triangle, and as part 0, or one plus which of a flat leaf's support points it is. On anything else as Bullet has it:
+/// index -1, or which child of a compound it is; and as part, because a flat leaf touches a flat shape in several
+/// points, which of the leaf's support points it is (-1 for the extreme one).
 struct ContactId {
   int treePart = -1, treeIndex = -1;
   int otherPart = -1, otherIndex = -1;

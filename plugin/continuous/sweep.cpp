@@ -325,7 +325,7 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between
   contact.position = onTree - contact.normal * dot(contact.normal, contact.apart);
   contact.gap = -(1 - at) * hit.closing / length;
-  contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, -1};
+  contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, pair.otherIndex};
   target_->name(nodes.b, contact);
 
   const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;

@@ -16,9 +16,10 @@ struct SweptPair {
   const SphereTreeShape* tree;
   const btCollisionShape* other;
   Course treeCourse, otherCourse;
-  btVector3 origin;    ///< of the pair frame, in the world
-  float reach = 0;     ///< what is nearer than this now is left to the contacts of where the bodies are
-  bool isFast = true;  ///< or slow again: only what has sunk in is looked for
+  btVector3 origin;     ///< of the pair frame, in the world
+  float reach = 0;      ///< what is nearer than this now is left to the contacts of where the bodies are
+  bool isFast = true;   ///< or slow again: only what has sunk in is looked for
+  int otherIndex = -1;  ///< which child of a compound the other is, -1 for none
 };
 
 /// Finds what a body runs into within a step, leaf by leaf: continuous collision by speculative contacts. Each leaf

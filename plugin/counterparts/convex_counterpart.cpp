@@ -58,6 +58,7 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
   const auto& shape = static_cast<const btConvexShape&>(*placement.otherShape);
   surface_.setShape(shape);
   tree_ = placement.tree;
+  otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
   planes_.reserve(kMaxPlanes);
@@ -244,7 +245,7 @@ void ConvexCounterpart::append(NodeId leaf, const Vec3& normal, const Vec3& posi
   contact.normal = normal;
   contact.gap = gap;
   contact.position = position;
-  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
+  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), pointIndex, otherIndex_};
   contacts.push_back(contact);
 }
 
@@ -257,7 +258,7 @@ Contact ConvexCounterpart::boundingContact(const NodePair& pair) {
   contact.normal = center.normal;
   contact.gap = center.distance - sphere.radius - margin_;
   contact.position = center.point + contact.normal * (0.5F * contact.gap);
-  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, otherIndex_};
   return contact;
 }
 

@@ -76,6 +76,7 @@ class ConvexCounterpart final : public Counterpart {
   NearestPoint inPair(const NearestPoint& inShape) const;
 
   PlacedTree tree_;
+  int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float reach_ = 0;
   float size_ = 0;  // of the shape

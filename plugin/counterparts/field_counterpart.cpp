@@ -38,6 +38,7 @@ std::uint32_t FieldObstacle::touches(const Family& family, std::uint32_t familyS
 void FieldCounterpart::place(const PairPlacement& placement) {
   field_.take(static_cast<const btSdfCollisionShape&>(*placement.otherShape));
   tree_ = placement.tree;
+  otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
   const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
@@ -163,7 +164,7 @@ void FieldCounterpart::appendContact(NodeId leaf, const Vec3& onTree, const Plac
   if (contact.gap >= reach_) return;
   contact.pair = {leaf, 0};
   contact.position = onTree - contact.normal * (margin_ + 0.5F * contact.gap);
-  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), -1, pointIndex};
+  contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), pointIndex, otherIndex_};
   contacts.push_back(contact);
 }
 
@@ -176,7 +177,7 @@ Contact FieldCounterpart::boundingContact(const NodePair& pair) {
   contact.normal = Vec3(0, 0, 1);
   contact.position = ball.center;
   contact.gap = reach_ + ball.radius;
-  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, otherIndex_};
   const std::optional<Place> place = placeAt(ball.center);
   if (!place || !place->field.hasDirection()) return contact;
   contact.normal = normalized(place->field.gradient);

@@ -64,6 +64,7 @@ class FieldCounterpart final : public Counterpart {
                      std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
+  int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float reach_ = 0;
   float skin_ = 0;

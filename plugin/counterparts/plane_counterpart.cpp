@@ -35,6 +35,7 @@ std::uint32_t PlaneObstacle::touches(const Family& family, std::uint32_t familyS
 void PlaneCounterpart::place(const PairPlacement& placement) {
   const auto& shape = static_cast<const btStaticPlaneShape&>(*placement.otherShape);
   tree_ = placement.tree;
+  otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
   const btVector3 normal = placement.other.getBasis() * shape.getPlaneNormal();
@@ -122,7 +123,7 @@ void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, i
   contact.pair = pair;
   contact.normal = normal_;
   contact.position = onTree - normal_ * (margin_ + 0.5F * contact.gap);
-  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, pointIndex};
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), pointIndex, otherIndex_};
   contacts.push_back(contact);
 }
 
@@ -162,7 +163,7 @@ Contact PlaneCounterpart::boundingContact(const NodePair& pair) {
   if (const float inner = tree_.innerRadius(pair.a); inner > 0)
     contact.certainDepth = std::max(0.0F, inner - height - kOverlapSlack * (s.radius + std::abs(offset_)));
   contact.position = s.center - normal_ * (s.radius + margin_ + 0.5F * contact.gap);
-  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, -1};
+  contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), -1, otherIndex_};
   return contact;
 }
 

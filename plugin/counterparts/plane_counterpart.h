@@ -49,6 +49,7 @@ class PlaneCounterpart final : public Counterpart {
   void appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex, std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
+  int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float reach_ = 0;
   float skin_ = 0;

@@ -26,8 +26,7 @@ class TreeAlgorithm final : public btCollisionAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
-  /// 1: no time of impact is computed. There is no continuous collision detection for moving trees yet: a body that
-  /// crosses another within one step is missed.
+  /// 1: no time of impact is computed. What fast trees run into is told as contacts ahead, see `continuous/sweep.h`.
   btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& info,
                                  btManifoldResult* result) override;
   void getAllContactManifolds(btManifoldArray& manifolds) override;

@@ -74,8 +74,8 @@ bool isBroken(const btCollisionObject& object) {
   if (!std::isfinite(sumOf(object.getWorldTransform()))) return true;
   const btRigidBody* const body = btRigidBody::upcast(&object);
   if (!body || body->isStaticObject()) return false;
-  return !std::isfinite(sumOf(body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() +
-                              body->getTotalTorque()));
+  return !std::isfinite(
+      sumOf(body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() + body->getTotalTorque()));
 }
 
 bool isBroken(const btCollisionObjectWrapper& wrapper) {

@@ -171,7 +171,7 @@ void TreePair::lookAhead(const PairPlacement& placement, const btCollisionObject
   if (!isFast_ && !isAnchored) return;
   if (!sweep_) sweep_ = std::make_unique<Sweep>(kind_);
   ahead_ = sweep_->run({placement.treeShape, placement.otherShape, Course(treeBody, sweptTime),
-                        Course(otherBody, sweptTime), origin_, placement.reach, isFast_},
+                        Course(otherBody, sweptTime), origin_, placement.reach, isFast_, placement.otherIndex},
                        budget);
 }
 
@@ -259,6 +259,7 @@ PairPlacement TreePair::place(const btCollisionObjectWrapper& treeBody, const bt
   placement.otherShape = otherBody.getCollisionShape();
   placement.other = otherBody.getWorldTransform();
   placement.other.getOrigin() -= origin_;
+  placement.otherIndex = otherBody.m_index;
   setSizes(*shape, *placement.otherShape, threshold);
   placement.reach = reach_;
   center_ = smallerCenter(placement);

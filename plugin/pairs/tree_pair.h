@@ -289,7 +289,7 @@ class alignas(64) TreePair {
   bool isFast_ = false;      // in this step
   bool isBroken_ = false;    // when it was last settled
   bool isOfCompound_ = false;
-  bool wasDone_ = true;      // the traversal, when a step last ended in which something was done for it
+  bool wasDone_ = true;  // the traversal, when a step last ended in which something was done for it
   // For bodies that move far in a step.
   std::unique_ptr<Sweep> sweep_;  // made when it is first needed
   // Bullet's handle on the pair. Only fetched, like those that follow.

@@ -19,9 +19,10 @@ struct PairPlacement {
   float treeMargin = 0;                          ///< grows the tree's surface
   const btCollisionShape* otherShape = nullptr;  ///< of the kind the counterpart was made for
   btTransform other;                             ///< the other body, its origin relative to the pair frame's
-  float reach = 0;                               ///< contacts with a gap below this are wanted; > 0
-  float travel = 0;                              ///< bound on how far the bodies move against each other in a step
-  float slip = 0;                                ///< the same of the smaller body's points alone, in the larger's frame
+  int otherIndex = -1;  ///< which child of a compound it is, -1 for none, as Bullet's wrapper says
+  float reach = 0;      ///< contacts with a gap below this are wanted; > 0
+  float travel = 0;     ///< bound on how far the bodies move against each other in a step
+  float slip = 0;       ///< the same of the smaller body's points alone, in the larger's frame
 };
 
 }  // namespace cairn::bullet

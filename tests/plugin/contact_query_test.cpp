@@ -249,5 +249,35 @@ TEST_P(Ghosts, MayBeTreesThemselves) {
   });
 }
 
+// As with Bullet's own shapes: a point's index is the child's, and `getChildShape` of it is what was hit.
+TEST(Queries_Compound, PointsNameTheChild) {
+  const auto box = std::make_shared<btBoxShape>(btVector3(btScalar(0.3), btScalar(0.3), btScalar(0.3)));
+  const auto row = std::make_shared<btCompoundShape>();
+  for (int i = -1; i <= 1; ++i)
+    row->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(i), 0, 0)), box.get());
+  BulletWorld<> w;
+  w.add(treeShape(plainTree(cuboid({8, 8, 1}, 8))), 0, btVector3(0, 0, btScalar(-0.5)));
+  btRigidBody& body = w.add(row, 1, btVector3(0, 0, btScalar(0.31)));
+  btRigidBody& above = w.add(treeShape(plainTree(ball(0.3, 6))), 1, btVector3(1, 0, btScalar(0.92)));
+  w.step(30);
+  std::set<int> found;
+  for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(i);
+    const bool isBody0 = m.getBody0() == &body;
+    if (!isBody0 && m.getBody1() != &body) continue;
+    for (int k = 0; k < m.getNumContacts(); ++k) {
+      const btManifoldPoint& p = m.getContactPoint(k);
+      const int child = isBody0 ? p.m_index0 : p.m_index1;
+      ASSERT_TRUE(child >= 0 && child < 3) << child;
+      const btScalar aside =
+          (isBody0 ? p.m_localPointA : p.m_localPointB).x() - row->getChildTransform(child).getOrigin().x();
+      EXPECT_LE(std::abs(aside), 0.31) << "child " << child;
+      found.insert(child);
+      if (m.getBody0() == &above || m.getBody1() == &above) EXPECT_EQ(child, 2);
+    }
+  }
+  EXPECT_EQ(found.size(), 3U);
+}
+
 }  // namespace
 }  // namespace cairn::test::contact_query_test
