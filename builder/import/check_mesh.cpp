@@ -19,8 +19,9 @@ std::string text(const Vec3d& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
 }
 
-// A tree keeps lengths as float: their squares must not overflow, nor the smallest of them lose digits.
-constexpr double kLargestDiagonal = 1e14, kLeastDiagonal = 1e-34;
+// A tree keeps lengths as float: their squares must not overflow, nor those of a thousandth of it, small leaves, lose
+// digits.
+constexpr double kLargestDiagonal = 1e14, kLeastDiagonal = 1e-16;
 // Of its diagonals a mesh may lie from the origin: beyond, the sixteen digits of a coordinate leave less than six.
 constexpr double kFarthest = 1e10;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
 // Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
 constexpr float kLargestLength = 1e15F;
+// What is that many radii of the root's ball across is in no proportion to it: it did not come from a mesh in that
+// ball. Whether a tree is right to the last digit is for `certify` to say, beside the mesh; here nothing may overflow
+// that the ball's own lengths do not.
+constexpr double kProportion = 16;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 26;
 
 Error bad(const std::string& what) {
@@ -129,12 +134,35 @@ Status checkMass(const SphereTreeData& d) {
   return {};
 }
 
+// A solid of volume V in a ball of radius R has for each unit of mass moments up to (2R)^2, and no less than what lies
+// around the axis as a rod 2R long: V / (4 pi R).
+Status checkProportions(const SphereTreeData& d) {
+  const Vec3d center(d.nodes[0].center);
+  const double reach = kProportion * double(d.nodes[0].radius);
+  const auto isNear = [&](const Vec3d& p) { return distance(p, center) <= reach; };
+  for (std::size_t i = 0; i < d.vertices.size(); ++i)
+    if (!isNear(Vec3d(d.vertices[i]))) return bad(nth("vertex", i) + " lies far outside the root's ball");
+  for (std::size_t i = 0; i < d.supportPoints.size(); ++i)
+    if (!isNear(Vec3d(d.supportPoints[i]))) return bad(nth("support point", i) + " lies far outside the root's ball");
+  const MassProperties& m = d.mass;
+  if (!isNear(m.centerOfMass - d.origin)) return bad("its centre of mass lies far outside the root's ball");
+  if (!(m.volume <= 8 * reach * reach * reach)) return bad("its volume is far more than the root's ball holds");
+  const double most = 4 * reach * reach, least = m.volume / (4 * std::numbers::pi * reach);
+  const auto isMoment = [&](double moment) { return moment <= most && moment >= least; };
+  for (int axis = 0; axis < 3; ++axis)
+    if (!isMoment(m.principalMoments[axis]) || !isMoment(m.inertia(axis, axis)) ||
+        length(m.inertia.rows[axis]) > 2 * most)
+      return bad("no solid of its size and volume has its moments of inertia");
+  return {};
+}
+
 }  // namespace
 
 Status checkTree(const SphereTreeData& data) {
   if (Status s = checkMeshPart(data); !s) return s;
   if (Status s = checkMass(data); !s) return s;
-  return checkNodes(data);
+  if (Status s = checkNodes(data); !s) return s;
+  return checkProportions(data);
 }
 
 }  // namespace cairn

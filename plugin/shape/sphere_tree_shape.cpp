@@ -3,6 +3,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -29,13 +30,17 @@ Status checkScale(const btVector3& scaling) {
   return {};
 }
 
-// Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is.
+// Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is: beyond, squares
+// of such lengths are none or endless.
+constexpr float kLeastSize = 1e-21F, kLargestSize = 1e19F;
+
 Status checkSize(float diagonal, btScalar scale) {
   const float size = diagonal * static_cast<float>(scale);
-  if (!(size > 0) || !std::isfinite(size))
-    return Error{"a sphere-tree shape's mesh has a box with a diagonal of " + std::to_string(size) +
-                 ": give a mesh and a scale that make it positive and finite"};
-  return {};
+  if (size >= kLeastSize && size <= kLargestSize) return {};
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%g", double(size));
+  return Error{std::string("a sphere-tree shape's mesh has a box with a diagonal of ") + text.data() +
+               ": give a mesh and a scale that make it at least 1e-21 and at most 1e19"};
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ TEST(CheckMesh, RefusesWhatNumbersCannotHold) {
     for (Vec3d& v : mesh.vertices) v = v * scale + Vec3d(1, 0, 0) * away;
     return mesh;
   };
-  for (const double scale : {1e-33, 1e-6, 1.0, 1e6, 1e13}) EXPECT_TRUE(checkMesh(placed(scale, 0)).ok()) << scale;
+  for (const double scale : {1e-15, 1e-6, 1.0, 1e6, 1e13}) EXPECT_TRUE(checkMesh(placed(scale, 0)).ok()) << scale;
   expectRefused(placed(1e15, 0), "give it in another unit");
   expectRefused(placed(1e30, 0), "give it in another unit");
+  expectRefused(placed(1e-17, 0), "give it in another unit");
   expectRefused(placed(1e-40, 0), "give it in another unit");
   EXPECT_TRUE(checkMesh(placed(1, 1e9)).ok());
   const auto rod = [](double times) {

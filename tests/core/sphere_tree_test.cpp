@@ -104,6 +104,15 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"region triangle 1 does not exist", [](auto& d) { d.regionTriangles[1] = 4; }},
         Damage{"it has no mesh", [](auto& d) { d.triangles.clear(); }},
         Damage{"support point 0 is not finite", [](auto& d) { d.supportPoints[0].z = kNan; }},
+        Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 1e20F; }},
+        Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 3e38F; }},
+        Damage{"vertex 1 lies far outside the root's ball", [](auto& d) { d.vertices[1].x = 100; }},
+        Damage{"its centre of mass lies far outside", [](auto& d) { d.mass.centerOfMass.z = 1e9; }},
+        Damage{"its volume is far more than", [](auto& d) { d.mass.volume = 1e9; }},
+        Damage{"has its moments of inertia", [](auto& d) { d.mass.principalMoments.y = 1e9; }},
+        Damage{"has its moments of inertia", [](auto& d) { d.mass.principalMoments.y = 1e-30; }},
+        Damage{"has its moments of inertia", [](auto& d) { d.mass.inertia(1, 1) = 1e-30; }},
+        Damage{"has its moments of inertia", [](auto& d) { d.mass.inertia(0, 1) = 1e9; }},
         Damage{"face normal 0 is not a unit vector",
                [](auto& d) {
                  d.faceNormals = {{1, 1, 0}};

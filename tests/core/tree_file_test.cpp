@@ -27,6 +27,7 @@ class TreeFile : public testing::Test {
     SphereTreeData data = test::randomTree(21, 60, 2).data;
     data.info = {"rock.obj", "00ff", "combined", 8, 3, 5000, 42};
     data.origin = {1.5, -2, 1e6};
+    data.mass.centerOfMass += data.origin;
     data.faceNormals = {{1, 0, 0}};
     data.nodes[2].normalCount = 1;
     tree_.emplace(std::move(SphereTree::create(std::move(data))).value());

@@ -29,11 +29,9 @@ KnownTree cloud(Bytes& bytes) {
   const std::uint32_t points = 1 + bytes.below(60), depth = bytes.below(4);
   const auto size = static_cast<float>(bytes.powerOfTen(9));
   test::RandomTree random = test::randomTree(seed, points, depth);
-  for (NodeData& node : random.data.nodes) {
-    node.center = node.center * size;
-    node.radius *= size;
+  test::scaleTree(random.data, size);
+  for (NodeData& node : random.data.nodes)
     node.error = 2 * node.radius;  // the far side of a ball from a point on its near side
-  }
   KnownTree known;
   auto tree = SphereTree::create(std::move(random.data));
   require(tree.ok(), "a tree of a cloud of points was refused");
@@ -45,7 +43,7 @@ KnownTree cloud(Bytes& bytes) {
 
 void damage(SphereTreeData& data, Bytes& bytes) {
   NodeData& node = data.nodes[bytes.below(std::uint32_t(data.nodes.size()))];
-  const auto factor = static_cast<float>(bytes.powerOfTen(3));
+  const auto factor = static_cast<float>(bytes.powerOfTen(bytes.below(8) == 1 ? 30 : 3));
   const Vec3 shift{float(bytes.between(-2, 2)), float(bytes.between(-2, 2)), float(bytes.between(-2, 2))};
   const auto any = [&](auto& list) -> auto& {
     return list[bytes.below(std::uint32_t(list.size()))];

@@ -237,12 +237,14 @@ class Play {
 
   void harm() {
     Actor* const actor = any();
-    if (!actor || actor->body->isStaticObject() || bytes_.below(4) != 1 || anyIs(&Actor::isPredicted)) return;
-    actor->isBroken = true;
+    if (!actor || bytes_.below(4) != 1 || anyIs(&Actor::isPredicted)) return;
     constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN(),
                        kEndless = std::numeric_limits<btScalar>::infinity();
+    // Of a static body Bullet looks at the place alone.
+    const bool isStatic = actor->body->isStaticObject();
+    actor->isBroken = actor->isBroken || !isStatic;
     btTransform at = actor->body->getWorldTransform();
-    switch (bytes_.below(4)) {
+    switch (bytes_.below(2) + (isStatic ? 2 : 2 * bytes_.below(2))) {
       case 0:
         at.setOrigin(btVector3(0, kNan, 0));
         return actor->body->setWorldTransform(at);

@@ -181,7 +181,7 @@ TEST(SphereTreeShape_Create, RefusesAMeshWithoutSize) {
     for (Vec3& v : data.vertices) v = v * factor;
     return std::make_shared<const SphereTree>(SphereTree::create(data).value());
   };
-  for (const float factor : {0.0F, 1e30F}) {
+  for (const float factor : {0.0F, 1e-25F}) {
     const auto shape = SphereTreeShape::create(scaledBy(factor));
     ASSERT_FALSE(shape.ok()) << factor;
     EXPECT_NE(shape.error().message.find("diagonal"), std::string::npos);
@@ -190,6 +190,10 @@ TEST(SphereTreeShape_Create, RefusesAMeshWithoutSize) {
   const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 2)));
   EXPECT_FALSE(shape->setScale(btVector3(btScalar(3e38), btScalar(3e38), btScalar(3e38))).ok());
   EXPECT_EQ(shape->scale(), 1);
+  for (const btScalar scale : {btScalar(1e-23), btScalar(1e20), btScalar(1e30)}) {
+    EXPECT_FALSE(shape->setScale(btVector3(scale, scale, scale)).ok()) << scale;
+    EXPECT_EQ(shape->scale(), 1);
+  }
 }
 
 }  // namespace

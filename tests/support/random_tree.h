@@ -73,13 +73,20 @@ inline std::vector<Cluster> split(std::mt19937_64& engine, const std::vector<Vec
   return parts;
 }
 
+// A tetrahedron in the root's ball stands for the mesh: of a third of its radius, of moments that a solid can have.
 inline void addTetrahedron(SphereTreeData& data) {
-  data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const NodeData& root = data.nodes[0];
+  const float edge = root.radius / 3;
+  data.vertices = {{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}, {0, 0, edge}};
+  for (Vec3& v : data.vertices) v += root.center;
   data.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   data.regionTriangles = {0, 1, 2, 3};
-  data.supportPoints = {{0, 0, 0}};
-  data.mass.volume = 1.0 / 6;
-  data.mass.principalMoments = {1, 1, 1};
+  data.mass.volume = double(edge) * double(edge) * double(edge) / 6;
+  data.mass.centerOfMass = Vec3d(root.center) + Vec3d(1, 1, 1) * (double(edge) / 4);
+  const double moment = double(edge) * double(edge) / 10;
+  data.mass.principalMoments = {moment, moment, moment};
+  data.mass.inertia = {{Vec3d(moment, 0, 0), Vec3d(0, moment, 0), Vec3d(0, 0, moment)}};
+  data.mass.principalAxes = {{Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}};
 }
 
 }  // namespace detail
@@ -89,13 +96,14 @@ inline RandomTree randomTree(std::uint64_t seed, std::uint32_t pointCount = 300,
   RandomTree tree;
   for (std::uint32_t i = 0; i < pointCount; ++i) tree.points.push_back(Vec3(randomPoint(engine)));
   tree.leafOfPoint.resize(pointCount);
-  detail::addTetrahedron(tree.data);
 
   std::vector<detail::Cluster> queue(1);
   for (std::uint32_t i = 0; i < pointCount; ++i) queue[0].points.push_back(i);
   for (std::uint32_t next = 0; next < queue.size(); ++next) {
     const detail::Cluster cluster = queue[next];
     tree.data.nodes.push_back(detail::ballAround(tree.points, cluster));
+    tree.data.nodes.back().firstSupport = next;
+    tree.data.supportPoints.push_back(tree.data.nodes.back().center);
     const auto count = static_cast<std::uint32_t>(2 + engine() % 7);
     const bool leaf = cluster.level == depth || cluster.points.size() < count;
     if (leaf) {
@@ -104,7 +112,25 @@ inline RandomTree randomTree(std::uint64_t seed, std::uint32_t pointCount = 300,
     }
     for (detail::Cluster& part : detail::split(engine, tree.points, cluster, next, count)) queue.push_back(part);
   }
+  detail::addTetrahedron(tree.data);
   return tree;
+}
+
+/// The same tree in another unit.
+inline void scaleTree(SphereTreeData& data, float factor) {
+  for (NodeData& node : data.nodes) {
+    node.center = node.center * factor;
+    node.radius *= factor;
+    node.error *= factor;
+  }
+  for (Vec3& v : data.vertices) v = v * factor;
+  for (Vec3& v : data.supportPoints) v = v * factor;
+  const auto f = double(factor);
+  MassProperties& m = data.mass;
+  m.volume *= f * f * f;
+  m.centerOfMass = m.centerOfMass * f;
+  m.principalMoments = m.principalMoments * (f * f);
+  for (Vec3d& row : m.inertia.rows) row = row * (f * f);
 }
 
 inline Pose randomPose(std::mt19937_64& engine, double spread) {

@@ -55,7 +55,7 @@ class SphereTreeShape final : public btConcaveShape {
   /// it into account. It is metres whatever the scale.
   ///
   /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
-  /// is not. Cost: a convex hull of the mesh, and balls around its triangles, n log n, for casts.
+  /// is below 1e-21 or above 1e19. Cost: a convex hull of the mesh, and balls around its triangles, n log n, for casts.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
                                                          BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1);
