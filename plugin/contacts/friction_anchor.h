@@ -12,7 +12,8 @@ namespace cairn::bullet {
 /// met for as long as friction can hold them.
 ///
 /// Bullet keeps such a point as it is instead of replacing it, and brings it up to date in `refreshContactPoints`. A
-/// `ManifoldWriter` refreshes nothing: it has the point replaced by the contact of this step and gives it back its hold.
+/// `ManifoldWriter` refreshes nothing: it has the point replaced by the contact of this step and gives it back its
+/// hold.
 class FrictionAnchor {
  public:
   /// Of a point that is anchored and has not begun to slip (by Bullet's own rule: last step's friction within its

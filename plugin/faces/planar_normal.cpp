@@ -79,9 +79,9 @@ bool PlanarNormal::add(const Vec3& normal, const Vec3& towards, std::size_t most
   return true;
 }
 
-// Face normals point outwards: B's towards A as they are, A's reversed. The larger body's come first, as of two that are
-// nearly the same the first is taken: measured along a small face's normal a large one would be as deep as it is wide
-// times the tilt.
+// Face normals point outwards: B's towards A as they are, A's reversed. The larger body's come first, as of two that
+// are nearly the same the first is taken: measured along a small face's normal a large one would be as deep as it is
+// wide times the tilt.
 void PlanarNormal::collectFacesOfBoth(const PlacedTree& a, const PlacedTree& b, const Contact& contact) {
   const bool isLargerFirst = a.sphere(kRootNode).radius >= b.sphere(kRootNode).radius;
   if (isLargerFirst) collectFaces(a, contact.pair.a, -1, contact.normal);

@@ -23,7 +23,8 @@ constexpr double kGround = 16;
 std::shared_ptr<btCollisionShape> shapeOf(Kind kind, const Vec3d& size, int cells) {
   if (kind == Kind::plane) return std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(size.z / 2));
   if (kind == Kind::box)
-    return std::make_shared<btBoxShape>(btVector3(btScalar(size.x), btScalar(size.y), btScalar(size.z)) * btScalar(0.5));
+    return std::make_shared<btBoxShape>(btVector3(btScalar(size.x), btScalar(size.y), btScalar(size.z)) *
+                                        btScalar(0.5));
   if (kind == Kind::gimpact) return gimpactMesh(cuboid(size, cells), btScalar(0.001));
   return treeShape(plainTree(cuboid(size, cells)));
 }

@@ -31,7 +31,7 @@ Outcome runFlatSolids(Effort effort) {
       "flat");
   builder::TriangleMesh pressed = test::meshOf(test::cuboid({1, 1, 1}, 2));
   for (Vec3d& v : pressed.vertices) v.z = 0;
-  demands.refuses(builder::buildTree(pressed, demands.options()), "");
+  demands.refuses(builder::buildTree(pressed, demands.options()), "no area");
 
   Outcome outcome;
   for (const double thickness : {1e-3, 1e-5, 1e-7}) {

@@ -10,6 +10,7 @@
 #include "cairn/builder/mesh_file.h"
 #include "family_demands.h"
 #include "geometry_cases.h"
+#include "greatest.h"
 
 // A million triangles, and hardly any spheres to spend on them.
 //
@@ -53,7 +54,7 @@ class PeakMemory {
 Measure greatestRise(const char* name, const SphereTree& tree) {
   double rise = -100;
   for (std::uint32_t level = 1; level <= tree.depth(); ++level)
-    rise = std::max(rise, 100 * (double(tree.levelError(level)) / double(tree.levelError(level - 1)) - 1));
+    rise = test::greatest(rise, 100 * (double(tree.levelError(level)) / double(tree.levelError(level - 1)) - 1));
   return {name, rise, 1, Bound::atMost, "% of it", "", 0};
 }
 

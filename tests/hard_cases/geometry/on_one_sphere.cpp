@@ -5,6 +5,7 @@
 #include "builder_meshes.h"
 #include "family_demands.h"
 #include "geometry_cases.h"
+#include "greatest.h"
 #include "medial/voronoi_diagram.h"
 
 // All samples at one distance from one point: the medial axis is that point, every four samples are co-spherical.
@@ -28,24 +29,28 @@ std::vector<Vec3d> samplesOnSphere(std::size_t count) {
   return samples;
 }
 
-/// How far the inner vertices of the samples' diagram are from the centre, as parts of the sphere's diameter.
-Measure farthestFromCentre(std::size_t count) {
+/// How far the inner vertices of the samples' diagram are from the centre, as parts of the sphere's diameter, and that
+/// there are any: tetrahedra that fill a ball are more than the corners on it.
+std::vector<Measure> farthestFromCentre(std::size_t count) {
   // The samples, and which vertices are inside, are the sphere's own; a box around it stands for the solid.
   builder::VoronoiDiagram diagram({{-1, -1, -1}, {1, 1, 1}});
   for (const Vec3d& p : samplesOnSphere(count)) diagram.insert(p);
-  double farthest = 0;
+  double farthest = 0, found = 0;
   for (const builder::VoronoiVertex& vertex : diagram.vertices()) {
     const bool ofSamples = std::ranges::all_of(
         vertex.sites, [](std::uint32_t site) { return site >= builder::VoronoiDiagram::kEnclosingSites; });
-    if (vertex.alive && ofSamples && length(vertex.position) < 1)
-      farthest = std::max(farthest, length(vertex.position));
+    // Outer ones lie beyond the sphere; what is no number would be neither.
+    if (!vertex.alive || !ofSamples || length(vertex.position) >= 1) continue;
+    farthest = test::greatest(farthest, length(vertex.position));
+    ++found;
   }
-  return {"farthest inner vertex from the centre", farthest / 2, 1e-6, Bound::atMost, "of size", "", 0};
+  return {{"farthest inner vertex from the centre", farthest / 2, 1e-6, Bound::atMost, "of size", "", 0},
+          {"inner vertices", found, double(count), Bound::atLeast, "", "", 0}};
 }
 
 Outcome runOnOneSphere(Effort effort) {
   const bool quick = effort == Effort::quick;
-  Outcome outcome{{farthestFromCentre(quick ? 1000 : 10000)}, ""};
+  Outcome outcome{farthestFromCentre(quick ? 1000 : 10000), ""};
   FamilyDemands demands(effort, 60);
   const builder::TriangleMesh mesh = test::meshOf(test::ball(1, quick ? 8 : 20));
   builder::BuildOptions options = demands.options();
