@@ -21,7 +21,7 @@ std::string text(const Vec3d& p) {
 
 // A tree keeps lengths as float: their squares must not overflow, nor those of a thousandth of it, small leaves, lose
 // digits.
-constexpr double kLargestDiagonal = 1e14, kLeastDiagonal = 1e-16;
+constexpr double kLargestDiagonal = 1e14, kLeastDiagonal = 1e-15;
 // Of its diagonals a mesh may lie from the origin: beyond, the sixteen digits of a coordinate leave less than six.
 constexpr double kFarthest = 1e10;
 

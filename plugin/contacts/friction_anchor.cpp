@@ -3,32 +3,50 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
-#include <limits>
-
 namespace cairn::bullet {
 
-std::optional<FrictionAnchor> FrictionAnchor::of(const btManifoldPoint& point) {
-  if ((point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) == 0) return std::nullopt;
-  const btVector3 lateral(point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, 0);
-  const btScalar most = point.m_combinedFriction * point.m_appliedImpulse;
-  if (lateral.length2() > most * most) return std::nullopt;
-  FrictionAnchor anchor;
-  anchor.local0_ = point.m_localPointA;
-  anchor.local1_ = point.m_localPointB;
-  anchor.lateralImpulse1_ = point.m_appliedImpulseLateral1;
-  anchor.lateralImpulse2_ = point.m_appliedImpulseLateral2;
-  return anchor;
+namespace {
+
+bool isAnchored(const btManifoldPoint& point) {
+  return (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) != 0;
 }
 
-// No friction holds that.
+bool isWithinCone(const btManifoldPoint& point) {
+  const btVector3 lateral(point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, 0);
+  const btScalar most = point.m_combinedFriction * point.m_appliedImpulse;
+  return lateral.length2() <= most * most;
+}
+
+}  // namespace
+
+bool FrictionAnchor::isAskedFor(const btPersistentManifold& manifold) {
+  const int flags = manifold.getBody0()->getCollisionFlags() | manifold.getBody1()->getCollisionFlags();
+  return (flags & btCollisionObject::CF_HAS_FRICTION_ANCHOR) != 0;
+}
+
+FrictionAnchor::FrictionAnchor(const btManifoldPoint& point)
+    : holds_(isAnchored(point) && isWithinCone(point)),
+      local0_(point.m_localPointA),
+      local1_(point.m_localPointB),
+      impulse_(point.m_appliedImpulse),
+      lateralImpulse1_(point.m_appliedImpulseLateral1),
+      lateralImpulse2_(point.m_appliedImpulseLateral2) {}
+
+// What presses with nothing holds nothing, however little it is pulled.
 void FrictionAnchor::release(btManifoldPoint& point) {
-  point.m_appliedImpulseLateral1 = std::numeric_limits<btScalar>::max();
+  constexpr auto kLeastPull = btScalar(1e-18);  // its square is a number
+  point.m_appliedImpulse = 0;
+  point.m_appliedImpulseLateral1 = kLeastPull;
+}
+
+void FrictionAnchor::restore(const btPersistentManifold& manifold, btManifoldPoint& point) const {
+  point.m_appliedImpulse = impulse_;
+  point.m_appliedImpulseLateral1 = lateralImpulse1_;
+  point.m_appliedImpulseLateral2 = lateralImpulse2_;
+  if (holds_ && isAnchored(point)) hold(manifold, point);
 }
 
 void FrictionAnchor::hold(const btPersistentManifold& manifold, btManifoldPoint& point) const {
-  point.m_appliedImpulseLateral1 = lateralImpulse1_;
-  point.m_appliedImpulseLateral2 = lateralImpulse2_;
-  if ((point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) == 0) return;
   const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
   const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
   const btVector3& normal = point.m_normalWorldOnB;

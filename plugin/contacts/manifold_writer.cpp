@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "contacts/manifold_writer.h"
 
+#include "contacts/friction_anchor.h"
 #include "contacts/restitution.h"
 #include "contacts/solving_order.h"
 #include "placement/bullet_math.h"
@@ -102,17 +103,20 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     matching.choiceOf[static_cast<std::size_t>(last)] = -1;
   }
   const int continued = manifold.getNumContacts();
-  std::array<std::optional<FrictionAnchor>, kMaxPoints> anchors;  // of what the chosen contacts continue
+  const bool mayBeAnchored = FrictionAnchor::isAskedFor(manifold);
+  std::array<FrictionAnchor, kMaxPoints> anchors;
   for (int i = 0; i < continued; ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    const auto k = static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)]);
-    anchors[k] = FrictionAnchor::of(point);
-    if (anchors[k]) FrictionAnchor::release(point);
-    point.m_localPointA = matching.local[k];
+    if (mayBeAnchored) {
+      anchors[static_cast<std::size_t>(i)] = FrictionAnchor(point);
+      FrictionAnchor::release(point);
+    }
+    point.m_localPointA = matching.local[static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)])];
     ++point.m_lifeTime;
   }
-  for (int k = 0; k < choice.count; ++k)
-    add(manifold, chosen(cluster, choice, k), anchors[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < choice.count; ++k) add(manifold, chosen(cluster, choice, k));
+  for (int i = 0; mayBeAnchored && i < continued; ++i)
+    anchors[static_cast<std::size_t>(i)].restore(manifold, manifold.getContactPoint(i));
   if (gContactProcessedCallback)
     for (int i = 0; i < continued; ++i)
       gContactProcessedCallback(manifold.getContactPoint(i), const_cast<btCollisionObject*>(manifold.getBody0()),
@@ -120,8 +124,7 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
   if (motion_.isSlow()) putDeepestLast(manifold);
 }
 
-void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact,
-                         const std::optional<FrictionAnchor>& anchor) {
+void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact) {
   btPersistentManifold* const before = result_.getPersistentManifold();
   result_.setPersistentManifold(&manifold);
   const ContactId& id = contact.id;
@@ -147,7 +150,6 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact,
     btManifoldPoint& point = manifold.getContactPoint(i);
     if (point.m_positionWorldOnB != told || point.m_distance1 != distance) continue;
     if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
-    if (anchor) anchor->hold(manifold, point);
     tellSolver(point, contact);
   }
 }

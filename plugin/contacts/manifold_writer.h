@@ -4,11 +4,9 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <array>
-#include <optional>
 #include <span>
 
 #include "contacts/contact.h"
-#include "contacts/friction_anchor.h"
 #include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 
@@ -51,7 +49,7 @@ class ManifoldWriter {
                           const MayJoin& mayJoin);
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
                  const ContactChoice& choice) const;
-  void add(btPersistentManifold& manifold, const Contact& contact, const std::optional<FrictionAnchor>& anchor);
+  void add(btPersistentManifold& manifold, const Contact& contact);
   static void placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
                          const btVector3& onBody1);
   void tellSolver(btManifoldPoint& point, const Contact& contact) const;

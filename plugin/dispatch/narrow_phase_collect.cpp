@@ -64,9 +64,9 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                 btManifoldResult& result, bool mayDefer) {
   // A result of another class belongs to a query, which wants its points before this returns.
-  if (mayDefer && (body0.m_parent || body1.m_parent) && !pair.isOfCompound()) noteCompound(pair);
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   if (mayDefer && isPlain && !isRetired_) {
+    if ((body0.m_parent || body1.m_parent) && !pair.isOfCompound()) noteCompound(pair);
     if (isCollecting_) fetchPairsAskedNext(pair);
     if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_)) {
       ++apartPairs_;
@@ -108,11 +108,20 @@ void NarrowPhase::Impl::noteCompound(TreePair& pair) {
   ofCompounds_.push_back(&pair);
 }
 
-// How many were.
-std::uint32_t NarrowPhase::Impl::settleLeftOvers() {
-  std::uint32_t settled = 0;
+// How many were. Users' callbacks are told of contacts that end, and may remove bodies. What is collected in this step
+// settles itself, or was asked about before it broke.
+std::uint32_t NarrowPhase::Impl::settleLeftOvers(bool alsoCollected) {
+  leftOvers_.clear();
   for (TreePair* const pair : ofCompounds_)
-    if (pair->settleLeftOver()) ++settled;
+    if ((alsoCollected || pair->collectedAt() == TreePair::kNotCollected) && pair->isLeftOver())
+      leftOvers_.push_back(pair);
+  std::uint32_t settled = 0;
+  for (std::size_t i = 0; i < leftOvers_.size(); ++i) {
+    if (!leftOvers_[i]) continue;
+    leftOvers_[i]->forgetBroken();
+    ++settled;
+  }
+  leftOvers_.clear();
   if (settled > 0) tellOfBroken();
   return settled;
 }

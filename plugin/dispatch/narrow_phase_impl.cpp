@@ -141,7 +141,10 @@ void NarrowPhase::Impl::release(TreePair* pair) {
     dismiss(pair->collectedAt());
   }
   open_.forget(*pair);
-  if (pair->isOfCompound()) std::erase(ofCompounds_, pair);
+  if (pair->isOfCompound()) {
+    std::erase(ofCompounds_, pair);
+    std::ranges::replace(leftOvers_, pair, nullptr);
+  }
   pair->reset();
   idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
 }
@@ -168,7 +171,7 @@ void NarrowPhase::Impl::endStep() {
   isAnswering_ = true;
   statistics_ = {};
   statistics_.pairs = apartPairs_.exchange(0);
-  statistics_.brokenPairs = brokenPairs_.exchange(0) + settleLeftOvers();
+  statistics_.brokenPairs = brokenPairs_.exchange(0) + settleLeftOvers(false);
   errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
 

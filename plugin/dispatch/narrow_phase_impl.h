@@ -67,7 +67,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void countBroken();
   void tellOfBroken();
   void noteCompound(TreePair& pair);
-  std::uint32_t settleLeftOvers();
+  std::uint32_t settleLeftOvers(bool alsoCollected);
   void answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                     const btDispatcherInfo& info, btManifoldResult& result);
   bool isWorlds(btOverlappingPairCache& pairs);
@@ -183,6 +183,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
   std::vector<TreePair*> ofCompounds_;  // pairs in use that Bullet may keep without asking about them
+  std::vector<TreePair*> leftOvers_;    // of these, while they are settled; null: destroyed since
 
   struct NewPair {
     PairKey key;

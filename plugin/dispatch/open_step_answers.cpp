@@ -102,7 +102,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   errorSum_ = seenSum_ = 0;
   reportingPairs_ = 0;
   openLeft_ = stepLimit();
-  settleLeftOvers();  // those Bullet asks about are counted when it does
+  settleLeftOvers(true);  // those Bullet asks about are counted when it does
 
   const auto began = Budget::Clock::now();
   open_.begin(dispatcher_, collected_);

@@ -18,6 +18,11 @@ float inverseMass(const btCollisionObject& object) {
   return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
+// Of any other body the solver looks at the place alone.
+bool isMoved(const btRigidBody& body) {
+  return body.getInvMass() != 0 || body.isKinematicObject();
+}
+
 // What is no number, or endless, makes no number of a sum, or an endless one.
 btScalar sumOf(const btVector3& v) {
   return v.x() + v.y() + v.z();
@@ -30,14 +35,14 @@ btScalar sumOf(const btTransform& pose) {
 }  // namespace
 
 Vec3 linearVelocity(const btCollisionObject& object) {
-  if (object.isStaticObject()) return {};
   const btRigidBody* body = btRigidBody::upcast(&object);
+  if (body && !isMoved(*body)) return {};
   return toVec3(body ? body->getLinearVelocity() : object.getInterpolationLinearVelocity());
 }
 
 Vec3 angularVelocity(const btCollisionObject& object) {
-  if (object.isStaticObject()) return {};
   const btRigidBody* body = btRigidBody::upcast(&object);
+  if (body && !isMoved(*body)) return {};
   return toVec3(body ? body->getAngularVelocity() : object.getInterpolationAngularVelocity());
 }
 
@@ -73,7 +78,7 @@ float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWra
 bool isBroken(const btCollisionObject& object) {
   if (!std::isfinite(sumOf(object.getWorldTransform()))) return true;
   const btRigidBody* const body = btRigidBody::upcast(&object);
-  if (!body || body->isStaticObject()) return false;
+  if (!body || !isMoved(*body)) return false;
   return !std::isfinite(
       sumOf(body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() + body->getTotalTorque()));
 }

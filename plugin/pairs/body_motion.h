@@ -11,8 +11,7 @@ struct btCollisionObjectWrapper;
 namespace cairn::bullet {
 
 /// World axes, length per second. What is no rigid body (a multibody's link, a ghost) says how it moved, not how it
-/// moves.
-/// Zero of what is static, whose speed Bullet's solver does not look at either.
+/// moves; zero of a static rigid body, whose speed Bullet's solver does not look at either.
 Vec3 linearVelocity(const btCollisionObject& object);
 /// World axes, radians per second.
 Vec3 angularVelocity(const btCollisionObject& object);

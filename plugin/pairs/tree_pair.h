@@ -67,10 +67,12 @@ class alignas(64) TreePair {
                    Finest finest, btScalar sweptTime);
   /// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
   bool settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
-  /// The same of points left by an earlier step, for a pair that may not be asked about in this one: Bullet passes over
-  /// children of compounds whose boxes are apart in the compound's frame, and leaves them their points. Precondition:
-  /// the bodies live.
-  bool settleLeftOver();
+  /// Whether it has points of an earlier step between bodies of which one `isBroken` now. It may not be asked about in
+  /// this step: Bullet passes over children of compounds whose boxes are apart in the compound's frame, and leaves them
+  /// their points. Precondition: the bodies live.
+  bool isLeftOver() const;
+  /// What `settleBroken` does to a pair of a broken body. Contacts end: users' callbacks are called.
+  void forgetBroken();
   /// Whether one of its sides was a child of a compound. `noteCompound`: from now on.
   bool isOfCompound() const { return isOfCompound_; }
   void noteCompound() { isOfCompound_ = true; }
@@ -250,7 +252,6 @@ class alignas(64) TreePair {
                   float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();
-  void forgetBroken();
   PairPlacement place(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody,
                       btScalar threshold);
   void setSizes(const SphereTreeShape& tree, const btCollisionShape& other, btScalar threshold);

@@ -13,13 +13,10 @@ bool TreePair::settleBroken(const btCollisionObjectWrapper& body0, const btColli
   return true;
 }
 
-bool TreePair::settleLeftOver() {
-  const auto isOfBroken = [](const btPersistentManifold* m) {
-    return m && m->getNumContacts() > 0 && (isBroken(*m->getBody0()) || isBroken(*m->getBody1()));
-  };
-  if (!mayHavePoints_ || std::ranges::none_of(manifolds_, isOfBroken)) return false;
-  forgetBroken();
-  return true;
+bool TreePair::isLeftOver() const {
+  return mayHavePoints_ && std::ranges::any_of(manifolds_, [](const btPersistentManifold* m) {
+           return m && m->getNumContacts() > 0 && (isBroken(*m->getBody0()) || isBroken(*m->getBody1()));
+         });
 }
 
 void TreePair::forgetBroken() {

@@ -15,6 +15,9 @@ namespace {
 constexpr float kOppositeCosine = -0.5F;
 // Of cosines: by how much a normal between two others may miss them where it is one of them.
 constexpr float kBesideEnds = 0.01F;
+// Length of the sum of two faces' normals below which, at 6 degrees, they are the two sides of a plate and meet in no
+// edge with a middle.
+constexpr float kPlateSum = 0.1F;
 // Fraction of a triangle's least height that is its rim.
 constexpr float kRimFraction = 0.25F;
 // Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
@@ -293,6 +296,7 @@ const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, con
   const Vec3 onOther = contact.onCounterpart();
   const auto across = std::ranges::find_if(faces_, [&](const Face& other) {
     if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
+    if (lengthSq(other.outwards + face.outwards) < kPlateSum * kPlateSum) return false;
     const float gap = dot(other.outwards, onOther) - other.offset - margin_;
     if (gap < other.threshold || std::abs(gap - contact.gap) > reach) return false;
     return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, reach); });

@@ -2,6 +2,7 @@
 // A body that is no number, or on its way there, harms no other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <string>
@@ -37,6 +38,13 @@ void harm(btRigidBody& body, Harm how) {
     case Harm::torque:
       return body.applyTorque(btVector3(0, 0, kInf));
   }
+}
+
+std::shared_ptr<btCompoundShape> dumbbellOf(btCollisionShape& first, btCollisionShape& second, btScalar aside) {
+  auto compound = std::make_shared<btCompoundShape>();
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(aside, 0, 0)), &first);
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(-aside, 0, 0)), &second);
+  return compound;
 }
 
 CAIRN_FRONT_END_SUITE(BrokenBody, EveryFrontEnd);
@@ -115,10 +123,8 @@ TYPED_TEST(BrokenBody, StaticBodiesGoOnHolding) {
 TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneOfThoseItTouches) {
   const auto cube = plainTree(cuboid({0.5, 0.4, 0.3}, 2)), round = plainTree(ball(0.25, 6));
   const auto first = treeShape(round), second = treeShape(cube);
-  const auto dumbbell = std::make_shared<btCompoundShape>();
-  dumbbell->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.2), 0, 0)), first.get());
-  dumbbell->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(-0.2), 0, 0)), second.get());
-  for (unsigned seed = 0; seed < 80; ++seed) {
+  const auto dumbbell = dumbbellOf(*first, *second, btScalar(0.2));
+  for (unsigned seed = 0; seed < 240; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const auto pick = [&](unsigned n) { return int(random() % n); };
@@ -142,6 +148,86 @@ TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneOfThoseItTouches) {
     w.step(30);
     for (const btRigidBody* body : others) ASSERT_TRUE(isSane(*body));
   }
+}
+
+// A user's near callback may do that after a pair was asked about.
+TEST(BrokenBody_Compound, MayBreakWhileBulletAsks) {
+  static btRigidBody* target;
+  static bool breaks;
+  for (const int budget : {-1, 0, 50}) {
+    BulletWorld<> w;
+    if (budget >= 0) ASSERT_TRUE(w.dispatcher.setBudget({budget, {}}).ok());
+    const auto cube = treeShape(plainTree(cuboid({0.5, 0.4, 0.3}, 2)));
+    w.add(std::make_shared<btBoxShape>(btVector3(2, 2, btScalar(0.5))), 0, btVector3(0, 0, btScalar(-0.5)));
+    target = &w.add(dumbbellOf(*cube, *cube, btScalar(0.3)), 1, btVector3(0, 0, btScalar(0.16)));
+    btRigidBody& above = w.add(treeShape(cube->sharedTree()), 1, btVector3(0, 0, btScalar(0.47)));
+    for (btRigidBody* body : {target, &above}) body->setActivationState(DISABLE_DEACTIVATION);
+    breaks = false;
+    w.dispatcher.setNearCallback([](btBroadphasePair& pair, btCollisionDispatcher& d, const btDispatcherInfo& info) {
+      btCollisionDispatcher::defaultNearCallback(pair, d, info);
+      if (breaks) target->setLinearVelocity(btVector3(0, 0, kInf));
+    });
+    w.step(60);
+    breaks = true;
+    w.step(2);
+    breaks = false;
+    w.step(20);
+    EXPECT_FALSE(isSane(*target)) << "the test shows nothing";
+  }
+}
+
+struct Anything final : btCollisionWorld::ContactResultCallback {
+  btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
+                           int, int) override {
+    return 0;
+  }
+};
+
+// What is told that a contact has ended may ask about other compounds, which makes pairs.
+TEST(BrokenBody_Compound, CallbacksMayAsk) {
+  static BulletWorld<>* world;
+  static btCollisionObject* probe;
+  static int asks;  // so many times a step, at most
+  const auto round = treeShape(plainTree(ball(0.25, 4))), cube = treeShape(plainTree(cuboid({0.5, 0.4, 0.3}, 1)));
+  const auto dumbbell = dumbbellOf(*round, *cube, btScalar(0.2));
+  btCompoundShape many;
+  for (int i = 0; i < 100; ++i)
+    many.addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.002 * i), 0, 0)), round.get());
+  btCollisionObject asked;
+  asked.setCollisionShape(&many);
+  asked.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.6))));
+  probe = &asked;
+  gContactEndedCallback = [](btPersistentManifold* const&) {
+    Anything anything;
+    if (asks-- > 0) world->world.contactTest(probe, anything);
+  };
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    BulletWorld<> w;
+    world = &w;
+    asks = 0;
+    w.addGround();
+    ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+    std::vector<btRigidBody*> broken, others;
+    for (int i = 0; i < 24; ++i) {
+      const btVector3 at(btScalar(0.42 * (i % 3) - 0.4), btScalar(0.42 * (i / 3 % 3) - 0.4),
+                         btScalar(0.4 + 0.45 * (i / 9)));
+      const btVector3 axis(1, btScalar(random() % 3), btScalar(random() % 3));
+      btRigidBody& body = w.add(dumbbell, 1, at, btQuaternion(axis.normalized(), btScalar(random() % 6)));
+      body.setActivationState(DISABLE_DEACTIVATION);
+      (i % 3 == 1 ? broken : others).push_back(&body);
+    }
+    w.step(20 + int(random() % 30));
+    for (btRigidBody* body : broken) harm(*body, Harm::force);
+    for (int i = 0; i < 10; ++i) {
+      asks = 30;
+      w.step();
+    }
+    asks = 0;
+    for (const btRigidBody* body : others) EXPECT_TRUE(isSane(*body));
+  }
+  gContactEndedCallback = nullptr;
 }
 
 }  // namespace

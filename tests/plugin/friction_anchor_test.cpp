@@ -85,5 +85,36 @@ INSTANTIATE_TEST_SUITE_P(OnTree, Anchored,
                          testing::Combine(testing::Values(Kind::box, Kind::gimpact), testing::Values(Kind::tree),
                                           testing::Values(0.0, 0.2)));
 
+// Its points were made without, and are not to stay as they were then.
+TEST(AnchoredLate, HoldsWhatIsPutOnTop) {
+  for (const Kind ground : {Kind::tree, Kind::box, Kind::plane}) {
+    BulletWorld<> w;
+    btRigidBody& below = w.add(shapeOf(ground, {kGround, kGround, 1}, 8), 0, btVector3(0, 0, 0));
+    btRigidBody& body = w.add(shapeOf(Kind::tree, kSize, 2), 1, btVector3(0.1F, 0.1F, 0.66F));
+    const auto lowest = [&] {
+      btVector3 lower, upper;
+      body.getCollisionShape()->getAabb(body.getWorldTransform(), lower, upper);
+      return double(lower.z()) + double(bullet::kSpeculativeFraction) * length(kSize) - 0.5;
+    };
+    body.setActivationState(DISABLE_DEACTIVATION);
+    w.step(120);
+    for (btRigidBody* each : {&below, &body})
+      each->setCollisionFlags(each->getCollisionFlags() | btCollisionObject::CF_HAS_FRICTION_ANCHOR);
+    btRigidBody& heavy =
+        w.add(std::make_shared<btBoxShape>(btVector3(0.3F, 0.15F, 0.15F)), 10, btVector3(0.25F, 0.1F, 1));
+    heavy.setActivationState(DISABLE_DEACTIVATION);
+    w.step(900);
+    int anchored = 0;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(i);
+      if (m.getBody0() != &below && m.getBody1() != &below) continue;
+      for (int k = 0; k < m.getNumContacts(); ++k)
+        anchored += (m.getContactPoint(k).m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) != 0;
+    }
+    EXPECT_EQ(anchored, 4) << "on " << int(ground);
+    EXPECT_GT(lowest(), -2 * kRestTolerance) << "on " << int(ground);
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test::friction_anchor_test
