@@ -74,6 +74,7 @@ inline std::vector<Cluster> split(std::mt19937_64& engine, const std::vector<Vec
 }
 
 // A tetrahedron in the root's ball stands for the mesh: of a third of its radius, of moments that a solid can have.
+// Precondition: the nodes are there.
 inline void addTetrahedron(SphereTreeData& data) {
   const NodeData& root = data.nodes[0];
   const float edge = root.radius / 3;

@@ -45,7 +45,6 @@ SphereTree probeTree(std::span<const Wide> points) {
     for (std::size_t i = 0; i < kLevels[level]; ++i)
       levels[level].push_back(ballOfChildren(std::span(levels[level + 1]).subspan(8 * i, 8)));
   SphereTreeData data;
-  test::detail::addTetrahedron(data);
   std::uint32_t firstOfParents = 0;
   for (std::uint32_t level = 0; level < 4; ++level) {
     const auto first = static_cast<std::uint32_t>(data.nodes.size());
@@ -57,6 +56,8 @@ SphereTree probeTree(std::span<const Wide> points) {
     }
     firstOfParents = first;
   }
+  data.supportPoints = {data.nodes[0].center};
+  test::detail::addTetrahedron(data);
   auto tree = SphereTree::create(std::move(data));
   if (!tree) throw std::runtime_error(tree.error().message);
   return std::move(tree).value();
