@@ -108,8 +108,8 @@ void NarrowPhase::Impl::noteCompound(TreePair& pair) {
   ofCompounds_.push_back(&pair);
 }
 
-// How many were. Users' callbacks are told of contacts that end, and may remove bodies. What is collected in this step
-// settles itself, or was asked about before it broke.
+// How many were. Users' callbacks are told of contacts that end; where the end of a step is told they may remove
+// bodies. What is collected in this step settles itself, or was asked about before it broke.
 std::uint32_t NarrowPhase::Impl::settleLeftOvers(bool alsoCollected) {
   leftOvers_.clear();
   for (TreePair* const pair : ofCompounds_)

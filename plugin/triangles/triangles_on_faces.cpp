@@ -15,9 +15,9 @@ namespace {
 constexpr float kOppositeCosine = -0.5F;
 // Of cosines: by how much a normal between two others may miss them where it is one of them.
 constexpr float kBesideEnds = 0.01F;
-// Length of the sum of two faces' normals below which, at 6 degrees, they are the two sides of a plate and meet in no
-// edge with a middle.
-constexpr float kPlateSum = 0.1F;
+// Length of the sum of two faces' normals below which, at half a degree, they are the two sides of a plate and meet in
+// no edge: rounding says where its middle would be. Blades are sharp, too.
+constexpr float kPlateSum = 0.01F;
 // Fraction of a triangle's least height that is its rim.
 constexpr float kRimFraction = 0.25F;
 // Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
@@ -310,7 +310,7 @@ bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Tri
   const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCounterpart();
   Vec3 own = triangle.normal();
   if (dot(own, middle) < 0) own = -own;
-  const bool isOfEdge = dot(own, middle) >= dot(face.outwards, middle) - kBesideEnds;
+  const bool isOfEdge = lengthSq(own) > 0 && dot(own, middle) >= dot(face.outwards, middle) - kBesideEnds;
   contact.normal = isOfEdge ? -own : -middle;
   contact.position = onOther + contact.normal * (0.5F * contact.gap);
   return isOfEdge;
