@@ -16,9 +16,9 @@ constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
 // Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
 constexpr float kLargestLength = 1e15F;
-// What is that many radii of the root's ball across is in no proportion to it: it did not come from a mesh in that
-// ball. Whether a tree is right to the last digit is for `certify` to say, beside the mesh; here nothing may overflow
-// that the ball's own lengths do not.
+// What is farther than that many radii from the middle of the root's ball is in no proportion to it: it did not come
+// from a mesh in that ball. Whether a tree is right to the last digit is for `certify` to say, beside the mesh; here
+// nothing may overflow that the ball's own lengths do not.
 constexpr double kProportion = 16;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 26;
 
