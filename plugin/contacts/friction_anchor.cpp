@@ -3,6 +3,8 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
+#include <cmath>
+
 namespace cairn::bullet {
 
 namespace {
@@ -32,11 +34,14 @@ FrictionAnchor::FrictionAnchor(const btManifoldPoint& point)
       lateralImpulse1_(point.m_appliedImpulseLateral1),
       lateralImpulse2_(point.m_appliedImpulseLateral2) {}
 
-// What presses with nothing holds nothing, however little it is pulled.
+// Bullet keeps a point whose friction is within its cone, which this is not in. Its impulses stay: callbacks see them.
 void FrictionAnchor::release(btManifoldPoint& point) {
   constexpr auto kLeastPull = btScalar(1e-18);  // its square is a number
-  point.m_appliedImpulse = 0;
-  point.m_appliedImpulseLateral1 = kLeastPull;
+  point.m_combinedFriction = 0;
+  for (btScalar* impulse : {&point.m_appliedImpulse, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2})
+    if (!std::isfinite(*impulse)) *impulse = 0;
+  const btVector3 lateral(point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, 0);
+  if (lateral.length2() == 0) point.m_appliedImpulseLateral1 = kLeastPull;
 }
 
 void FrictionAnchor::restore(const btPersistentManifold& manifold, btManifoldPoint& point) const {

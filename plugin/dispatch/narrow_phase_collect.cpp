@@ -63,10 +63,11 @@ bool NarrowPhase::Impl::isWorlds(btOverlappingPairCache& pairs) {
 void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                 btManifoldResult& result, bool mayDefer) {
-  // A result of another class belongs to a query, which wants its points before this returns.
+  // A result of another class belongs to who wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
+  const bool isOfCompound = body0.m_parent || body1.m_parent;
+  if (mayDefer && isOfCompound && !isRetired_ && !pair.isOfCompound()) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {
-    if ((body0.m_parent || body1.m_parent) && !pair.isOfCompound()) noteCompound(pair);
     if (isCollecting_) fetchPairsAskedNext(pair);
     if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_)) {
       ++apartPairs_;

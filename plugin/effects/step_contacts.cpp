@@ -21,7 +21,8 @@ namespace {
 struct Motion {
   explicit Motion(const btCollisionObject& object) {
     const btRigidBody* body = btRigidBody::upcast(&object);
-    isMoving = body != nullptr && !body->isStaticObject();
+    // What is both static and kinematic moves: Bullet takes its speed from where it is put.
+    isMoving = body != nullptr && (!body->isStaticObject() || body->isKinematicObject());
     if (!isMoving) return;
     linear = body->getLinearVelocity();
     angular = body->getAngularVelocity();

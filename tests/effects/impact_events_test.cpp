@@ -151,5 +151,30 @@ TEST(ImpactEvents, ChangesNothing) {
   EXPECT_GT(with.acted(), 0U);
 }
 
+// Bullet's solver goes by its speed, whatever else it is said to be.
+TEST(ImpactEvents, TellsOfBlowsByWhatIsMovedByHand) {
+  for (const int alsoStatic : {0, int(btCollisionObject::CF_STATIC_OBJECT)}) {
+    EffectWorld w;
+    ImpactEvents& events = w.effect<ImpactEvents>(ImpactEvents::Options{.dustImpulse = 0, .soundImpulse = 0});
+    w.ball(btScalar(0.2), 1, btVector3(0, 0, 0), btVector3(0, 0, 0));
+    btRigidBody& paddle =
+        w.bullet.add(std::make_shared<btBoxShape>(btVector3(btScalar(0.5), 1, 1)), 0, btVector3(-1, 0, 0));
+    constexpr btScalar kSpeed = 3;
+    paddle.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT | alsoStatic);
+    paddle.setActivationState(DISABLE_DEACTIVATION);
+    w.set->describe(paddle, {.material = kRock});
+    w.bullet.world.setGravity(btVector3(0, 0, 0));
+    for (int i = 0; i < 60; ++i) {
+      paddle.setWorldTransform(
+          btTransform(btQuaternion::getIdentity(), btVector3(-1 + kSpeed * kStep * btScalar(i), 0, 0)));
+      w.step(1, kStep);
+    }
+    std::vector<Event> told;
+    events.events().takeInto(told);
+    ASSERT_FALSE(told.empty()) << "flags " << alsoStatic;
+    EXPECT_NEAR(told.front().closingSpeed, kSpeed, 1e-3) << "flags " << alsoStatic;
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test::impact_events_test

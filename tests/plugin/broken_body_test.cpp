@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "front_ends.h"
@@ -118,36 +119,70 @@ TYPED_TEST(BrokenBody, StaticBodiesGoOnHolding) {
     }
 }
 
+using NearCallback = void (*)(btBroadphasePair&, btCollisionDispatcher&, const btDispatcherInfo&);
+
 // Bullet keeps a compound's child that it does not ask about, with the points it had, where boxes overlap in the world
 // and not in the compound's frame.
-TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneOfThoseItTouches) {
+template <class DispatcherType>
+void breakDumbbellUnderOthers(unsigned seed, NearCallback near) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
   const auto cube = plainTree(cuboid({0.5, 0.4, 0.3}, 2)), round = plainTree(ball(0.25, 6));
   const auto first = treeShape(round), second = treeShape(cube);
   const auto dumbbell = dumbbellOf(*first, *second, btScalar(0.2));
-  for (unsigned seed = 0; seed < 240; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    const auto pick = [&](unsigned n) { return int(random() % n); };
-    const auto turn = [&] {
-      const btVector3 axis(1, btScalar(pick(3)), btScalar(pick(3)));
-      return btQuaternion(axis.normalized(), btScalar(pick(6)));
-    };
-    BulletWorld<TypeParam> w;
-    w.addGround();
-    ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
-    btRigidBody& broken = w.add(dumbbell, 1, btVector3(0, 0, btScalar(0.4)), turn());
-    std::vector<btRigidBody*> others;
-    for (int i = 0; i < 6; ++i) {
-      const btVector3 at(btScalar(0.4 * (i % 3) - 0.4), btScalar(0.02 * i - 0.1), btScalar(0.9 + 0.5 * (i / 2)));
-      others.push_back(&w.add(treeShape(i % 2 != 0 ? cube : round), 1, at, turn()));
-    }
-    for (btRigidBody* body : others) body->setActivationState(DISABLE_DEACTIVATION);
-    broken.setActivationState(DISABLE_DEACTIVATION);
-    w.step(40 + pick(60));
-    harm(broken, Harm::force);
-    w.step(30);
-    for (const btRigidBody* body : others) ASSERT_TRUE(isSane(*body));
+  std::mt19937 random(seed);
+  const auto pick = [&](unsigned n) { return int(random() % n); };
+  const auto turn = [&] {
+    const btVector3 axis(1, btScalar(pick(3)), btScalar(pick(3)));
+    return btQuaternion(axis.normalized(), btScalar(pick(6)));
+  };
+  BulletWorld<DispatcherType> w;
+  w.dispatcher.setNearCallback(near);
+  w.addGround();
+  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+  btRigidBody& broken = w.add(dumbbell, 1, btVector3(0, 0, btScalar(0.4)), turn());
+  std::vector<btRigidBody*> others;
+  for (int i = 0; i < 6; ++i) {
+    const btVector3 at(btScalar(0.4 * (i % 3) - 0.4), btScalar(0.02 * i - 0.1), btScalar(0.9 + 0.5 * (i / 2)));
+    others.push_back(&w.add(treeShape(i % 2 != 0 ? cube : round), 1, at, turn()));
   }
+  for (btRigidBody* body : others) body->setActivationState(DISABLE_DEACTIVATION);
+  broken.setActivationState(DISABLE_DEACTIVATION);
+  w.step(40 + pick(60));
+  harm(broken, Harm::force);
+  w.step(30);
+  for (const btRigidBody* body : others) ASSERT_TRUE(isSane(*body));
+}
+
+TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneOfThoseItTouches) {
+  for (unsigned seed = 0; seed < 240 && !this->HasFatalFailure(); ++seed)
+    breakDumbbellUnderOthers<TypeParam>(seed, btCollisionDispatcher::defaultNearCallback);
+}
+
+// As games that watch contacts do: Bullet's own callback, but for the class of the result.
+void watchingNearCallback(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  struct Watched final : btManifoldResult {
+    using btManifoldResult::btManifoldResult;
+  };
+  const auto& object0 = *static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject);
+  const auto& object1 = *static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject);
+  if (!dispatcher.needsCollision(&object0, &object1)) return;
+  const btCollisionObjectWrapper wrap0(nullptr, object0.getCollisionShape(), &object0, object0.getWorldTransform(), -1,
+                                       -1);
+  const btCollisionObjectWrapper wrap1(nullptr, object1.getCollisionShape(), &object1, object1.getWorldTransform(), -1,
+                                       -1);
+  if (!pair.m_algorithm)
+    pair.m_algorithm = dispatcher.findAlgorithm(&wrap0, &wrap1, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+  if (!pair.m_algorithm) return;
+  Watched result(&wrap0, &wrap1);
+  pair.m_algorithm->processCollision(&wrap0, &wrap1, info, &result);
+}
+
+// One in thousands shows it.
+TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneWhoeverWatches) {
+  if (std::is_same_v<TypeParam, InstalledOnDispatcher>)
+    GTEST_SKIP() << "knows of steps by plain results alone: a limit that docs/status.md names";
+  for (unsigned seed = 1000; seed < 1100 && !this->HasFatalFailure(); ++seed)
+    breakDumbbellUnderOthers<TypeParam>(seed, watchingNearCallback);
 }
 
 // A user's near callback may do that after a pair was asked about.
