@@ -15,7 +15,7 @@ class HardCases : public testing::TestWithParam<HardCase> {};
 
 // Misses of quick runs that docs/hard-cases.md tells of. Any other is news, and so is one of these that holds.
 const std::set<std::string>& knownMisses() {
-  static const std::set<std::string> misses{"D11"};
+  static const std::set<std::string> misses{"D11", "L1"};
   return misses;
 }
 

@@ -25,6 +25,9 @@ class StillWorld : public BulletWorld<> {
  public:
   StillWorld() { btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher); }
 
+  /// What is slower than 0.34 mm/s Bullet's solver resists along one direction of the surface only, unless told this.
+  void resistInTwoDirections() { world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS; }
+
   btRigidBody& addTried(const TriedBody& tried, const btTransform& at, btScalar friction) {
     btRigidBody& body = add(tried.shape, 1, at.getOrigin(), at.getRotation());
     body.setMassProps(1, tried.inertia);

@@ -38,6 +38,20 @@ std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& 
   return besideTheBest(asked, ours, stock);
 }
 
+std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
+                                  const std::function<const CaseBodies&(std::uint64_t seed)>& bodies,
+                                  const std::function<Figures(const CaseBody&, std::uint64_t seed)>& run) {
+  std::vector<StockRun> kinds;
+  for (std::size_t i = 0; i < bodies(1).size(); ++i) {
+    std::vector<Figures> runs;
+    for (std::uint64_t seed = 1; seed <= std::uint64_t(count); ++seed) runs.push_back(run(bodies(seed)[i], seed));
+    kinds.push_back({bodies(1)[i].name, medianOf(runs)});
+  }
+  const Figures ours = kinds.front().figures;
+  kinds.erase(kinds.begin());
+  return besideTheBest(asked, ours, kinds);
+}
+
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {
   Figures worst = runs.front();
   for (const Figures& run : runs)

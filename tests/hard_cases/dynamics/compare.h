@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,6 +35,11 @@ std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figure
 /// Every body through the same run.
 std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& bodies,
                              const std::function<Figures(const CaseBody&)>& run);
+
+/// The same over the seeds from 1 to `count`, which may make other bodies of the same kinds: medians of each figure.
+std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
+                                  const std::function<const CaseBodies&(std::uint64_t seed)>& bodies,
+                                  const std::function<Figures(const CaseBody&, std::uint64_t seed)>& run);
 
 /// The worst of several runs, figure by figure; what is no number is worst.
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs);

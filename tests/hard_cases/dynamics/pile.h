@@ -16,6 +16,7 @@ struct PileOptions {
   int iterations = 10;
   double timeStep = 1.0 / 60;  ///< seconds
   double friction = 0.5;
+  bool inTwoDirections = false;
 };
 
 /// Bodies of a kilogram dropped in a column into a square pit of planes, at random orientations, no two touching.

@@ -17,29 +17,56 @@ namespace {
 
 constexpr double kSmall = 0.01, kLarge = 100;
 
-// RMS of a rock's place; a ball's acceleration over what theory says. Steps in the same proportion everywhere.
-Figures at(std::size_t kind, double size, double seconds) {
-  const double clock = std::sqrt(size), radius = size / 2;
-  const LyingStart start{.size = size, .seconds = seconds * clock, .settling = 10 * clock, .timeStep = clock / 240};
+// Steps in the same proportion everywhere.
+double clockOf(double size) {
+  return std::sqrt(size);
+}
+
+// RMS of a rock's place, the median of several.
+double restless(std::size_t kind, double size, double seconds, int count, bool inTwoDirections) {
+  const double clock = clockOf(size);
+  const LyingStart start{.size = size,
+                         .seconds = seconds * clock,
+                         .settling = 10 * clock,
+                         .timeStep = clock / 240,
+                         .inTwoDirections = inTwoDirections};
+  std::vector<Figures> runs;
+  for (int seed = 1; seed <= count; ++seed) runs.push_back(lie(rocks(std::uint64_t(seed), size)[kind].body, start));
+  return medianOf(runs).front();
+}
+
+// A ball's acceleration over what theory says.
+double rolling(std::size_t kind, double size) {
+  const double radius = size / 2;
   const test::TriedBody& ball = balls(radius)[kind == 0 ? 0 : kind + 1].body;
-  return {lie(rocks(1, size)[kind].body, start).front(), rollDown(ball, {.radius = radius, .timeStep = clock / 240})};
+  return rollDown(ball, {.radius = radius, .timeStep = clockOf(size) / 240});
 }
 
 Outcome runSmallAndLarge(Effort effort) {
   const double seconds = effort == Effort::whole ? 60 : 3;
+  const int count = effort == Effort::whole ? 10 : 1;
   std::vector<Figures> all;
-  double usualRms = 0;
   for (std::size_t kind = 0; kind < 3; ++kind) {
-    const Figures usual = at(kind, 1, seconds), small = at(kind, kSmall, seconds), large = at(kind, kLarge, seconds);
-    if (kind == 0) usualRms = usual[0];
-    const double off = test::greatest(std::abs(small[1] / usual[1] - 1), std::abs(large[1] / usual[1] - 1));
-    all.push_back({small[0], large[0], 100 * off});
+    const double usual = rolling(kind, 1);
+    const double off =
+        test::greatest(std::abs(rolling(kind, kSmall) / usual - 1), std::abs(rolling(kind, kLarge) / usual - 1));
+    Figures figures;
+    for (const bool inTwoDirections : {false, true})
+      for (const double size : {kSmall, kLarge})
+        figures.push_back(restless(kind, size, seconds, count, inTwoDirections));
+    figures.push_back(100 * off);
+    all.push_back(figures);
   }
-  const std::vector<Asked> asked{{"a centimetre at rest, RMS", 2 * usualRms, Bound::atMost, "% of size"},
-                                 {"a hundred metres at rest, RMS", 2 * usualRms, Bound::atMost, "% of size"},
-                                 {"rolling, off that of a metre", 2, Bound::atMost, "%"}};
+  const double inOne = restless(0, 1, seconds, count, false), inTwo = restless(0, 1, seconds, count, true);
+  const std::vector<Asked> asked{
+      {"a centimetre at rest, RMS", 2 * inOne, Bound::atMost, "% of size"},
+      {"a hundred metres at rest, RMS", 2 * inOne, Bound::atMost, "% of size"},
+      {"a centimetre, friction in two directions", 2 * inTwo, Bound::atMost, "% of size"},
+      {"a hundred metres, friction in two directions", 2 * inTwo, Bound::atMost, "% of size"},
+      {"rolling, off that of a metre", 2, Bound::atMost, "%"}};
   return {besideTheBest(asked, all[0], {{"hull", all[1]}, {"gimpact", all[2]}}),
-          "Bullet has lengths of its own, which are much to a centimetre: its shapes creep more there, too."};
+          "What is slower than 0.34 mm/s Bullet's solver resists along one direction only, and that is fast for a "
+          "centimetre: every shape creeps more there. In two directions no length is left."};
 }
 
 }  // namespace
@@ -47,8 +74,8 @@ Outcome runSmallAndLarge(Effort effort) {
 HardCase smallAndLarge() {
   return {
       "D13", "a centimetre, a hundred metres",
-      "D1 and a rolling ball at both sizes, time in proportion to the root of the size: at rest at most twice the RMS "
-      "of a rock of a metre, rolling within 2 % (proposed: within twice)",
+      "D1 (ten rocks, their median) and a rolling ball at both sizes, time in proportion to the root of the size: at "
+      "rest at most twice the RMS at a metre, rolling within 2 % (proposed: within twice)",
       runSmallAndLarge};
 }
 
