@@ -16,6 +16,8 @@ namespace cairn::bullet {
 namespace {
 // Steps of motion to look ahead after a traversal was overtaken by the tree.
 constexpr btScalar kStepsAhead = 4;
+// How much larger than a tree (by their boxes, margins among them) something may be and still stand on its faces.
+constexpr float kAlike = 1.05F;
 }  // namespace
 
 float TriangleCounterpart::size(const btCollisionShape& shape) const {
@@ -106,11 +108,11 @@ void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::v
   }
 }
 
-// What is smaller than the tree stands on its flat leaves' faces.
+// What is no larger than the tree stands on its flat leaves' faces.
 void TriangleCounterpart::divide(std::span<const NodePair> pairs) {
   others_.clear();
   ofFaces_.clear();
-  const bool isSmaller = size(*placement_.otherShape) <= float(placement_.treeShape->size());
+  const bool isSmaller = size(*placement_.otherShape) <= kAlike * float(placement_.treeShape->size());
   for (const NodePair& pair : pairs)
     (isSmaller && TrianglesOnFaces::isFor(placement_.tree, pair.a) ? ofFaces_ : others_).push_back(pair);
   std::ranges::sort(ofFaces_, {}, [](const NodePair& pair) { return std::pair(pair.a, pair.b); });

@@ -24,6 +24,9 @@ constexpr float kRimFraction = 0.25F;
 constexpr float kOneFaceFraction = 0.2F;
 // Fraction of the tree's radius by which the heights of one plane may differ from step to step.
 constexpr float kPlaneFraction = 1e-3F;
+// Fraction of the other shape's size by which what does not stand on the other side of a face, but flush with it, may
+// reach there.
+constexpr float kFlushFraction = 2e-3F;
 // Fraction of the other shape's size by which what touches may be moved in a step: solvers push bodies that are deep in
 // others, whatever their speeds.
 constexpr float kPushedFraction = 0.1F;
@@ -67,6 +70,7 @@ void TrianglesOnFaces::append(const PairPlacement& placement, float size, std::s
   const PlacedTree& tree = placement.tree;
   margin_ = placement.treeMargin;
   planeTolerance_ = kPlaneFraction * tree.sphere(kRootNode).radius;
+  flush_ = kFlushFraction * size;
   owns_.clear();
   faces_.clear();
   found_.clear();
@@ -127,19 +131,23 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
   for (const NodePair& pair : pairs) {
     const Triangle& other = triangles[pair.b];
     if (dot(face.outwards, supportOf(other, -face.outwards)) >= ceiling) continue;
-    float lowest = -kNothing, highest = kNothing;
+    float lowest = -kNothing, highest = kNothing, lowestOfAll = -kNothing, highestOfAll = kNothing;
     for (const Own& own : ownsOf(face)) {
       const std::size_t before = found_.size();
       compare(face, own, other, pair);
       const std::span<const Contact> common = std::span(found_).subspan(before);
       const bool isRim = !isWellOver(own, common, placement.reach + placement.slip);
       onRim_.resize(found_.size(), isRim);
-      if (isRim) continue;
+      if (common.empty()) continue;
       const auto [least, most] = std::ranges::minmax_element(common, {}, &Contact::gap);
+      lowestOfAll = std::min(lowestOfAll, least->gap);
+      highestOfAll = std::max(highestOfAll, most->gap);
+      if (isRim) continue;
       lowest = std::min(lowest, least->gap);
       highest = std::max(highest, most->gap);
     }
-    face.isCrossed = face.isCrossed || (lowest < 0 && highest >= 0);
+    face.isCrossed = face.isCrossed || (lowest < 0 && highest > flush_);
+    face.isCrossedOnRim = face.isCrossedOnRim || (lowestOfAll < 0 && highestOfAll > flush_);
   }
   face.end = found_.size();
 }
@@ -223,6 +231,7 @@ void TrianglesOnFaces::gatherPlanes() {
     for (std::size_t j = 0; j < i; ++j) {
       if (!isOfOnePlane(faces_[i], faces_[j])) continue;
       faces_[i].isCrossed = faces_[j].isCrossed = faces_[i].isCrossed || faces_[j].isCrossed;
+      faces_[i].isCrossedOnRim = faces_[j].isCrossedOnRim = faces_[i].isCrossedOnRim || faces_[j].isCrossedOnRim;
       faces_[i].deepest = faces_[j].deepest = std::min(faces_[i].deepest, faces_[j].deepest);
     }
 }
@@ -232,23 +241,32 @@ void TrianglesOnFaces::gatherPlanes() {
 // What is deeper, or goes through the face on the other side, too, stands beside an edge.
 void TrianglesOnFaces::bringOut(float reach, float alsoTo) {
   const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= reach; };
-  if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed && mayBeLost(face); })) return;
+  if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossedOnRim && mayBeLost(face); })) return;
   gatherPlanes();
+  if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed; })) crossOnRims(alsoTo);
+  if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed && mayBeLost(face); })) return;
   const bool isHeld = std::ranges::any_of(
       faces_, [&](const Face& face) { return face.deepest >= face.threshold && deepestInFront(face) < reach; });
   float least = kNothing;
   for (const Face& face : faces_)
     if (face.isCrossed && !isHeld) least = std::max(least, face.deepest);
-  const auto isSpanned = [&](const Face& face) {
-    return std::ranges::any_of(faces_, [&](const Face& other) {
-      return other.isCrossed && dot(other.outwards, face.outwards) < kOppositeCosine;
-    });
-  };
   for (Face& face : faces_) {
     const bool isLeast = least != kNothing && face.deepest >= least;
     if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo && !isSpanned(face))))
       face.threshold = std::min(face.threshold, face.deepest - reach);
   }
+}
+
+// Whether the other side is crossed, too.
+bool TrianglesOnFaces::isSpanned(const Face& face) const {
+  return std::ranges::any_of(faces_, [&](const Face& other) {
+    return other.isCrossed && dot(other.outwards, face.outwards) < kOppositeCosine;
+  });
+}
+
+// Of crates that stand on each other flush all that crosses a face does so on its rim.
+void TrianglesOnFaces::crossOnRims(float alsoTo) {
+  for (Face& face : faces_) face.isCrossed = face.isCrossedOnRim && face.deepest >= -alsoTo;
 }
 
 std::size_t TrianglesOnFaces::placeOf(const PlacedTree& tree, const Face& face) const {
@@ -278,16 +296,17 @@ void TrianglesOnFaces::remember(const PlacedTree& tree, float reach, bool isComp
   }
 }
 
-// Where two faces meet, what has sunk a little through one of them is far behind the other.
-bool TrianglesOnFaces::isOfAnother(const Face& face, const Contact& contact, float reach) const {
-  if (contact.gap >= -reach) return false;
+// Where two faces meet, what has sunk a little through one of them is far behind the other: the one it belongs to.
+const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const Contact& contact, float reach) const {
+  if (contact.gap >= -reach) return nullptr;
   const Vec3 onOther = contact.onCounterpart();
-  return std::ranges::any_of(faces_, [&](const Face& other) {
+  const auto owner = std::ranges::find_if(faces_, [&](const Face& other) {
     if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
     const float gap = dot(other.outwards, onOther) - other.offset - margin_;
     if (gap < other.threshold || gap >= reach || gap <= contact.gap + reach) return false;
     return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, 0); });
   });
+  return owner == faces_.end() ? nullptr : &*owner;
 }
 
 // Another face that the point touches as well: where the two meet.
@@ -316,18 +335,28 @@ bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Tri
   return isOfEdge;
 }
 
-// Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
 void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts) {
   onBorders_.clear();
+  owned_.clear();
   const std::size_t first = contacts.size();
-  for (const Face& face : faces_)
+  for (Face& face : faces_)
     for (std::size_t i = face.begin; i < face.end; ++i) {
-      Contact contact = found_[i];
-      if (contact.gap < face.threshold || contact.gap >= reach || isOfAnother(face, contact, reach)) continue;
-      const Face* const other = acrossEdge(face, contact, reach);
-      const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
-      (isClear ? contacts : onBorders_).push_back(contact);
+      const Contact& contact = found_[i];
+      if (contact.gap < face.threshold || contact.gap >= reach) continue;
+      if (const Face* const owner = ownerOf(face, contact, reach)) {
+        owned_.push_back({i, &face, owner->outwards});
+        continue;
+      }
+      face.hasOwnContacts = true;
+      tell(face, contact, triangles, reach, contacts);
     }
+  bool isToTell = false;
+  for (std::size_t i = 0; i < owned_.size(); ++i) {
+    const Face& face = *owned_[i].face;
+    if (i == 0 || &face != owned_[i - 1].face) isToTell = isStoodOn(face);
+    if (isToTell) tell(face, found_[owned_[i].found], triangles, reach, contacts);
+  }
+  // Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
   const std::size_t count = contacts.size() - first;
   for (const Contact& contact : onBorders_) {
     const auto isBeside = [&](const Contact& told) {
@@ -335,6 +364,28 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
     };
     if (std::ranges::none_of(std::span(contacts).subspan(first, count), isBeside)) contacts.push_back(contact);
   }
+}
+
+// What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it.
+bool TrianglesOnFaces::isStoodOn(const Face& face) {
+  if (std::ranges::any_of(faces_, [&](const Face& f) { return f.hasOwnContacts && isOfOnePlane(f, face); }))
+    return true;
+  owners_.clear();
+  for (const Owned& owned : owned_) {
+    if (!isOfOnePlane(*owned.face, face)) continue;
+    const auto cosine = [&](const Vec3& other) { return dot(other, owned.owner); };
+    if (std::ranges::any_of(owners_, [&](const Vec3& other) { return cosine(other) < kOppositeCosine; })) return true;
+    if (std::ranges::none_of(owners_, [&](const Vec3& other) { return cosine(other) >= kSameFaceCosine; }))
+      owners_.push_back(owned.owner);
+  }
+  return false;
+}
+
+void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
+                            std::vector<Contact>& contacts) {
+  const Face* const other = acrossEdge(face, contact, reach);
+  const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
+  (isClear ? contacts : onBorders_).push_back(contact);
 }
 
 }  // namespace cairn::bullet

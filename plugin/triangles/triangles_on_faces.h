@@ -56,10 +56,18 @@ class TrianglesOnFaces {
     std::size_t owns = 0, ownsEnd = 0;
     std::size_t begin = 0, end = 0;  // in `found_`
     bool isCrossed = false;          // something stands on both sides of it
+    bool isCrossedOnRim = false;     // the same, of what is on the rims of its triangles as well
     float deepest = 0;               // the lowest gap over any face of the plane
     bool isNew = false;              // nothing is known of the plane from before
     bool wasTouched = false;
     float threshold = 0;  // of gaps; what is below is behind
+    bool hasOwnContacts = false;
+  };
+  // Of a face, in `found_`, but belonging to another.
+  struct Owned {
+    std::size_t found;
+    const Face* face;
+    Vec3 owner;  // its outwards
   };
   // What was in front of a plane, and behind it.
   struct Seen {
@@ -86,21 +94,29 @@ class TrianglesOnFaces {
   void gatherPlanes();
   bool isOfOnePlane(const Face& one, const Face& other) const;
   void bringOut(float reach, float alsoTo);
+  bool isSpanned(const Face& face) const;
+  void crossOnRims(float alsoTo);
   // In `seen_`; its size where nothing is known of the plane.
   std::size_t placeOf(const PlacedTree& tree, const Face& face) const;
   void remember(const PlacedTree& tree, float reach, bool isComplete);
 
-  bool isOfAnother(const Face& face, const Contact& contact, float reach) const;
+  const Face* ownerOf(const Face& face, const Contact& contact, float reach) const;
   const Face* acrossEdge(const Face& face, const Contact& contact, float reach) const;
   static bool turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact);
   void appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts);
+  bool isStoodOn(const Face& face);
+  void tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
+            std::vector<Contact>& contacts);
 
   float margin_ = 0;
+  float flush_ = 0;           // by which what reaches beyond a plane does not cross it
   float planeTolerance_ = 0;  // by which offsets of one plane may differ
   std::vector<Own> owns_;
   std::vector<Face> faces_;
   std::vector<Contact> found_;
-  std::vector<bool> onRim_;         // of `found_`
+  std::vector<bool> onRim_;  // of `found_`
+  std::vector<Owned> owned_;
+  std::vector<Vec3> owners_;
   std::vector<Contact> onBorders_;  // of what stands over them, at edges
   std::vector<Seen> seen_;
 };

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "counterpart_trials.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::mesh_on_tree_test {
 namespace {
@@ -234,16 +235,17 @@ TEST(RoundMeshSetDown, ComesOut) {
       }
 }
 
+struct Deepest final : btCollisionWorld::ContactResultCallback {
+  btScalar gap = 1;
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    gap = std::min(gap, point.getDistance());
+    return 0;
+  }
+};
+
 // A query has no steps before it: all of what it finds is new.
 TEST(MeshInATree, IsToldAsDeepAsItIs) {
-  struct Deepest final : btCollisionWorld::ContactResultCallback {
-    btScalar gap = 1;
-    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                             const btCollisionObjectWrapper*, int, int) override {
-      gap = std::min(gap, point.getDistance());
-      return 0;
-    }
-  };
   const std::pair<Solid, double> all[] = {{ball(0.3, 8), 0.3}, {torus(0.4, 0.12, 24), 0.12}, {block(), 0.15}};
   for (const auto& [solid, height] : all)
     for (const int cells : {1, 4, 16})
@@ -254,6 +256,75 @@ TEST(MeshInATree, IsToldAsDeepAsItIs) {
         Deepest deepest;
         w.world.contactPairTest(&ground, &body, deepest);
         EXPECT_NEAR(deepest.gap, -depth, 2 * double(kMargin)) << height << ", " << cells << " cells, " << depth;
+      }
+}
+
+// A crate set down on a crate of the same section: their sides lie in the same planes, or nearly.
+class SetDownFlush : public testing::TestWithParam<std::tuple<int, int>> {
+ protected:
+  // Of the upper one, a tree or a mesh, metres.
+  struct End {
+    double told, aside, height;
+  };
+  static End setDown(std::shared_ptr<btCollisionShape> lower, std::shared_ptr<btCollisionShape> upper,
+                     const btVector3& at) {
+    StillWorld w;
+    btRigidBody& ground = w.add(std::move(lower), 0, btVector3(0, 0, 0));
+    btRigidBody& body = w.add(std::move(upper), 1, at);
+    body.setActivationState(DISABLE_DEACTIVATION);
+    Deepest deepest;
+    w.world.contactPairTest(&ground, &body, deepest);
+    w.step(180);
+    const btVector3 way = body.getWorldTransform().getOrigin() - at;
+    return {double(deepest.gap), std::hypot(double(way.x()), double(way.y())),
+            double(body.getWorldTransform().getOrigin().z())};
+  }
+};
+
+TEST_P(SetDownFlush, ComesOutUpwards) {
+  constexpr double kAsideOfABox = 0.03;  // metres: what Bullet's box moves on its mesh
+  constexpr double kRestTolerance = 0.005;
+  constexpr double kTilt = 0.2;  // of the depth: at edges of both normals are between their faces'
+  const auto& [cells, others] = GetParam();
+  const auto tree = treeShape(plainTree(cuboid({1, 1, 1}, cells)));
+  const Solid other = cuboid({1, 1, 1}, others);
+  const std::shared_ptr<btCollisionShape> gimpact = gimpactMesh(other, kMargin), still = bvhMesh(other);
+  const struct {
+    const char* name;
+    std::shared_ptr<btCollisionShape> lower, upper;
+  } all[] = {{"tree on mesh", still, tree}, {"tree on GImpact", gimpact, tree}, {"GImpact on tree", tree, gimpact}};
+  for (const auto& pair : all)
+    for (const double depth : {0.002, 0.005, 0.02, 0.05})
+      for (const btVector3& aside :
+           {btVector3(0, 0, 0), btVector3(0.001F, 0, 0), btVector3(0.001F, 0.001F, 0), btVector3(0.003F, 0, 0),
+            btVector3(0.01F, 0.01F, 0), btVector3(0.05F, 0.02F, 0), btVector3(0.2F, 0.07F, 0), btVector3(0.4F, 0, 0)}) {
+        const End end = setDown(pair.lower, pair.upper, aside + btVector3(0, 0, btScalar(1 - depth)));
+        SCOPED_TRACE(testing::Message() << pair.name << ", " << depth << " deep, aside " << aside.x() << ", "
+                                        << aside.y());
+        EXPECT_NEAR(end.told, -depth, kTilt * depth + 2 * double(kMargin));
+        EXPECT_LT(end.aside, kAsideOfABox + depth) << "aside by more than up";
+        EXPECT_NEAR(end.height, 1, kRestTolerance);
+      }
+}
+
+INSTANTIATE_TEST_SUITE_P(CellsOfBoth, SetDownFlush, testing::Combine(testing::Values(1, 3), testing::Values(1, 3)));
+
+// What lies over the edge of what it was set down in is held up to the edge.
+TEST(OverhangingMesh, StaysWhereItWasSetDown) {
+  constexpr double kCrept = 0.02, kRestTolerance = 0.002;  // metres
+  for (const double size : {0.9, 0.7, 0.4})
+    for (const int cells : {1, 3})
+      for (const double depth : {0.0, 0.005, 0.02, 0.05}) {
+        StillWorld w;
+        w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 0, btVector3(0, 0, 0));
+        const btVector3 at(0.4F, 0, btScalar(0.5 + size / 2 - depth));
+        btRigidBody& body = w.add(gimpactMesh(cuboid({size, size, size}, cells), kMargin), 1, at);
+        body.setActivationState(DISABLE_DEACTIVATION);
+        w.step(180);
+        const btVector3 way = body.getWorldTransform().getOrigin() - at;
+        SCOPED_TRACE(testing::Message() << size << " m, " << cells << " cells, " << depth << " deep");
+        EXPECT_LT(std::hypot(double(way.x()), double(way.y())), kCrept);
+        EXPECT_NEAR(double(way.z()), depth, kRestTolerance);
       }
 }
 

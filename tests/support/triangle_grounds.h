@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+#include "test_solids.h"
+
 namespace cairn::test {
 
 /// What Bullet offers to make ground of triangles.
@@ -22,6 +24,18 @@ struct OwnedMesh {
   btTriangleMesh mesh;
   std::unique_ptr<btBvhTriangleMeshShape> bvh;
 };
+
+/// A solid as a static mesh. Shape and mesh live as long as either.
+inline std::shared_ptr<btCollisionShape> bvhMesh(const Solid& solid) {
+  auto owned = std::make_shared<OwnedMesh>();
+  const auto corner = [&](std::uint32_t i) {
+    const Vec3d& v = solid.vertices[i];
+    return btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z));
+  };
+  for (const auto& t : solid.triangles) owned->mesh.addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
+  owned->bvh = std::make_unique<btBvhTriangleMeshShape>(&owned->mesh, true);
+  return {owned->bvh.get(), [owned](btCollisionShape*) {}};
+}
 
 /// A flat square at height 0, 20 m wide or more, in cells of about one metre; nothing lies on a cell's corner at the
 /// origin.
