@@ -27,6 +27,8 @@ constexpr float kPlaneFraction = 1e-3F;
 // Fraction of the other shape's size by which what does not stand on the other side of a face, but flush with it, may
 // reach there.
 constexpr float kFlushFraction = 2e-3F;
+// Fraction of that by which the middle of what is over a face must be.
+constexpr float kBesideFraction = 0.05F;
 // Fraction of the other shape's size by which what touches may be moved in a step: solvers push bodies that are deep in
 // others, whatever their speeds.
 constexpr float kPushedFraction = 0.1F;
@@ -136,15 +138,17 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
       const std::size_t before = found_.size();
       compare(face, own, other, pair);
       const std::span<const Contact> common = std::span(found_).subspan(before);
-      const bool isRim = !isWellOver(own, common, placement.reach + placement.slip);
-      onRim_.resize(found_.size(), isRim);
       if (common.empty()) continue;
-      const auto [least, most] = std::ranges::minmax_element(common, {}, &Contact::gap);
-      lowestOfAll = std::min(lowestOfAll, least->gap);
-      highestOfAll = std::max(highestOfAll, most->gap);
+      const auto [least, most] = std::ranges::minmax(common, {}, &Contact::gap);
+      lowestOfAll = std::min(lowestOfAll, least.gap);
+      highestOfAll = std::max(highestOfAll, most.gap);
+      const bool isRim = !isWellOver(own, common, placement.reach + placement.slip);
+      // What hangs beside the face, a wall against a wall, is on both sides of its plane and not over it.
+      if (isRim && !isWellOver(own, common, kBesideFraction * flush_)) found_.resize(before);
+      onRim_.resize(found_.size(), isRim);
       if (isRim) continue;
-      lowest = std::min(lowest, least->gap);
-      highest = std::max(highest, most->gap);
+      lowest = std::min(lowest, least.gap);
+      highest = std::max(highest, most.gap);
     }
     face.isCrossed = face.isCrossed || (lowest < 0 && highest > flush_);
     face.isCrossedOnRim = face.isCrossedOnRim || (lowestOfAll < 0 && highestOfAll > flush_);
@@ -347,14 +351,15 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
         owned_.push_back({i, &face, owner->outwards});
         continue;
       }
-      face.hasOwnContacts = true;
+      face.ownDeepest = std::min(face.ownDeepest, contact.gap);
       tell(face, contact, triangles, reach, contacts);
     }
-  bool isToTell = false;
+  float from = 0;
   for (std::size_t i = 0; i < owned_.size(); ++i) {
     const Face& face = *owned_[i].face;
-    if (i == 0 || &face != owned_[i - 1].face) isToTell = isStoodOn(face);
-    if (isToTell) tell(face, found_[owned_[i].found], triangles, reach, contacts);
+    const Contact& contact = found_[owned_[i].found];
+    if (i == 0 || &face != owned_[i - 1].face) from = stoodOnFrom(face, reach);
+    if (contact.gap >= from) tell(face, contact, triangles, reach, contacts);
   }
   // Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
   const std::size_t count = contacts.size() - first;
@@ -366,19 +371,25 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
   }
 }
 
-// What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it.
-bool TrianglesOnFaces::isStoodOn(const Face& face) {
-  if (std::ranges::any_of(faces_, [&](const Face& f) { return f.hasOwnContacts && isOfOnePlane(f, face); }))
-    return true;
+// What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it,
+// and is told from this gap on, up to the face's border: farther down it is beside, as a saddle's legs are.
+float TrianglesOnFaces::stoodOnFrom(const Face& face, float reach) {
+  float deepest = std::numeric_limits<float>::infinity(), shallowest = kNothing;
+  for (const Face& other : faces_)
+    if (isOfOnePlane(other, face)) deepest = std::min(deepest, other.ownDeepest);
+  if (deepest < std::numeric_limits<float>::infinity()) return deepest - reach;
+  bool isBetween = false;
   owners_.clear();
   for (const Owned& owned : owned_) {
     if (!isOfOnePlane(*owned.face, face)) continue;
+    shallowest = std::max(shallowest, found_[owned.found].gap);
     const auto cosine = [&](const Vec3& other) { return dot(other, owned.owner); };
-    if (std::ranges::any_of(owners_, [&](const Vec3& other) { return cosine(other) < kOppositeCosine; })) return true;
+    isBetween =
+        isBetween || std::ranges::any_of(owners_, [&](const Vec3& other) { return cosine(other) < kOppositeCosine; });
     if (std::ranges::none_of(owners_, [&](const Vec3& other) { return cosine(other) >= kSameFaceCosine; }))
       owners_.push_back(owned.owner);
   }
-  return false;
+  return isBetween ? shallowest - reach : std::numeric_limits<float>::infinity();
 }
 
 void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,

@@ -60,8 +60,8 @@ class TrianglesOnFaces {
     float deepest = 0;               // the lowest gap over any face of the plane
     bool isNew = false;              // nothing is known of the plane from before
     bool wasTouched = false;
-    float threshold = 0;  // of gaps; what is below is behind
-    bool hasOwnContacts = false;
+    float threshold = 0;                                        // of gaps; what is below is behind
+    float ownDeepest = std::numeric_limits<float>::infinity();  // of what is told and belongs to no other
   };
   // Of a face, in `found_`, but belonging to another.
   struct Owned {
@@ -104,7 +104,7 @@ class TrianglesOnFaces {
   const Face* acrossEdge(const Face& face, const Contact& contact, float reach) const;
   static bool turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact);
   void appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts);
-  bool isStoodOn(const Face& face);
+  float stoodOnFrom(const Face& face, float reach);
   void tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
             std::vector<Contact>& contacts);
 

@@ -328,6 +328,56 @@ TEST(OverhangingMesh, StaysWhereItWasSetDown) {
       }
 }
 
+// A board on two legs, soups being enough for GImpact: its board 0.1 m thick, its legs 0.3 m long and `clearance` from
+// what they stand astride of, which is a metre wide.
+Solid saddle(double clearance) {
+  constexpr double kThick = 0.1, kLeg = 0.3;
+  const double away = 0.5 + clearance + kThick / 2;
+  Solid all;
+  const auto add = [&](const Vec3d& size, const Vec3d& at) {
+    const Solid part = cuboid(size, 2);
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    for (const Vec3d& v : part.vertices) all.vertices.push_back(v + at);
+    for (const auto& t : part.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  };
+  add({2 * away + kThick, 0.4, kThick}, {0, 0, kThick / 2});
+  for (const double side : {-away, away}) add({kThick, 0.4, kLeg}, {side, 0, -kLeg / 2});
+  return all;
+}
+
+TEST(Saddle, LiesStillOnWhatItIsAstrideOf) {
+  constexpr double kAside = 0.06, kRestTolerance = 0.003, kStill = 0.02;  // metres, metres a second
+  for (const double clearance : {0.0, 0.002, 0.01, 0.05})
+    for (const double depth : {-0.05, 0.0, 0.003, 0.02})
+      for (const int cells : {1, 4}) {
+        StillWorld w;
+        w.add(treeShape(plainTree(cuboid({1, 1, 1}, cells))), 0, btVector3(0, 0, btScalar(-0.5)));
+        const btVector3 at(0, 0, btScalar(-depth));
+        btRigidBody& body = w.add(gimpactMesh(saddle(clearance), kMargin), 1, at);
+        body.setActivationState(DISABLE_DEACTIVATION);
+        w.step(240);
+        const btVector3& p = body.getWorldTransform().getOrigin();
+        SCOPED_TRACE(testing::Message() << clearance << " m off, " << depth << " deep, " << cells << " cells");
+        EXPECT_LT(std::hypot(double(p.x()), double(p.y())), kAside);
+        EXPECT_NEAR(double(p.z()), 0, kRestTolerance);
+        EXPECT_LT(double(body.getLinearVelocity().length()), kStill);
+      }
+}
+
+// Crates in a row: what holds nothing from below holds nothing, however level and flush.
+TEST(CrateBetweenCrates, FallsFreely) {
+  for (const double top : {0.0, -0.003, 0.2})
+    for (const int cells : {1, 3}) {
+      StillWorld w;
+      const auto crate = treeShape(plainTree(cuboid({1, 1, 1}, 3)));
+      for (const double side : {-1.0, 1.0}) w.add(crate, 0, btVector3(btScalar(side), 0, 0)).setFriction(0);
+      btRigidBody& body = w.add(gimpactMesh(cuboid({1, 1, 1}, cells), 0), 1, btVector3(0, 0, btScalar(top)));
+      body.setFriction(0);
+      w.step(30);
+      EXPECT_LT(double(body.getWorldTransform().getOrigin().z()), top - 1) << top << ", " << cells;
+    }
+}
+
 // A blade a program swings: its speeds tell how far it goes in a step.
 TEST(KinematicMesh, PushesWhatItStrikes) {
   for (const int cells : {1, 8}) {
