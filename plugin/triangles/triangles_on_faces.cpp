@@ -11,13 +11,6 @@ namespace cairn::bullet {
 
 namespace {
 
-// Cosine of the 120 degrees from which on two faces are opposite sides rather than those of a groove.
-constexpr float kOppositeCosine = -0.5F;
-// Of cosines: by how much a normal between two others may miss them where it is one of them.
-constexpr float kBesideEnds = 0.01F;
-// Length of the sum of two faces' normals below which, at half a degree, they are the two sides of a plate and meet in
-// no edge: rounding says where its middle would be. Blades are sharp, too.
-constexpr float kPlateSum = 0.01F;
 // Fraction of a triangle's least height that is its rim.
 constexpr float kRimFraction = 0.25F;
 // Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
@@ -298,105 +291,6 @@ void TrianglesOnFaces::remember(const PlacedTree& tree, float reach, bool isComp
       seen.isTouched = seen.isTouched || gap < reach;
     }
   }
-}
-
-// Where two faces meet, what has sunk a little through one of them is far behind the other: the one it belongs to.
-const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const Contact& contact, float reach) const {
-  if (contact.gap >= -reach) return nullptr;
-  const Vec3 onOther = contact.onCounterpart();
-  const auto owner = std::ranges::find_if(faces_, [&](const Face& other) {
-    if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
-    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
-    if (gap < other.threshold || gap >= reach || gap <= contact.gap + reach) return false;
-    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, 0); });
-  });
-  return owner == faces_.end() ? nullptr : &*owner;
-}
-
-// Another face that the point touches as well: where the two meet.
-const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, const Contact& contact,
-                                                           float reach) const {
-  const Vec3 onOther = contact.onCounterpart();
-  const auto across = std::ranges::find_if(faces_, [&](const Face& other) {
-    if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
-    if (lengthSq(other.outwards + face.outwards) < kPlateSum * kPlateSum) return false;
-    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
-    if (gap < other.threshold || std::abs(gap - contact.gap) > reach) return false;
-    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, reach); });
-  });
-  return across == faces_.end() ? nullptr : &*across;
-}
-
-// On an edge, what lies on it with a face of its own touches along that face's normal, if that is one of the edge's;
-// else along the middle of the two faces' normals, and false.
-bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact) {
-  const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCounterpart();
-  Vec3 own = triangle.normal();
-  if (dot(own, middle) < 0) own = -own;
-  const bool isOfEdge = lengthSq(own) > 0 && dot(own, middle) >= dot(face.outwards, middle) - kBesideEnds;
-  contact.normal = isOfEdge ? -own : -middle;
-  contact.position = onOther + contact.normal * (0.5F * contact.gap);
-  return isOfEdge;
-}
-
-void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts) {
-  onBorders_.clear();
-  owned_.clear();
-  const std::size_t first = contacts.size();
-  for (Face& face : faces_)
-    for (std::size_t i = face.begin; i < face.end; ++i) {
-      const Contact& contact = found_[i];
-      if (contact.gap < face.threshold || contact.gap >= reach) continue;
-      if (const Face* const owner = ownerOf(face, contact, reach)) {
-        owned_.push_back({i, &face, owner->outwards});
-        continue;
-      }
-      face.ownDeepest = std::min(face.ownDeepest, contact.gap);
-      tell(face, contact, triangles, reach, contacts);
-    }
-  float from = 0;
-  for (std::size_t i = 0; i < owned_.size(); ++i) {
-    const Face& face = *owned_[i].face;
-    const Contact& contact = found_[owned_[i].found];
-    if (i == 0 || &face != owned_[i - 1].face) from = stoodOnFrom(face, reach);
-    if (contact.gap >= from) tell(face, contact, triangles, reach, contacts);
-  }
-  // Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
-  const std::size_t count = contacts.size() - first;
-  for (const Contact& contact : onBorders_) {
-    const auto isBeside = [&](const Contact& told) {
-      return lengthSq(told.position - contact.position) <= 4 * reach * reach;
-    };
-    if (std::ranges::none_of(std::span(contacts).subspan(first, count), isBeside)) contacts.push_back(contact);
-  }
-}
-
-// What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it,
-// and is told from this gap on, up to the face's border: farther down it is beside, as a saddle's legs are.
-float TrianglesOnFaces::stoodOnFrom(const Face& face, float reach) {
-  float deepest = std::numeric_limits<float>::infinity(), shallowest = kNothing;
-  for (const Face& other : faces_)
-    if (isOfOnePlane(other, face)) deepest = std::min(deepest, other.ownDeepest);
-  if (deepest < std::numeric_limits<float>::infinity()) return deepest - reach;
-  bool isBetween = false;
-  owners_.clear();
-  for (const Owned& owned : owned_) {
-    if (!isOfOnePlane(*owned.face, face)) continue;
-    shallowest = std::max(shallowest, found_[owned.found].gap);
-    const auto cosine = [&](const Vec3& other) { return dot(other, owned.owner); };
-    isBetween =
-        isBetween || std::ranges::any_of(owners_, [&](const Vec3& other) { return cosine(other) < kOppositeCosine; });
-    if (std::ranges::none_of(owners_, [&](const Vec3& other) { return cosine(other) >= kSameFaceCosine; }))
-      owners_.push_back(owned.owner);
-  }
-  return isBetween ? shallowest - reach : std::numeric_limits<float>::infinity();
-}
-
-void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
-                            std::vector<Contact>& contacts) {
-  const Face* const other = acrossEdge(face, contact, reach);
-  const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
-  (isClear ? contacts : onBorders_).push_back(contact);
 }
 
 }  // namespace cairn::bullet

@@ -35,6 +35,8 @@ class TrianglesOnFaces {
               std::span<const NodePair> pairs, bool isComplete, std::vector<Contact>& contacts);
 
  private:
+  // Cosine of the 120 degrees from which on two faces are opposite sides rather than those of a groove.
+  static constexpr float kOppositeCosine = -0.5F;
   static constexpr float kNothing = -std::numeric_limits<float>::infinity();
 
   // Into the prism over a triangle along its face's normal.

@@ -4,6 +4,7 @@
 
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
+#include "deepest_contact.h"
 #include "distance_fields.h"
 #include "still_scenes.h"
 
@@ -143,15 +144,6 @@ TEST(Standing, ABallLiesStillBetweenTwoEdges) {
   }
 }
 
-struct Deepest final : btCollisionWorld::ContactResultCallback {
-  btScalar distance = 1000;
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                           const btCollisionObjectWrapper*, int, int) override {
-    distance = std::min(distance, point.getDistance());
-    return 0;
-  }
-};
-
 // Measured along the small body's face, nearly parallel to its own, a large leaf would be as deep as it is wide times
 // the tilt.
 TEST(Standing, ABlockHardlyTiltedIsAsFarAsItIs_WhicheverBodyIsFirst) {
@@ -177,11 +169,11 @@ TEST(Standing, ABlockHardlyTiltedIsAsFarAsItIs_WhicheverBodyIsFirst) {
       btRigidBody& body = w.add(block.shape, 1, at, turn);
       for (const bullet::Finest finest : {bullet::Finest::leaves, bullet::Finest::triangles}) {
         w.dispatcher.setFinest(finest);
-        Deepest bodyFirst, groundFirst;
+        DeepestContact bodyFirst, groundFirst;
         w.world.contactPairTest(&body, &ground, bodyFirst);
         w.world.contactPairTest(&ground, &body, groundFirst);
-        EXPECT_NEAR(bodyFirst.distance, kAbove, kDistanceTolerance);
-        EXPECT_NEAR(groundFirst.distance, kAbove, kDistanceTolerance);
+        EXPECT_NEAR(bodyFirst.gap, kAbove, kDistanceTolerance);
+        EXPECT_NEAR(groundFirst.gap, kAbove, kDistanceTolerance);
       }
     }
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+
+namespace cairn::test {
+
+/// Of a contact query, the lowest gap told, metres; 1 where nothing is told.
+struct DeepestContact final : btCollisionWorld::ContactResultCallback {
+  btScalar gap = 1;
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    gap = btMin(gap, point.getDistance());
+    return 0;
+  }
+};
+
+}  // namespace cairn::test
