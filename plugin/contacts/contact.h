@@ -40,6 +40,7 @@ struct Contact {
   bool isCrossing = false;  ///< of triangles that cross, which does not tell how deep the bodies are in each other
   bool isSettled = false;   ///< exact, or nothing finer can be told
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
+  bool isLater = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
   bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart
   bool isWhole = false;       ///< of whole bodies: whatever is nearest in its direction, so that its id may change
 

@@ -164,7 +164,7 @@ void ManifoldWriter::placeAhead(const btPersistentManifold& manifold, btManifold
 // The solver goes by a point's distance alone; where the point is stays true. Spheres do not bounce: what they hold may
 // not touch at all.
 void ManifoldWriter::tellSolver(btManifoldPoint& point, const Contact& contact) const {
-  const bool mayBounce = contact.isAhead || !contact.ofSpheres;
+  const bool mayBounce = contact.isAhead ? !contact.isLater : !contact.ofSpheres;
   const btScalar closing = mayBounce ? btScalar(motion_.closingSpeed(contact)) : btScalar(0);
   point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.bend), closing, point.m_combinedRestitution,
                                      btScalar(motion_.timeStep));

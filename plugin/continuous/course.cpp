@@ -2,6 +2,7 @@
 #include "continuous/course.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransformUtil.h>
 
@@ -24,7 +25,8 @@ Course::Course(const btCollisionObjectWrapper& body, btScalar timeStep)
       childInObject_(object_.inverseTimes(body.getWorldTransform())),
       linear_(body.getCollisionObject()->getInterpolationLinearVelocity()),
       angular_(body.getCollisionObject()->getInterpolationAngularVelocity()),
-      timeStep_(timeStep) {
+      timeStep_(timeStep),
+      isRound_(body.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
   if (const btRigidBody* const rigid = btRigidBody::upcast(body.getCollisionObject())) {
     linear_ = rigid->getLinearVelocity() +
               rigid->getTotalForce() * rigid->getLinearFactor() * (rigid->getInvMass() * timeStep);
@@ -42,7 +44,9 @@ Course Course::along(const btVector3& normal, const Course& other) const {
 btTransform Course::at(btScalar fraction) const {
   btTransform moved;
   btTransformUtil::integrateTransform(object_, linear_, angular_, timeStep_ * fraction, moved);
-  return moved * childInObject_;
+  btTransform child = moved * childInObject_;
+  if (isRound_) child.setBasis(btMatrix3x3::getIdentity());
+  return child;
 }
 
 }  // namespace cairn::bullet

@@ -10,7 +10,9 @@ namespace cairn::bullet {
 /// How a body's shape moves within a step if nothing stops it: as Bullet will integrate it, the step's forces included.
 class Course {
  public:
-  /// `body`: of an object, or of a child of a compound, which moves with it. `timeStep`: seconds.
+  /// `body`: of an object, or of a child of a compound, which moves with it. A sphere has the world's axes all the
+  /// time: it looks the same from everywhere, and what stands beside one that rolls would else move on arcs.
+  /// `timeStep`: seconds.
   Course(const btCollisionObjectWrapper& body, btScalar timeStep);
 
   /// Where the shape stands after this part of the step, 0 to 1; world frame.
@@ -18,12 +20,13 @@ class Course {
   /// The same without what moves it against `normal` (unit, world frame) faster than `other`.
   Course along(const btVector3& normal, const Course& other) const;
   /// Radians within the whole step.
-  btScalar turn() const { return angular_.length() * timeStep_; }
+  btScalar turn() const { return isRound_ ? btScalar(0) : angular_.length() * timeStep_; }
 
  private:
   btTransform object_, childInObject_;
   btVector3 linear_, angular_;
   btScalar timeStep_;
+  bool isRound_;
 };
 
 }  // namespace cairn::bullet

@@ -21,6 +21,10 @@ class SeparatingNormals {
     normals_[count_] = normal;
     isFace_[count_++] = isFace;
   }
+  /// All that there are.
+  void turn(const Mat3& rotation) {
+    for (Vec3& normal : std::span(normals_).first(count_)) normal = rotation * normal;
+  }
   std::span<const Vec3> all() const { return std::span(normals_).first(count_); }
   bool isFace(std::size_t i) const { return isFace_[i]; }
 

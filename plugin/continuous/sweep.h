@@ -6,6 +6,7 @@
 
 #include "cairn/core/budget.h"
 #include "continuous/course.h"
+#include "continuous/swept_frame.h"
 #include "continuous/swept_target.h"
 #include "continuous/tree_parts.h"
 
@@ -48,13 +49,17 @@ class Sweep {
   void forget() { anchor_.reset(); }
 
  private:
+  // Of a part's radius: so deep it may be already and still be in front, as what slides is.
+  static constexpr float kSunkFraction = 0.1F;
   // A part of the step in which the tree hardly turns against the other.
   struct Segment {
     float from, to;  // parts of the step; below 0 on the way from the anchor, which is as long as one
-    btTransform treeInOther;
+    btTransform treeInFrame;
     TreeParts tree, treeAtEnd;
     float chord;  // 2 sin(t/2) for the angle by which it turns
     float bow;    // how far its middle may be beside its straight way
+    Mat3 otherAxes, otherAxesAtEnd;
+    float otherSlack;  // how far the other's points may come by its turning
   };
   // One part of the tree in a segment: where it begins, its straight way, and how far any of its points may be beside
   // that.
@@ -78,6 +83,9 @@ class Sweep {
   struct Meeting {
     float at = kNotMet;
     bool isContact = false;
+    bool isAsked = false;  // whether it is a floor
+    NodePair nodes;
+    Vec3 normal;  // in the frame
     Contact contact;
   };
   struct Hit {
@@ -89,10 +97,13 @@ class Sweep {
   void cut(const SweptPair& pair, bool fromAnchor);
   void append(const SweptPair& pair, float from, float to, btScalar turn);
   Segment segment(const SweptPair& pair, float from, float to) const;
-  btTransform placeAt(const SweptPair& pair, float part) const;
+  SweptFrame frameOf(const SweptPair& pair) const;
+  SweptPlace placeAt(const SweptFrame& frame, float part) const;
   void sweep(const SweptPair& pair, Budget& budget);
   void follow(const SweptPair& pair, bool fromAnchor, Budget& budget);
   void deflect(SweptPair pair, Budget& budget);
+  const Meeting* firstMeeting() const;
+  void markLater();
   static void swapSides(Contact& contact);
   void search(const SweptPair& pair, const Segment& segment, Budget& budget);
   void enter(const Segment& segment, const NodePair& pair);
@@ -109,8 +120,14 @@ class Sweep {
   struct Points {
     Vec3 onTree, onOther;
   };
-  Points pointsOf(const Segment& segment, const NodePair& nodes, const Hit& hit) const;
+  Points pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) const;
   void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
+  struct Floor;
+  void keepAboveFloors(const SweptPair& pair);
+  Meeting* nextFloor();
+  bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
+  bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
+  void meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting);
 
   std::unique_ptr<SweptTarget> target_;
   std::vector<Segment> segments_;
@@ -121,10 +138,11 @@ class Sweep {
   std::vector<Meeting> meetings_;
   std::vector<Contact> contacts_;
   SeparatingNormals normals_;
-  float margin_ = 0;  // of the moved tree
+  float margin_ = 0;      // of the moved tree
+  float otherReach_ = 0;  // from the origin of its frame
   std::uint32_t tests_ = 0;
-  int slowSteps_ = 0;                  // since it was last fast
-  std::optional<btTransform> anchor_;  // where the moved tree stood in the other's frame when nothing had sunk in
+  int slowSteps_ = 0;                 // since it was last fast
+  std::optional<SweptPlace> anchor_;  // where both stood when nothing had sunk in
 };
 
 }  // namespace cairn::bullet

@@ -40,6 +40,12 @@ class SweptTarget {
   virtual void name(std::uint32_t element, Contact& contact) const = 0;
 };
 
+/// The element's point that lies farthest along a unit direction, both in a frame in which the target's axes are
+/// turned.
+inline Vec3 supportOf(const SweptTarget& target, std::uint32_t element, const Mat3& axes, const Vec3& direction) {
+  return axes * target.support(element, transpose(axes) * direction);
+}
+
 /// For shapes that are met as that kind of counterpart.
 std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind);
 

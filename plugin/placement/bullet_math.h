@@ -24,6 +24,10 @@ inline btVector3 toBtVector3(const Vec3& v) {
   return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
 }
 
+inline Mat3 toMat3(const btMatrix3x3& m) {
+  return {{toVec3(m[0]), toVec3(m[1]), toVec3(m[2])}};
+}
+
 inline Mat3d toMat3d(const btMatrix3x3& m) {
   return {{toVec3d(m[0]), toVec3d(m[1]), toVec3d(m[2])}};
 }

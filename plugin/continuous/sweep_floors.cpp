@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Zlib
+// Edges inside a floor are no obstacles: what flies over one face of it and is stopped by that does not come to where
+// it would run into the next.
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/normal_clusters.h"
+#include "continuous/sweep.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Faces of one body that are known by then.
+constexpr int kMostFloors = 4;
+// Cosine of 5 degrees: normals of one flat face, up to what a mesh's rounding does to them.
+constexpr float kFloorCosine = 0.996194698F;
+// Of a region's radius: so far beside a floor's plane it is part of that.
+constexpr float kFloorFraction = 0.05F;
+
+}  // namespace
+
+// A face of either side that something is stopped by, where it is as the step begins.
+struct Sweep::Floor {
+  NodePair nodes;
+  Vec3 normal;  // from the other side to the tree
+  float at;     // when it is reached
+  bool isTrees;
+  float height;  // along the normal
+};
+
+void Sweep::keepAboveFloors(const SweptPair& pair) {
+  const auto start = std::ranges::find_if(segments_, [](const Segment& s) { return s.from == 0; });
+  if (start == segments_.end()) return;
+  for (int i = 0; i < kMostFloors; ++i) {
+    const Meeting* const next = nextFloor();
+    if (!next) return;
+    for (const bool isTrees : {true, false}) {
+      if (!isFace(isTrees, *start, next->nodes, next->normal)) continue;
+      const Vec3 n = next->normal;
+      const Vec3 on =
+          isTrees ? start->tree.support(next->nodes.a, -n) : supportOf(*target_, next->nodes.b, start->otherAxes, n);
+      const Floor floor{next->nodes, n, next->at, isTrees, dot(n, on)};
+      for (Meeting& m : meetings_)
+        if (standsOn(floor, *start, m, pair.reach)) meetFloor(floor, pair, *start, m);
+    }
+  }
+}
+
+// The earliest that was not asked for yet; those of the same direction are answered with it.
+Sweep::Meeting* Sweep::nextFloor() {
+  Meeting* next = nullptr;
+  for (Meeting& m : meetings_)
+    if (!m.isAsked && m.at >= 0 && m.at < kNotMet && (!next || m.at < next->at)) next = &m;
+  if (!next) return nullptr;
+  for (Meeting& m : meetings_)
+    if (dot(m.normal, next->normal) > kFloorCosine) m.isAsked = true;
+  return next;
+}
+
+bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) {
+  normals_.clear();
+  if (ofTree) {
+    start.tree.appendFaces(nodes.a, normals_);
+  } else {
+    target_->appendNormals(nodes.b, transpose(start.otherAxes) * start.tree.sphere(nodes.a).center, normals_);
+    normals_.turn(start.otherAxes);
+  }
+  for (std::size_t i = 0; i < normals_.all().size(); ++i)
+    if (normals_.isFace(i) && dot(normals_.all()[i], normal) > kFloorCosine) return true;
+  return false;
+}
+
+// Whether what it meets later is another region of that floor, which it was above as the step began.
+bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float reach) {
+  if (!m.isContact || m.at <= floor.at || dot(m.normal, floor.normal) > kFloorCosine) return false;
+  if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
+  if (!isFace(floor.isTrees, start, m.nodes, floor.normal)) return false;
+  const float tree = dot(floor.normal, start.tree.support(m.nodes.a, -floor.normal));
+  const float other = dot(floor.normal, supportOf(*target_, m.nodes.b, start.otherAxes, floor.normal));
+  const float treeRadius = start.tree.sphere(m.nodes.a).radius, otherRadius = target_->radius(m.nodes.b);
+  const float region = floor.isTrees ? tree : other;
+  if (std::abs(region - floor.height) > kFloorFraction * (floor.isTrees ? treeRadius : otherRadius)) return false;
+  const float sunk = std::max(reach, kSunkFraction * (floor.isTrees ? otherRadius : treeRadius));
+  return tree - other - target_->margin() - margin_ >= -sunk;
+}
+
+// Along the floor's normal, if it comes to that within the step.
+void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting) {
+  const NodePair nodes = meeting.nodes;
+  meeting = {};
+  const float closing = -dot(floor.normal, moved(start, nodes.a).way);
+  if (closing <= 0) return;
+  const float gap = dot(floor.normal, start.tree.support(nodes.a, -floor.normal) -
+                                          supportOf(*target_, nodes.b, start.otherAxes, floor.normal)) -
+                    target_->margin() - margin_;
+  const float at = std::max(gap, 0.0F) / closing;
+  if (at * (start.to - start.from) >= 1) return;
+  note(pair, start, nodes, {at, floor.normal, closing});
+}
+
+}  // namespace cairn::bullet

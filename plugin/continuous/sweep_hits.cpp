@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Zlib
+// Where and along which direction two regions that come near each other meet.
+#include <algorithm>
+#include <cmath>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+#include "continuous/sweep.h"
+#include "counterparts/facing_corners.h"
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Of the way: what closes by less along a direction passes by.
+constexpr float kPassingFraction = 1e-4F;
+// What is left of a unit line beside the way, to make a direction of.
+constexpr float kLeastBeside = 0.1F;
+
+bool turnsOnePoint(const Vec3& direction, float size, const auto& support) {
+  FacingCorners corners;
+  corners.look(direction, size, support);
+  return corners.corners().size() == 1;
+}
+
+}  // namespace
+
+// Two regions that come together within a segment.
+struct Sweep::Approach {
+  const Segment& segment;
+  const SweptTarget& target;
+  NodePair nodes;
+  MovedNode node;
+  float entry;    // part of the segment at which they are near
+  float margins;  // of both
+  float sunk;     // so deep they still count as apart
+
+  float gap(const Vec3& normal) const { return gapOf(segment.tree, segment.otherAxes, normal); }
+  float gapAtEnd(const Vec3& normal) const { return gapOf(segment.treeAtEnd, segment.otherAxesAtEnd, normal); }
+  float closing(const Vec3& normal) const { return -dot(normal, node.way); }
+  bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
+  bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
+  Hit hit(const Vec3& normal) const {
+    const float least = gap(normal) - node.slack;
+    return {std::clamp(least / closing(normal), entry, 1.0F), normal, closing(normal)};
+  }
+
+ private:
+  float gapOf(const TreeParts& tree, const Mat3& otherAxes, const Vec3& normal) const {
+    return dot(normal, tree.support(nodes.a, -normal) - supportOf(target, nodes.b, otherAxes, normal)) - margins;
+  }
+};
+
+// Returns how many of them are the other side's; those come first.
+std::size_t Sweep::collectNormals(const Approach& approach) {
+  normals_.clear();
+  const Vec3& way = approach.node.way;
+  const Mat3& otherAxes = approach.segment.otherAxes;
+  const Vec3 center = approach.node.ball.center + way * approach.entry;
+  target_->appendNormals(approach.nodes.b, transpose(otherAxes) * center, normals_);
+  normals_.turn(otherAxes);
+  const std::size_t ofOther = normals_.all().size();
+  approach.segment.tree.appendFaces(approach.nodes.a, normals_);
+  if (normals_.all().empty()) return ofOther;
+  const Vec3 along = normalized(way), line = normals_.all().front(), beside = line - along * dot(along, line);
+  if (const float norm = length(beside); norm > kLeastBeside) normals_.add(beside / norm, false);
+  return ofOther;
+}
+
+// Along each direction the regions stay apart for a while; what counts is the one along which they do so for longest.
+// Nothing if that is to the end of the segment, or if they are in contact already.
+std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
+  const MovedNode node = moved(segment, candidate.pair.a);
+  if (lengthSq(node.way) == 0) return std::nullopt;
+  const Approach approach{segment,
+                          *target_,
+                          candidate.pair,
+                          node,
+                          candidate.entry,
+                          target_->margin() + margin_,
+                          std::max(pair.reach, kSunkFraction * node.ball.radius)};
+  const std::size_t ofOther = collectNormals(approach);
+  std::optional<Hit> latest;
+  for (const Vec3& normal : normals_.all()) {
+    if (!approach.areApart(normal, candidate.entry)) continue;
+    if (approach.passes(normal) || approach.gap(normal) - node.slack + approach.sunk >= approach.closing(normal))
+      return std::nullopt;
+    // The slack is more than what turning brings nearer: at the segment's end it is known.
+    if (approach.gapAtEnd(normal) > -approach.sunk) return std::nullopt;
+    const Hit hit = approach.hit(normal);
+    if (!latest || hit.at > latest->at) latest = hit;
+  }
+  return latest ? std::optional(flattest(approach, *latest, ofOther)) : std::nullopt;
+}
+
+// Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the faces along whose
+// normals the regions are still as good as apart by then, the other side's if it has any, the one along which they
+// close least.
+Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofOther) const {
+  bool hasOtherFaces = false;
+  for (std::size_t i = 0; i < ofOther; ++i) hasOtherFaces = hasOtherFaces || normals_.isFace(i);
+  const float at = latest.at;
+  for (std::size_t i = 0; i < (hasOtherFaces ? ofOther : normals_.all().size()); ++i) {
+    const Vec3& normal = normals_.all()[i];
+    if (!normals_.isFace(i) || approach.passes(normal) || approach.closing(normal) >= latest.closing) continue;
+    if (approach.areApart(normal, at)) latest = approach.hit(normal);
+  }
+  return latest;
+}
+
+// The smaller region knows where: on a flat one any point may be the extreme one. A corner, or a round side, of
+// something that is no tree is where it is whatever its size.
+Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes,
+                              const Hit& hit) const {
+  const auto treeSupport = [&](const Vec3& direction) { return segment.tree.support(nodes.a, direction); };
+  const auto otherSupport = [&](const Vec3& direction) {
+    return supportOf(*target_, nodes.b, segment.otherAxes, direction);
+  };
+  const Vec3 onTree = treeSupport(-hit.normal), onOther = otherSupport(hit.normal);
+  const Vec3 way = moved(segment, nodes.a).way * hit.at;
+  const Vec3 apart = hit.normal * dot(hit.normal, onTree + way - onOther);
+  const float treeSize = 2 * segment.tree.sphere(nodes.a).radius, otherSize = 2 * target_->radius(nodes.b);
+  const bool otherKnows = !asSphereTree(pair.other) && std::isfinite(otherSize) &&
+                          turnsOnePoint(hit.normal, otherSize, otherSupport) &&
+                          !turnsOnePoint(-hit.normal, treeSize, treeSupport);
+  if (treeSize <= otherSize && !otherKnows) return {onTree, onTree + way - apart};
+  return {onOther - way + apart, onOther};
+}
+
+// Where the two regions are now, with the plane that they reach then.
+void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
+  const float length = segment.to - segment.from, at = segment.from + hit.at * length;
+  if (isSettled(nodes.a, at)) return;
+  const auto inPair = [&](btTransform pose) {
+    pose.getOrigin() -= pair.origin;
+    return pose;
+  };
+  const SweptFrame frame = frameOf(pair);
+  const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(frame.inWorld());
+  const Mat3 otherTurn = toMat3(frame.at(0).otherAxes) * transpose(segment.otherAxes);
+  Contact contact;
+  contact.isAhead = contact.ofSpheres = true;
+  const NodeId leaf = TreeParts::nodeOf(nodes.a);
+  contact.pair = {leaf, nodes.b};
+  contact.normal = toVec3(other.getBasis() * toBullet(hit.normal));
+  const Points points = pointsOf(pair, segment, nodes, hit);
+  const Vec3 onTree = toVec3(tree * segment.treeInFrame.invXform(toBullet(points.onTree)));
+  const Vec3 onOther = toVec3(other * toBullet(otherTurn * points.onOther));
+  contact.apart = onTree - onOther - contact.normal * (target_->margin() + margin_);
+  const float gap = dot(contact.normal, contact.apart);
+  const bool isSunk = segment.from < 0;
+  if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between
+  contact.position = onTree - contact.normal * dot(contact.normal, contact.apart);
+  contact.gap = -(1 - at) * hit.closing / length;
+  contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, pair.otherIndex};
+  target_->name(nodes.b, contact);
+
+  const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
+  makeMeeting(nodes.a) = {at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
+}
+
+}  // namespace cairn::bullet

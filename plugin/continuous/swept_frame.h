@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "continuous/course.h"
+
+namespace cairn::bullet {
+
+/// How two bodies stand to each other in the frame a sweep is made in.
+struct SweptPlace {
+  btTransform tree;
+  btMatrix3x3 otherAxes;  ///< the other body's own, in the frame; its origin is the frame's
+};
+
+/// Part 0 is `x`, part 1 is `y`.
+SweptPlace placeBetween(const SweptPlace& x, const SweptPlace& y, btScalar part);
+/// Radians, of both bodies together.
+btScalar turnBetween(const SweptPlace& x, const SweptPlace& y);
+
+/// The frame of the other body; or, if that is the smaller one, a frame at its place whose axes stay the world's: what
+/// stands beside a wheel that rolls would else move on arcs about it, and its ground would tilt.
+class SweptFrame {
+ public:
+  SweptFrame(const Course& tree, const Course& other, bool keepsAxes)
+      : tree_(tree), other_(other), keepsAxes_(keepsAxes) {}
+
+  /// After this part of the step, 0 to 1.
+  SweptPlace at(btScalar part) const;
+  /// The frame itself as the step begins.
+  btTransform inWorld() const;
+
+ private:
+  Course tree_, other_;
+  bool keepsAxes_;
+};
+
+}  // namespace cairn::bullet
