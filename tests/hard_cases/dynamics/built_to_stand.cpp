@@ -164,8 +164,8 @@ Outcome runBuiltToStand(Effort effort) {
                     return {standing({cube, pyramid, 0.5, 1}, shape, seconds, false), house(shape, false),
                             ofStones(shape, false), house(shape, true), ofStones(shape, true)};
                   }),
-          "What is slower than 0.34 mm/s Bullet's solver resists along one direction only, and friction begins anew in "
-          "every step: what leans creeps apart in every shape."};
+          "Bullet's solver resists along one direction only, below 0.34 mm/s along one that does not follow the motion, "
+          "and friction begins anew in every step: what leans creeps apart in every shape."};
 }
 
 }  // namespace

@@ -11,6 +11,16 @@ bool isBetter(double x, double y, Bound bound) {
   return bound == Bound::atMost ? x < y : x > y;
 }
 
+Figures joined(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {
+  Figures figures;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    std::vector<double> values;
+    for (const Figures& run : runs) values.push_back(run.at(i));
+    figures.push_back(quantileOf(values, asked[i].quantile, asked[i].bound));
+  }
+  return figures;
+}
+
 }  // namespace
 
 std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figures& ours,
@@ -45,7 +55,7 @@ std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
   for (std::size_t i = 0; i < bodies(1).size(); ++i) {
     std::vector<Figures> runs;
     for (std::uint64_t seed = 1; seed <= std::uint64_t(count); ++seed) runs.push_back(run(bodies(seed)[i], seed));
-    kinds.push_back({bodies(1)[i].name, medianOf(runs)});
+    kinds.push_back({bodies(1)[i].name, joined(asked, runs)});
   }
   const Figures ours = kinds.front().figures;
   kinds.erase(kinds.begin());
@@ -61,16 +71,11 @@ Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& run
   return worst;
 }
 
-Figures medianOf(const std::vector<Figures>& runs) {
-  Figures medians;
-  for (std::size_t i = 0; i < runs.front().size(); ++i) {
-    std::vector<double> all;
-    for (const Figures& run : runs) all.push_back(run[i]);
-    const bool isBroken = std::ranges::any_of(all, [](double value) { return std::isnan(value); });
-    if (!isBroken) std::ranges::sort(all);
-    medians.push_back(isBroken ? NAN : all[all.size() / 2]);
-  }
-  return medians;
+double quantileOf(std::vector<double> values, double quantile, Bound bound) {
+  if (values.empty() || !std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return NAN;
+  std::ranges::sort(values, [&](double x, double y) { return isBetter(x, y, bound); });
+  const auto rank = static_cast<std::size_t>(quantile * double(values.size()));
+  return values[std::min(rank, values.size() - 1)];
 }
 
 }  // namespace cairn::hard

@@ -17,6 +17,7 @@ struct Asked {
   double limit = 0;
   Bound bound = Bound::atMost;
   std::string unit;
+  double quantile = 0.5;  ///< of several seeds, towards the worse: 0.5 the median, 0.9 the upper tenth, 1 the worst
 };
 
 /// The figures of one body's run, in the order they were asked for.
@@ -36,7 +37,8 @@ std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figure
 std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& bodies,
                              const std::function<Figures(const CaseBody&)>& run);
 
-/// The same over the seeds from 1 to `count`, which may make other bodies of the same kinds: medians of each figure.
+/// The same over the seeds from 1 to `count`, which may make other bodies of the same kinds: of each figure the quantile
+/// that is asked for.
 std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
                                   const std::function<const CaseBodies&(std::uint64_t seed)>& bodies,
                                   const std::function<Figures(const CaseBody&, std::uint64_t seed)>& run);
@@ -44,7 +46,8 @@ std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
 /// The worst of several runs, figure by figure; what is no number is worst.
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
 
-/// The median of several runs, figure by figure (of an even number, the upper); no number if any is none.
-Figures medianOf(const std::vector<Figures>& runs);
+/// The value that this part of them is no worse than (of an even number the median is the worse of the middle two);
+/// no number if any is none, or endless.
+double quantileOf(std::vector<double> values, double quantile, Bound bound);
 
 }  // namespace cairn::hard

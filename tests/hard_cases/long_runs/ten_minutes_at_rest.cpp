@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
+#include <string>
 
 #include "../dynamics/compare.h"
 #include "../dynamics/pile.h"
@@ -28,22 +30,23 @@ Figures leaveAlone(const test::TriedBody& rock, double seconds, std::uint64_t se
   std::vector<double> ways;
   for (std::size_t i = 0; i < places.size(); ++i)
     ways.push_back(100 * double((pile.bodies()[i]->getWorldTransform().getOrigin() - places[i]).length()));
-  std::ranges::sort(ways);
-  return {ways[ways.size() / 2], rise, 1000 * pile.kineticEnergy() / double(places.size()), double(pile.countLost())};
+  return {quantileOf(ways, 0.5, Bound::atMost), rise, 1000 * pile.kineticEnergy() / double(places.size()), double(pile.countLost())};
 }
 
 Outcome runTenMinutesAtRest(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const double seconds = isWhole ? 600 : 5, drift = 100 * 1e-3 * seconds / 60;
-  const std::vector<Asked> asked{{"drift, median", drift, Bound::atMost, "% of size"},
-                                 {"energy gained", 1, Bound::atMost, "%"},
-                                 {"kinetic energy at the end", 1, Bound::atMost, "mJ/kg"},
-                                 {"lost", 0, Bound::atMost, ""},
-                                 {"drift, friction in two directions", drift, Bound::atMost, "% of size"}};
+  std::vector<Asked> asked;
+  for (const std::string friction : {"", ", friction in two directions"}) {
+    asked.push_back({"drift, median" + friction, drift, Bound::atMost, "% of size"});
+    asked.push_back({"energy gained, most" + friction, 1, Bound::atMost, "%", 1});
+    asked.push_back({"kinetic energy at the end, most" + friction, 1, Bound::atMost, "mJ/kg", 1});
+    asked.push_back({"lost, most" + friction, 0, Bound::atMost, "", 1});
+  }
   const auto rock = [](std::uint64_t seed) -> const CaseBodies& { return rocks(seed, 1); };
   const auto run = [&](const CaseBody& body, std::uint64_t seed) {
     Figures figures = leaveAlone(body.body, seconds, seed, false);
-    figures.push_back(leaveAlone(body.body, seconds, seed, true).front());
+    std::ranges::copy(leaveAlone(body.body, seconds, seed, true), std::back_inserter(figures));
     return figures;
   };
   return {
@@ -56,7 +59,7 @@ Outcome runTenMinutesAtRest(Effort effort) {
 
 HardCase tenMinutesAtRest() {
   return {"L1", "ten minutes at rest",
-          "three heaps of 12 rocks, their median, 600 s without sleep: drift at the pace D1 allows, 1e-3 of the size a "
+          "three heaps of 12 rocks, their median drift and the worst of all else, 600 s without sleep: drift at the pace D1 allows, 1e-3 of the size a "
           "minute, no more "
           "than 1 % of its energy gained, 1 mJ/kg moving at the end, the status of heaps that lie",
           runTenMinutesAtRest};
