@@ -18,8 +18,13 @@ class HardCases : public testing::TestWithParam<HardCase> {};
 // Misses of quick runs that docs/hard-cases.md tells of, by measure. Any other is news, and so is one of these that
 // holds.
 const std::set<std::string>& knownMisses(const std::string& id) {
-  static const std::map<std::string, std::set<std::string>> misses{{"D11", {"deepest penetration"}},
-                                                                   {"L1", {"drift, median"}}};
+  static const std::string fixed = ", friction along a fixed direction", both = ", friction in two directions",
+                           place = "place, RMS about its mean", tenth = "drift, upper tenth";
+  static const std::map<std::string, std::set<std::string>> misses{
+      // Of three rocks in seconds; whole minutes of forty go the other way half of the time.
+      {"D1", {tenth, place + fixed, "drift" + fixed, place + both, "drift" + both, tenth + both}},
+      {"D11", {"deepest penetration"}},
+      {"L1", {"drift, median" + both}}};
   static const std::set<std::string> none;
   const auto known = misses.find(id);
   return known == misses.end() ? none : known->second;
@@ -96,8 +101,8 @@ TEST(ComparedSeeds, AreJoinedAsAskedAndBesideTheBest) {
     if (body.name == "tree") return {ours, ours};
     return body.name == "hull" ? Figures{2 * ours, 2 * ours} : Figures{3 * ours, seed == 2 ? kNan : 1};
   };
-  const auto measures =
-      compareSeeds(asked, 3, [&](std::uint64_t) -> const CaseBodies& { return bodies; }, run);
+  const auto measures = compareSeeds(
+      asked, 3, [&](std::uint64_t) -> const CaseBodies& { return bodies; }, run);
   ASSERT_EQ(measures.size(), 2u);
   EXPECT_EQ(measures[0].value, 4);
   EXPECT_EQ(measures[1].value, 9);

@@ -20,13 +20,24 @@ struct TriedBody {
   btScalar margin = 0;  ///< by which it reaches beyond its surface: bodies are set down so much farther apart
 };
 
+/// Which directions of the surface Bullet's solver resists sliding along, at each contact.
+enum class Resisted {
+  sliding,  ///< one, that of the sliding as the step begins: Bullet's default
+  fixed,    ///< one that depends on the contact's normal alone
+  both      ///< two
+};
+
 /// A world in which bodies never sleep.
 class StillWorld : public BulletWorld<> {
  public:
   StillWorld() { btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher); }
 
-  /// What is slower than 0.34 mm/s Bullet's solver resists along one direction of the surface only, unless told this.
-  void resistInTwoDirections() { world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS; }
+  void resist(Resisted resisted) {
+    int& mode = world.getSolverInfo().m_solverMode;
+    if (resisted == Resisted::fixed) mode |= SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION;
+    if (resisted == Resisted::both) mode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  }
+  void resistInTwoDirections() { resist(Resisted::both); }
 
   btRigidBody& addTried(const TriedBody& tried, const btTransform& at, btScalar friction) {
     btRigidBody& body = add(tried.shape, 1, at.getOrigin(), at.getRotation());

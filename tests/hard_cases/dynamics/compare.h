@@ -37,8 +37,8 @@ std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figure
 std::vector<Measure> compare(const std::vector<Asked>& asked, const CaseBodies& bodies,
                              const std::function<Figures(const CaseBody&)>& run);
 
-/// The same over the seeds from 1 to `count`, which may make other bodies of the same kinds: of each figure the quantile
-/// that is asked for.
+/// The same over the seeds from 1 to `count`, which may make other bodies of the same kinds: of each figure the
+/// quantile that is asked for.
 std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
                                   const std::function<const CaseBodies&(std::uint64_t seed)>& bodies,
                                   const std::function<Figures(const CaseBody&, std::uint64_t seed)>& run);

@@ -40,7 +40,8 @@ Outcome runHeapComesToRest(Effort effort) {
 
 HardCase heapComesToRest() {
   return {"D12", "a heap comes to rest",
-          "200 rocks that may sleep, 30 s at 60 Hz: the fastest slower than 0.05 m/s in half of the steps of the last 10 s, nobody "
+          "200 rocks that may sleep, 30 s at 60 Hz: the fastest slower than 0.05 m/s in half of the steps of the last "
+          "10 s, nobody "
           "lost (proposed list)",
           runHeapComesToRest};
 }

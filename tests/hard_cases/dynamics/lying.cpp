@@ -17,7 +17,7 @@ Vec3d placeOf(const btRigidBody& body) {
 Figures lie(const test::TriedBody& tried, const LyingStart& start) {
   test::StillWorld w;
   w.addGround();
-  if (start.inTwoDirections) w.resistInTwoDirections();
+  w.resist(start.resisted);
   btVector3 lower, upper;
   tried.shape->getAabb(btTransform::getIdentity(), lower, upper);
   const btTransform at(btQuaternion::getIdentity(), btVector3(0, 0, -lower.z()));

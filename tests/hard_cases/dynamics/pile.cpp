@@ -54,7 +54,8 @@ double Pile::energy() const {
 
 double Pile::greatestSpeed() const {
   double greatest = 0;
-  for (const btRigidBody* body : bodies_) greatest = test::greatest(greatest, double(body->getLinearVelocity().length()));
+  for (const btRigidBody* body : bodies_)
+    greatest = test::greatest(greatest, double(body->getLinearVelocity().length()));
   return greatest;
 }
 

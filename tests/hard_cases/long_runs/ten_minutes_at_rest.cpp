@@ -30,7 +30,8 @@ Figures leaveAlone(const test::TriedBody& rock, double seconds, std::uint64_t se
   std::vector<double> ways;
   for (std::size_t i = 0; i < places.size(); ++i)
     ways.push_back(100 * double((pile.bodies()[i]->getWorldTransform().getOrigin() - places[i]).length()));
-  return {quantileOf(ways, 0.5, Bound::atMost), rise, 1000 * pile.kineticEnergy() / double(places.size()), double(pile.countLost())};
+  return {quantileOf(ways, 0.5, Bound::atMost), rise, 1000 * pile.kineticEnergy() / double(places.size()),
+          double(pile.countLost())};
 }
 
 Outcome runTenMinutesAtRest(Effort effort) {
@@ -59,7 +60,8 @@ Outcome runTenMinutesAtRest(Effort effort) {
 
 HardCase tenMinutesAtRest() {
   return {"L1", "ten minutes at rest",
-          "three heaps of 12 rocks, their median drift and the worst of all else, 600 s without sleep: drift at the pace D1 allows, 1e-3 of the size a "
+          "three heaps of 12 rocks, their median drift and the worst of all else, 600 s without sleep: drift at the "
+          "pace D1 allows, 1e-3 of the size a "
           "minute, no more "
           "than 1 % of its energy gained, 1 mJ/kg moving at the end, the status of heaps that lie",
           runTenMinutesAtRest};
