@@ -23,6 +23,13 @@ TEST(Table, GivesBackTheSameDoublesAndBytes) {
   EXPECT_EQ(table.csv().find("nan"), std::string::npos);
 }
 
+TEST(Table, KeepsAMeshCalledNan) {
+  Table table({"model", "error_fraction"});
+  table.add("nan", std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(table.texts("model"), std::vector<std::string>{"nan"});
+  EXPECT_EQ(table.csv(), "model,error_fraction\nnan,\n");
+}
+
 TEST(Table, SelectsRowsByAllThatIsAsked) {
   Table table({"a", "b", "c"});
   table.add("x", "y", 1);

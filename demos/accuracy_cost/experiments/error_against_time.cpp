@@ -66,14 +66,19 @@ void addTrees(std::vector<Contender>& list, Contender like, const Budgets& budge
   }
 }
 
+// At margins of one to none: with a margin more pairs meet, earlier.
 void addRivals(std::vector<Contender>& list, const scenes::Model* finest, const std::string& method, unsigned depth) {
   const auto add = [&](const char* series, ShapeKind shape, std::optional<double> margin) {
     list.push_back({series, shape, "", 0, {}, margin, false, finest});
   };
   add("GImpact at a margin of 0.1 %", ShapeKind::gimpact, 0.001);
   add("GImpact at a margin of 1 %", ShapeKind::gimpact, 0.01);
-  add("hull", ShapeKind::hull, {});
-  add("compound of hulls (HACD)", ShapeKind::compound, {});
+  add("hull without margin", ShapeKind::hull, 0);
+  add("hull at a margin of 0.1 %", ShapeKind::hull, 0.001);
+  add("hull at a margin of 1 %", ShapeKind::hull, 0.01);
+  add("compound of hulls (HACD) without margin", ShapeKind::compound, 0);
+  add("compound of hulls (HACD) at a margin of 0.1 %", ShapeKind::compound, 0.001);
+  add("compound of hulls (HACD) at a margin of 1 %", ShapeKind::compound, 0.01);
   list.push_back({"compound of the tree's leaf spheres", ShapeKind::spheres, method, depth, {}, {}, false, finest});
   add("FCL", ShapeKind::fcl, {});
 }
@@ -124,7 +129,7 @@ std::string cell(const std::optional<std::int64_t>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
+  return value ? cellOf(*value) : std::string();
 }
 
 void addRow(Table& table, const std::string& model, const char* scene, const Contender& c, const Outcome& o,
@@ -136,7 +141,7 @@ void addRow(Table& table, const std::string& model, const char* scene, const Con
             std::max(a.meanPairError, kLeastDrawn), std::max(a.pairError.p99, kLeastDrawn), a.meanError, a.error.p99,
             a.error.max, a.truePairs, a.missed, a.meanMissed, a.deepestMissed, a.missedBeyondCertificate,
             a.falseGap.pairs, a.falseGap.mean, a.falseGap.max,
-            scenes::isSphereTree(c.shape) ? fmt::format("{}", o.certifiedError) : std::string(),
+            scenes::isSphereTree(c.shape) ? cellOf(o.certifiedError) : std::string(),
             scenes::isSphereTree(c.shape) ? fmt::format("{}", o.operations) : std::string(), extent.repetitions,
             o.timeUs.median, o.timeUs.low, o.timeUs.high, o.timeOverReference.median, o.timeOverReference.low,
             o.timeOverReference.high);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_cost/experiments/fit_columns.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <utility>
+
+#include "accuracy_cost/experiments/table.h"
 
 namespace cairn::accuracy_cost {
 namespace {
@@ -37,7 +37,7 @@ std::vector<std::string> withFitColumns(std::vector<std::string> columns) {
 }
 
 std::vector<std::string> withFit(std::vector<std::string> cells, const LevelFit& fit) {
-  for (const Column& column : kColumns) cells.push_back(fmt::format("{}", fit.*column.value));
+  for (const Column& column : kColumns) cells.push_back(cellOf(fit.*column.value));
   return cells;
 }
 

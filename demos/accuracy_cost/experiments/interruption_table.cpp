@@ -66,44 +66,39 @@ double sumOf(const InterruptedFrames& frames, std::size_t at, Value value) {
   return sum;
 }
 
-template <class Number>
-std::string cell(Number number) {
-  return fmt::format("{}", number);
-}
-
 void addTruth(std::vector<std::string>& row, const InterruptedFrames& frames, std::size_t at) {
   const auto sum = [&](Value value) { return sumOf(frames, at, value); };
   const double checked = sum([](const Interrupted& f) { return static_cast<double>(f.truth.checked); });
   double worst = 0;
   for (const auto& frame : frames) worst = std::max(worst, frame[at].truth.worstSeparation);
-  row.push_back(cell(checked));
-  row.push_back(cell(quotient(sum([](const Interrupted& f) { return f.truth.separationSum; }), checked)));
-  row.push_back(cell(checked > 0 ? worst : kNone));
-  row.push_back(cell(sum([](const Interrupted& f) { return static_cast<double>(f.truth.beyondCertificate); })));
-  row.push_back(cell(sum([](const Interrupted& f) { return static_cast<double>(f.truth.meeting); })));
-  row.push_back(cell(sum([](const Interrupted& f) { return static_cast<double>(f.truth.missed); })));
-  row.push_back(cell(sum([](const Interrupted& f) { return static_cast<double>(f.truth.invented); })));
+  row.push_back(cellOf(checked));
+  row.push_back(cellOf(quotient(sum([](const Interrupted& f) { return f.truth.separationSum; }), checked)));
+  row.push_back(cellOf(checked > 0 ? worst : kNone));
+  row.push_back(cellOf(sum([](const Interrupted& f) { return static_cast<double>(f.truth.beyondCertificate); })));
+  row.push_back(cellOf(sum([](const Interrupted& f) { return static_cast<double>(f.truth.meeting); })));
+  row.push_back(cellOf(sum([](const Interrupted& f) { return static_cast<double>(f.truth.missed); })));
+  row.push_back(cellOf(sum([](const Interrupted& f) { return static_cast<double>(f.truth.invented); })));
 }
 
 void addPlugin(std::vector<std::string>& row, const PluginOutcome& plugin) {
   for (const double number : {plugin.operations, plugin.worst, plugin.mean, plugin.contacts, plugin.unresolvedPairs,
                               plugin.trueError, static_cast<double>(plugin.missed), plugin.deepestMissed})
-    row.push_back(cell(number));
+    row.push_back(cellOf(number));
 }
 
 std::vector<std::string> rowOf(const std::string& model, std::uint64_t operations, std::size_t at,
                                const TreeOutcome& tree, const std::vector<TreeOutcome>& trees) {
   const bool isCompletion = operations == Budget::kUnlimited;
-  std::vector<std::string> row{model, tree.construction, isCompletion ? std::string(kCompletion) : cell(operations),
-                               isCompletion ? std::string() : cell(operations), cell(tree.frames.size())};
-  row.push_back(cell(meanOf(tree.frames, at, [](const Interrupted& f) { return static_cast<double>(f.operations); })));
-  for (const Compared& compared : kCompared) row.push_back(cell(meanOf(tree.frames, at, compared.value)));
-  row.push_back(cell(unresolvedShare(tree.frames, at)));
+  std::vector<std::string> row{model, tree.construction, isCompletion ? std::string(kCompletion) : cellOf(operations),
+                               isCompletion ? std::string() : cellOf(operations), cellOf(tree.frames.size())};
+  row.push_back(cellOf(meanOf(tree.frames, at, [](const Interrupted& f) { return static_cast<double>(f.operations); })));
+  for (const Compared& compared : kCompared) row.push_back(cellOf(meanOf(tree.frames, at, compared.value)));
+  row.push_back(cellOf(unresolvedShare(tree.frames, at)));
   for (const char* name : kReferences) {
     const auto reference = std::ranges::find(trees, name, &TreeOutcome::construction);
     for (const Compared& compared : kCompared)
-      row.push_back(cell(reference == trees.end() ? kNone : ratioOf(tree.frames, reference->frames, at, compared)));
-    row.push_back(cell(reference == trees.end()
+      row.push_back(cellOf(reference == trees.end() ? kNone : ratioOf(tree.frames, reference->frames, at, compared)));
+    row.push_back(cellOf(reference == trees.end()
                            ? kNone
                            : quotient(unresolvedShare(tree.frames, at), unresolvedShare(reference->frames, at))));
   }

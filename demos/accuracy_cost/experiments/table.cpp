@@ -26,8 +26,6 @@ std::vector<std::string> cellsOf(const std::string& line) {
 
 void Table::addRow(std::vector<std::string> row) {
   assert(row.size() == columns_.size());
-  for (std::string& cell : row)
-    if (cell == "nan" || cell == "-nan") cell.clear();
   rows_.push_back(std::move(row));
 }
 

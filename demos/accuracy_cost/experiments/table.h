@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,14 @@ namespace cairn::accuracy_cost {
 
 /// Columns and what rows are to have in them.
 using Where = std::vector<std::pair<std::string, std::string>>;
+
+/// A cell's text: of a number that does not exist, none. A name stays what it is, whatever it is.
+template <class T>
+std::string cellOf(const T& value) {
+  if constexpr (std::is_floating_point_v<T>)
+    if (std::isnan(value)) return {};
+  return fmt::format("{}", value);
+}
 
 /// What an experiment measured: the CSV file, in memory. Units are part of the columns' names. Cells are text without
 /// commas, quotes or line breaks; numbers are written with the digits to give back the same doubles; an empty cell is a
@@ -25,7 +35,7 @@ class Table {
   /// One row. Precondition: a cell for each column.
   template <class... Cells>
   void add(const Cells&... cells) {
-    addRow({fmt::format("{}", cells)...});
+    addRow({cellOf(cells)...});
   }
   void addRow(std::vector<std::string> row);
 
