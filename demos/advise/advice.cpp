@@ -20,6 +20,10 @@ std::string treeText(const Candidate& candidate) {
 
 }  // namespace
 
+std::string budgetText(const Rung& rung) {
+  return rung.budget > 0 ? fmt::format("{} operations", rung.budget) : std::string("no budget");
+}
+
 bool fits(const Rung& rung, double budgetUs) {
   return rung.p99Us <= budgetUs;
 }
@@ -63,15 +67,17 @@ std::string adviceText(const std::vector<Candidate>& candidates, double budgetUs
   const Rung& rung = candidate.rungs[choice.rung];
   if (!best)
     return fmt::format(
-        "No tree that was tried answers within {:g} us in 99 of 100 steps here: the cheapest ({}, {} operations) takes "
+        "No tree that was tried answers within {:g} us in 99 of 100 steps here: the cheapest ({}, {}) takes "
         "{:.0f} us; allow that much, or have fewer bodies touch.",
-        budgetUs, treeText(candidate), rung.budget, rung.p99Us);
+        budgetUs, treeText(candidate), budgetText(rung), rung.p99Us);
+  const std::string set = rung.budget > 0 ? fmt::format("set the budget to {} operations a step{}", rung.budget,
+                                                        rung.cuts ? "" : " (which cut nothing)")
+                                          : std::string("set no budget of operations");
   return fmt::format(
-      "Build with `cairn build {} {} -o FILE`, set the budget to {} operations a step{}; expect {:.0f} us at most in "
-      "99 "
-      "of 100 steps here, and a certified error of {:.3g} % of the size in the mean, {:.3g} % at worst.",
-      mesh, treeText(candidate), rung.budget, rung.cuts ? "" : " (which cuts nothing)", rung.p99Us,
-      100 * rung.meanError, 100 * rung.worstError);
+      "Build with `cairn build {} {} -o FILE`, {}; expect {:.0f} us at most in 99 of 100 steps here ({:.0f} to {:.0f} "
+      "from start to start), and a certified error of {:.3g} % of the size in the mean, {:.3g} % at worst.",
+      mesh, treeText(candidate), set, rung.p99Us, rung.p99LowUs, rung.p99HighUs, 100 * rung.meanError,
+      100 * rung.worstError);
 }
 
 }  // namespace cairn::advise

@@ -14,15 +14,19 @@ namespace cairn::advise {
 /// What a tree does on one budget of operations a step. Errors are certified, fractions of the size (the bounding box's
 /// diagonal), the same bits on every run; microseconds are of this machine. Over the steps in which bodies touch.
 struct Rung {
-  std::uint64_t budget = 0;              ///< operations; without a cut, the most a step took
-  bool cuts = true;                      ///< false: nothing was left unresolved
-  double meanOperations = 0;             ///< a step
-  double medianUs = 0, p99Us = 0;        ///< of the whole narrow phase, CPU time a step, over all steps of all playings
+  std::uint64_t budget = 0;            ///< operations; 0: none was set, because on none that was tried all was resolved
+  bool cuts = true;                    ///< false: nothing was left unresolved
+  double meanOperations = 0;           ///< a step
+  double medianUs = 0, p99Us = 0;      ///< of the whole narrow phase, CPU time a step, over all steps of all playings
+  double p99LowUs = 0, p99HighUs = 0;  ///< of the start that was quickest, and of the slowest
   double meanError = 0, worstError = 0;  ///< mean over the steps of the pairs' mean; worst pair of any step
   double unresolvedPairs = 0;            ///< share of all pairs
 };
 
-/// A tree and what it does, from the smallest budget to none.
+/// "400 operations", or "no budget".
+std::string budgetText(const Rung& rung);
+
+/// A tree and what it does, from the smallest budget to one that cuts nothing.
 struct Candidate {
   builder::Method method = builder::Method::combined;
   std::uint32_t branching = 8, depth = 3;

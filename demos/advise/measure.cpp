@@ -22,6 +22,8 @@ namespace {
 constexpr double kBodySize = 1;
 /// Budgets, operations a body and step.
 constexpr std::array<std::uint64_t, 9> kBudgets{25, 50, 100, 200, 400, 800, 1600, 3200, 6400};
+/// Budgets that may cut nothing, each a quarter above the one before.
+constexpr int kUncutTrials = 10;
 /// Shares of the work that are done when the trees are built, and when the poses are recorded too.
 constexpr double kBuilt = 0.5, kRecorded = 0.55;
 /// Share of the playing that is done when every tree has been played once and a sieve is to follow.
@@ -92,7 +94,8 @@ class Race {
        const builder::ProgressCallback& progress)
       : recording_(recording), contenders_(contenders), trial_(trial), progress_(progress) {}
 
-  /// Every budget of every tree that cuts something, then none: once, or with nothing to sieve by as often as all are.
+  /// Every budget of every tree that cuts something, then one that does not: once, or with nothing to sieve by as often
+  /// as all are.
   Status playAll() {
     for (Contender& contender : contenders_)
       if (Status played = playFirst(contender); !played) return played;
@@ -138,13 +141,28 @@ class Race {
   Status playFirst(Contender& contender) {
     Take whole(std::nullopt);
     if (Status played = play(whole, contender); !played) return played;
+    if (&contender == &contenders_.front()) frames_ = whole.busyFrames();
     for (const std::uint64_t each : kBudgets)
       if (each * trial_.bodies < whole.mostOperations()) contender.takes.emplace_back(each * trial_.bodies);
     for (Take& take : contender.takes)
       if (Status played = play(take, contender); !played) return played;
-    if (&contender == &contenders_.front()) frames_ = whole.busyFrames();
-    contender.takes.push_back(std::move(whole));
+    if (Status played = playUncut(contender, std::move(whole)); !played) return played;
     ++begun_;
+    return {};
+  }
+
+  /// The least budget found that leaves nothing unresolved: more than what is used where there is none, because then
+  /// pairs are looked at in another order. Where none does, `whole`.
+  Status playUncut(Contender& contender, Take whole) {
+    std::uint64_t budget = std::max<std::uint64_t>(whole.mostOperations(), 1);
+    for (int i = 0; i < kUncutTrials; ++i, budget += (budget + 3) / 4) {
+      Take take(budget);
+      if (Status played = play(take, contender); !played) return played;
+      if (take.cuts(frames_)) continue;
+      contender.takes.push_back(std::move(take));
+      return {};
+    }
+    contender.takes.push_back(std::move(whole));
     return {};
   }
 
@@ -190,9 +208,9 @@ Result<Measured> measure(const builder::TriangleMesh& mesh, const Trial& trial,
   auto contenders = buildTrees(mesh, trial, progress);
   if (!contenders) return contenders.error();
   if (progress && !progress("recording poses", kBuilt)) return cancelled();
-  const auto recording =
-      scenes::recordConverge(contenders.value().front().model,
-                             {.bodies = trial.bodies, .runs = 1, .frames = trial.frames, .seed = trial.seed});
+  const auto recording = scenes::recordConverge(
+      contenders.value().front().model,
+      {.bodies = trial.bodies, .runs = trial.starts, .frames = trial.frames, .seed = trial.seed});
   if (!recording) return recording.error();
   Race race(recording.value(), contenders.value(), trial, progress);
   if (Status played = race.playAll(); !played) return played.error();

@@ -21,7 +21,8 @@ struct Trial {
   std::vector<std::uint32_t> depths{1, 2, 3, 4};
   std::uint32_t bodies = 20;   ///< at least 2
   std::uint32_t frames = 240;  ///< recorded, 1/60 s each
-  std::uint32_t repeats = 3;   ///< playings after the first; all their steps count
+  std::uint32_t starts = 3;    ///< random ones, each recorded for itself
+  std::uint32_t repeats = 1;   ///< playings after the first; all their steps count
   std::uint64_t seed = 1;
   /// Microseconds a step: trees that are clearly behind at this budget are played less often. Nothing: all alike.
   std::optional<double> sieveUs{};

@@ -70,6 +70,9 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   app.add_option("--frames", options.trial.frames, "steps of 1/60 s that are recorded")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
+  app.add_option("--starts", options.trial.starts, "random starts that are recorded")
+      ->check(CLI::Range(1U, 100U))
+      ->capture_default_str();
   app.add_option("--repeats", options.trial.repeats,
                  "how often each is played after the first time; all steps of all playings count")
       ->check(CLI::Range(1U, 100U))

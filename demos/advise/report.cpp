@@ -46,11 +46,15 @@ Choice shownChoice(const Advice& advice) {
   return bestChoice(candidates, advice.budgetUs).value_or(cheapestChoice(candidates));
 }
 
+std::string numberText(const Rung& rung) {
+  return rung.budget > 0 ? fmt::format("{}", rung.budget) : std::string("none");
+}
+
 std::string rowText(const Candidate& candidate, const Rung& rung, const char* mark) {
   return fmt::format(
       "{} {:<12} {:>9} {:>5} {:>7} {:>8.2f} {:>8} {:>10} {:>10.0f} {:>9.0f} {:>8.0f} {:>8.3g} {:>8.3g} {:>10.1f}\n",
       mark, builder::methodName(candidate.method), candidate.branching, candidate.depth, candidate.spheres,
-      candidate.buildSeconds, candidate.playings, rung.budget, rung.meanOperations, rung.medianUs, rung.p99Us,
+      candidate.buildSeconds, candidate.playings, numberText(rung), rung.meanOperations, rung.medianUs, rung.p99Us,
       100 * rung.meanError, 100 * rung.worstError, 100 * rung.unresolvedPairs);
 }
 
@@ -66,11 +70,13 @@ const char* markOf(const Advice& advice, const Choice& choice) {
 }
 
 nlohmann::ordered_json rungJson(const Rung& rung, double budgetUs) {
-  return {{"budget_operations", rung.budget},
+  return {{"budget_operations", rung.budget > 0 ? nlohmann::ordered_json(rung.budget) : nlohmann::ordered_json()},
           {"cuts", rung.cuts},
           {"operations_mean", rung.meanOperations},
           {"narrow_phase_median_us", rung.medianUs},
           {"narrow_phase_p99_us", rung.p99Us},
+          {"narrow_phase_p99_quickest_start_us", rung.p99LowUs},
+          {"narrow_phase_p99_slowest_start_us", rung.p99HighUs},
           {"certified_error_mean_fraction", rung.meanError},
           {"certified_error_worst_fraction", rung.worstError},
           {"unresolved_pairs_fraction", rung.unresolvedPairs},
@@ -119,7 +125,7 @@ std::string tableText(const Advice& advice, bool all) {
       if (all || j == shown) text += rowText(candidates[i], candidates[i].rungs[j], markOf(advice, {i, j}));
   }
   text += fmt::format("-> what to use; > takes longer than {:g} us in more than one of 100 steps\n", advice.budgetUs);
-  text += "Median and p99 are of all steps, of all playings together, in which bodies touch.\n";
+  text += "Median and p99 are of all steps, of all starts and playings together, in which bodies touch.\n";
   if (advice.trial.sieveUs)
     text +=
         "Every tree was played on every budget; those clearly behind less often than the best. --thorough plays all "
@@ -136,7 +142,7 @@ std::string curveText(const Advice& advice) {
   text += "    operations   us p99\n";
   for (const Rung& rung : candidate.rungs) {
     const auto letters = greatest > 0 ? static_cast<std::size_t>(std::lround(kBar * rung.meanError / greatest)) : 0;
-    text += fmt::format("  {} {:>10} {:>8.0f} {} {:.3g}\n", fits(rung, advice.budgetUs) ? " " : ">", rung.budget,
+    text += fmt::format("  {} {:>10} {:>8.0f} {} {:.3g}\n", fits(rung, advice.budgetUs) ? " " : ">", numberText(rung),
                         rung.p99Us, std::string(std::max<std::size_t>(letters, 1), '#'), 100 * rung.meanError);
   }
   return text;
@@ -159,11 +165,12 @@ nlohmann::ordered_json toJson(const Advice& advice) {
   const Rung& whole = candidates[shownChoice(advice).candidate].rungs.back();
   return {{"mesh", advice.mesh},
           {"bodies", advice.trial.bodies},
+          {"starts", advice.trial.starts},
           {"frames", advice.trial.frames},
           {"busy_frames", advice.measured.busyFrames},
           {"seed", advice.trial.seed},
           {"thorough", !advice.trial.sieveUs},
-          {"times_are_of", "all steps of all playings in which bodies touch"},
+          {"times_are_of", "all steps of all starts and playings in which bodies touch"},
           {"recording_hash", advice.measured.recording},
           {"budget_us", advice.budgetUs},
           {"operations_per_us", operationsPerUs(whole)},

@@ -24,19 +24,24 @@ class Take {
   /// Operations a step; nothing: as many as it takes.
   explicit Take(std::optional<std::uint64_t> budget) : budget_(budget) {}
 
-  /// Shows the recording's first run once more. Fails as `makePlayer` does.
+  /// Shows all of the recording's runs once more, each in a world of its own. Fails as `makePlayer` does.
   Status play(const scenes::Recording& recording, const scenes::Model& model);
 
   std::uint32_t playings() const { return static_cast<std::uint32_t>(times_.size()); }
   /// Of any frame; 0 before it is played.
   std::uint64_t mostOperations() const;
-  /// The frames in which bodies touch.
+  /// Whether anything was left unresolved in one of these frames.
+  bool cuts(const std::vector<std::uint32_t>& frames) const;
+  /// The frames in which bodies touch, counted on from run to run.
   std::vector<std::uint32_t> busyFrames() const;
   /// Over these frames; times are `stepQuantiles`. Precondition: it was played.
   Rung rung(const std::vector<std::uint32_t>& frames) const;
 
  private:
+  scenes::Quantiles timesOf(std::uint32_t run, const std::vector<std::uint32_t>& frames) const;
+
   std::optional<std::uint64_t> budget_;
+  std::uint32_t framesPerRun_ = 0;
   std::vector<scenes::StepRecord> records_;  ///< of the first playing, by frame
   std::vector<std::vector<double>> times_;   ///< CPU us of the narrow phase by playing, by frame
 };

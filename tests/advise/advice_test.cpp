@@ -50,8 +50,11 @@ TEST(Advice, NamesWhatToBuildSetAndExpect) {
   const std::string text = adviceText(twoTrees(), 39, "rock.obj");
   for (const char* words : {"cairn build rock.obj", "--depth 1", "200 operations", "20 us", "20 %", "30 %"})
     EXPECT_NE(text.find(words), std::string::npos) << words << " in: " << text;
-  EXPECT_EQ(text.find("cuts nothing"), std::string::npos);
-  EXPECT_NE(adviceText(twoTrees(), 40, "rock.obj").find("cuts nothing"), std::string::npos);
+  EXPECT_EQ(text.find("cut nothing"), std::string::npos);
+  EXPECT_NE(adviceText(twoTrees(), 40, "rock.obj").find("cut nothing"), std::string::npos);
+  std::vector<Candidate> trees = twoTrees();
+  trees[1].rungs.back().budget = 0;
+  EXPECT_NE(adviceText(trees, 40, "rock.obj").find("set no budget"), std::string::npos);
 }
 
 TEST(Advice, NamesTheCheapestWhereNothingFits) {

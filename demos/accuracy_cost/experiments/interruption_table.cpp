@@ -91,7 +91,8 @@ std::vector<std::string> rowOf(const std::string& model, std::uint64_t operation
   const bool isCompletion = operations == Budget::kUnlimited;
   std::vector<std::string> row{model, tree.construction, isCompletion ? std::string(kCompletion) : cellOf(operations),
                                isCompletion ? std::string() : cellOf(operations), cellOf(tree.frames.size())};
-  row.push_back(cellOf(meanOf(tree.frames, at, [](const Interrupted& f) { return static_cast<double>(f.operations); })));
+  row.push_back(
+      cellOf(meanOf(tree.frames, at, [](const Interrupted& f) { return static_cast<double>(f.operations); })));
   for (const Compared& compared : kCompared) row.push_back(cellOf(meanOf(tree.frames, at, compared.value)));
   row.push_back(cellOf(unresolvedShare(tree.frames, at)));
   for (const char* name : kReferences) {
@@ -99,8 +100,8 @@ std::vector<std::string> rowOf(const std::string& model, std::uint64_t operation
     for (const Compared& compared : kCompared)
       row.push_back(cellOf(reference == trees.end() ? kNone : ratioOf(tree.frames, reference->frames, at, compared)));
     row.push_back(cellOf(reference == trees.end()
-                           ? kNone
-                           : quotient(unresolvedShare(tree.frames, at), unresolvedShare(reference->frames, at))));
+                             ? kNone
+                             : quotient(unresolvedShare(tree.frames, at), unresolvedShare(reference->frames, at))));
   }
   addTruth(row, tree.frames, at);
   addPlugin(row, tree.plugin[at]);
