@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether what an earlier run left may be kept: keys of all that a part depends on, by content."""
+"""Whether what an earlier run left may be kept: keys of all that a part depends on, digests of all that it left."""
 import hashlib
+import json
+import os
 from pathlib import Path
 
 _known = {}  # digests of files by path, size and time of change: programs are large and named by many parts
@@ -30,3 +32,33 @@ def key_of(command, files, machine):
     are part of what it leaves."""
     lines = [*command, *(line for file in files for line in content_of(file)), machine.get("CPU", ""), machine.get("Cores", "")]
     return hashlib.sha256("\0".join(lines).encode()).hexdigest()
+
+
+def left_by(part, data):
+    """Names of all files a part leaves in the folder of the data: the outputs of all parts, and the figures an experiment's
+    JSON names. Of figures none where it cannot be read."""
+    names = list(part.outputs)
+    if part.kind == "experiment":
+        try:
+            names += json.loads((data / part.outputs[0]).read_text(encoding="utf-8"))["figures"]
+        except (OSError, ValueError, KeyError, TypeError):
+            pass
+    return names
+
+
+def digests_of(names, data):
+    """By name, for a stamp; a file that is not there has none."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = _digest_of(data / name)
+        except OSError:
+            found[name] = ""
+    return found
+
+
+def written_whole(path, text):
+    """To a temporary name, then renamed: a file that is there is all there."""
+    partial = Path(f"{path}.partial")
+    partial.write_text(text, encoding="utf-8")
+    os.replace(partial, path)

@@ -11,6 +11,7 @@ import sys
 import time
 from pathlib import Path
 
+import alone
 import keys
 import machine
 import parts
@@ -33,10 +34,11 @@ def clock(seconds):
 class Measuring:
     """Runs the parts of a plan one after another, keeping those that are done."""
 
-    def __init__(self, data, source, deadline, about, command):
-        """`about`: what the machine and the checkout are now (machine.describe); `command`: of the report."""
+    def __init__(self, data, source, deadline, about, command, lock=None):
+        """`about`: what the machine and the checkout are now (machine.describe); `command`: of the report; `lock`: of the
+        data, which children hold too."""
         self.data, self.source, self.deadline = data, source, deadline
-        self.about, self.command = about, command
+        self.about, self.command, self.lock = about, command, lock
         self.child = None
         self.cancelled = False
         signal.signal(signal.SIGINT, self._cancel)
@@ -58,28 +60,45 @@ class Measuring:
         return {"date": machine.now(), "commit": self.about["Commit"], "command": self.command, "cpu": self.about["CPU"],
                 "load": "%.1f" % os.getloadavg()[0]}
 
+    def _left(self, part):
+        """The stamp of a part, if it is one of the same key; the files it vouches for may be damaged or gone."""
+        stamp = self._read_stamp(part)
+        same = stamp.get("key") == self._key(part) and isinstance(stamp.get("made"), dict)
+        return stamp if same and isinstance(stamp.get("files"), dict) and isinstance(stamp.get("seconds"), (int, float)) else None
+
+    def _whole(self, stamp, names):
+        """Whether these files are, to the byte, what the part left."""
+        return all(digest and digest == stamp["files"].get(name) for name, digest in keys.digests_of(names, self.data).items())
+
     def kept(self, part):
-        """What an earlier run left of a part, if its key is the same."""
+        """What an earlier run left of a part, if its key is the same and every file it left, figures included."""
+        stamp = self._left(part)
+        return stamp if stamp and self._whole(stamp, [*part.outputs, *stamp["files"]]) else None
+
+    def _undrawn(self, part):
+        """The stamp of an experiment that lacks nothing but figures: it draws them anew without measuring."""
+        stamp = self._left(part) if part.kind == "experiment" else None
+        return stamp if stamp and self._whole(stamp, part.outputs) else None
+
+    def _read_stamp(self, part):
+        """What is no stamp is none."""
         try:
             stamp = json.loads(self._stamp(part).read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            return None
-        same = stamp.get("key") == self._key(part) and "made" in stamp and all((self.data / o).exists() for o in part.outputs)
-        return stamp if same else None
+            return {}
+        return stamp if isinstance(stamp, dict) else {}
 
     def expected(self, part):
         """Seconds a part will take: what it took when it was last made, else about."""
-        try:
-            return float(json.loads(self._stamp(part).read_text(encoding="utf-8"))["seconds"])
-        except (OSError, ValueError, KeyError):
-            return part.seconds
+        seconds = self._read_stamp(part).get("seconds")
+        return float(seconds) if isinstance(seconds, (int, float)) else part.seconds
 
     def _run(self, part):
         """Exit code and what the part said on standard error."""
         log = self.data / "logs" / f"{part.name}.log"
         out = self.data / (part.stdout or f"logs/{part.name}.out")
         with open(f"{out}.partial", "w", encoding="utf-8") as output, open(log, "w", encoding="utf-8") as errors:
-            self.child = subprocess.Popen(part.command, stdout=output, stderr=errors, cwd=self.source)
+            self.child = alone.started(part.command, self.lock, stdout=output, stderr=errors, cwd=self.source)
             try:
                 code = self.child.wait(None if self.deadline is None else max(1, self.deadline - time.monotonic()))
             except subprocess.TimeoutExpired:
@@ -107,35 +126,44 @@ class Measuring:
 
     def make(self, part):
         """One part, whatever becomes of it: its state and why."""
-        self._forget(part)  # what is there is of other programs or settings
+        undrawn = self._undrawn(part)
+        if not undrawn:
+            self._forget(part)  # what is there is damaged, or of other programs or settings
         started, made = time.monotonic(), self._made()
         try:
             code, said = self._run(part)
         except Cancelled:
-            self._forget(part)
+            if not undrawn:
+                self._forget(part)
             raise
         except OSError as failure:
             return {"state": "failed", "why": f"it could not be started: {failure.strerror}"}
         seconds = time.monotonic() - started
+        if undrawn:  # times and day stay those of the measurement
+            seconds, made = undrawn["seconds"], undrawn["made"]
+        return self._record(part, code, said, {"seconds": seconds, "made": made}) | ({"kept": True} if undrawn and code == 0 else {})
+
+    def _record(self, part, code, said, measured):
+        """The state of a part that ran, stamped if it is done."""
         there = all((self.data / o).exists() for o in part.outputs)
         if code != 0 or not there:
             self._forget(part)
         if code is None:
             return {"state": "left out", "why": f"it was stopped when the {QUICK_SECONDS // 60} minutes of --quick were over"}
         if there and code == 0:
-            stamp = {"key": self._key(part), "seconds": seconds, "made": made}
-            self._stamp(part).write_text(json.dumps(stamp), encoding="utf-8")
-            return {"state": "done", "seconds": seconds, "kept": False, "made": made}
+            stamp = {"key": self._key(part), "files": keys.digests_of(keys.left_by(part, self.data), self.data), **measured}
+            keys.written_whole(self._stamp(part), json.dumps(stamp))
+            return {"state": "done", "kept": False, **measured}
         why = said.splitlines()[-1] if said else f"it ended with exit code {code}"
-        return {"state": "failed", "why": why, "seconds": seconds}
+        return {"state": "failed", "why": why, "seconds": measured["seconds"]}
 
     def forget_other_models(self, program, archive):
         """The program keeps the meshes it makes: those of another archive or another program go."""
         stamp, key = self.data / "stamps/models.txt", keys.key_of([], [program, archive], {})
-        if not stamp.exists() or stamp.read_text(encoding="utf-8") != key:
+        if not stamp.exists() or stamp.read_bytes() != key.encode():
             for mesh in (self.data / "models").glob("*.obj"):
                 mesh.unlink()
-        stamp.write_text(key, encoding="utf-8")
+        keys.written_whole(stamp, key)
 
     def blocked(self, part, records):
         """Why a part cannot be made now, or nothing."""
@@ -154,7 +182,7 @@ class Measuring:
             if self.cancelled:
                 raise Cancelled
             record = {"name": part.name, "title": part.title, "kind": part.kind, "outputs": part.outputs,
-                      "command": parts.shown(part, self.source)}
+                      "command": parts.shown(part, self.source, self.data)}
             records[part.name] = record
             kept = self.kept(part)
             if part.absent:
@@ -190,53 +218,84 @@ def options():
     return parser.parse_args()
 
 
-def main():
-    begun = time.monotonic()
-    asked = options()
-    try:
-        import page
-    except ImportError:
-        print("report: the page needs jinja2; install the package python3-jinja2", file=sys.stderr)
-        return 1
-    source = Path(__file__).resolve().parents[2]
-    output, programs = Path(asked.output).resolve(), Path(asked.programs).resolve()
-    data = output / ("data-quick" if asked.quick else "data")
+def command_of(asked, source):
+    """The report's own command, as somebody in the checkout would type it."""
+    words = ["./cairn.sh", "report"] + (["--quick"] if asked.quick else []) + (["--only", asked.only] if asked.only else [])
+    for name, value, default in (("--output", asked.output, "out/report"), ("--models", asked.models, ""), ("--archive", asked.archive, parts.ARCHIVE),
+                                 ("--programs", asked.programs, "build/release/bin")):
+        # Made absolute here: cairn.sh changes to the checkout first.
+        path = value and parts.from_checkout(str(Path(value).resolve()), source)
+        if path != parts.from_checkout(default, source):
+            words += ["-o" if name == "--output" else name, path]
+    return shlex.join(words)
+
+
+def refusal(asked, output, data):
+    """Why no report can be made with these options, or nothing. Makes the folders."""
     try:
         for folder in ("", "stamps", "logs", "gallery", "models"):
             (data / folder).mkdir(parents=True, exist_ok=True)
     except OSError as failure:
-        print(f"report: {failure.filename}: {failure.strerror}; name another folder with -o", file=sys.stderr)
-        return 1
-    if not os.access(programs / "accuracy_cost", os.X_OK):
-        print(f"report: there is no accuracy_cost in {programs}; ./cairn.sh report builds it first", file=sys.stderr)
-        return 1
+        return f"{failure.filename}: {failure.strerror}; name another folder with -o"
+    if not os.access(Path(asked.programs) / "accuracy_cost", os.X_OK):
+        return f"there is no accuracy_cost in {Path(asked.programs).resolve()}; ./cairn.sh report builds it first"
+    return ""
+
+
+def wrong_usage(asked, chosen, plan):
+    names = [part.name for part in plan]
+    if asked.only and not chosen:
+        return f"--only names no part; they are {', '.join(names)}"
+    if unknown := chosen - set(names):
+        return f"there is no part {sorted(unknown)[0]}; they are {', '.join(names)}"
+    return ""
+
+
+def complain(why, code):
+    print(f"report: {why}", file=sys.stderr)
+    return code
+
+
+def report(asked, source, output, data, lock, begun):
+    """Measures and writes the page. The exit code."""
+    import page
+    programs = Path(asked.programs).resolve()
     plan = parts.Plan(source, programs, data, asked.quick, asked.models and str(Path(asked.models).resolve()), asked.archive).parts()
     chosen = {name for name in asked.only.split(",") if name}
-    if asked.only and not chosen:
-        print(f"report: --only names no part; they are {', '.join(p.name for p in plan)}", file=sys.stderr)
-        return 2
-    if unknown := chosen - {part.name for part in plan}:
-        print(f"report: there is no part {sorted(unknown)[0]}; they are {', '.join(p.name for p in plan)}", file=sys.stderr)
-        return 2
-    about = machine.describe(source, programs.parent)
-    command = shlex.join(["./cairn.sh", "report", *(["--quick"] if asked.quick else []),
-                          *(["--only", asked.only] if asked.only else []),
-                          *(["--models", Path(asked.models).name] if asked.models else [])])
-    measuring = Measuring(data, source, begun + QUICK_SECONDS - GRACE_SECONDS - PAGE_SECONDS if asked.quick else None, about, command)
+    if why := wrong_usage(asked, chosen, plan):
+        return complain(why, 2)
+    about, command = machine.describe(source, programs.parent), command_of(asked, source)
+    measuring = Measuring(data, source, begun + QUICK_SECONDS - GRACE_SECONDS - PAGE_SECONDS if asked.quick else None, about, command, lock)
     measuring.forget_other_models(programs / "accuracy_cost", asked.archive)
     try:
         records = measuring.all(plan, chosen)
     except Cancelled:
-        print("report: cancelled; the same command goes on from here.", file=sys.stderr)
-        return 130
+        return complain("cancelled; the same command goes on from here.", 130)
     run = {"quick": asked.quick, "command": command, "machine": about, "seconds": time.monotonic() - begun,
            "parts": list(records.values())}
-    (data / "run.json").write_text(json.dumps(run, indent=1), encoding="utf-8")
+    keys.written_whole(data / "run.json", json.dumps(run, indent=1))
     failed = [name for name in page.write(data, output / "index.html") if not chosen or name in chosen]
     print(f"{output / 'index.html'}, {clock(time.monotonic() - begun)}")
     if failed:
-        print(f"report: not in it: {', '.join(failed)}; the page says why.", file=sys.stderr)
+        complain(f"not in it: {', '.join(failed)}; the page says why.", 1)
     return 1 if failed else 0
+
+
+def main():
+    begun = time.monotonic()
+    asked = options()
+    try:
+        import page  # noqa: F401
+    except ImportError:
+        return complain("the page needs jinja2; install the package python3-jinja2", 1)
+    output = Path(asked.output).resolve()
+    data = output / ("data-quick" if asked.quick else "data")
+    if why := refusal(asked, output, data):
+        return complain(why, 1)
+    with alone.locked(data) as lock:
+        if lock is None:
+            return complain(f"another report, or an experiment one left running, is at work in {data}; wait for it, end it, or name another folder with -o", 1)
+        return report(asked, Path(__file__).resolve().parents[2], output, data, lock, begun)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a report is made of: its parts, the command of each, and about how long they take."""
 import os
+import shlex
 import shutil
 import subprocess
 from dataclasses import dataclass, field
@@ -133,8 +134,13 @@ class Plan:
         return result
 
 
-def shown(part, source):
-    """The command as somebody in the checkout would type it."""
+def from_checkout(word, source):
+    """A path in the checkout as somebody in it would type it, any other word as it is."""
+    return word.removeprefix(f"{Path(source)}/")
+
+
+def shown(part, source, data):
+    """The command as somebody in the checkout would type it, quoted for a shell."""
     words = part.command
     if words[:2] == ["sh", "-c"]:
         tool, mesh, method, tree, drawer, picture = words[4:]
@@ -142,7 +148,7 @@ def shown(part, source):
                  [drawer, tree, "--width", "1000", "-o", picture]]
     else:
         lines = [words]
-    text = " &&\n".join(" ".join(line) for line in lines)
+    texts = [shlex.join(from_checkout(word, source) for word in line) for line in lines]
     if part.stdout:
-        text += f" > {part.stdout}"
-    return text.replace(f"{Path(source)}/", "")
+        texts[-1] += f" > {shlex.quote(from_checkout(str(Path(data) / part.stdout), source))}"
+    return " &&\n".join(texts)
