@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_cost/runs/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -48,6 +49,14 @@ std::optional<Json> kept(const fs::path& file, const fs::path& csv, const Json& 
   Json document = Json::parse(text.value(), nullptr, false);
   if (!document.is_object() || !document.contains("settings") || document["settings"] != settings) return std::nullopt;
   return document;
+}
+
+/// Whether it has figures, and all of them are there.
+bool hasFigures(const Json& document, const fs::path& folder) {
+  const Json names = document.value("figures", Json::array());
+  return !names.empty() && std::ranges::all_of(names, [&](const Json& name) {
+    return name.is_string() && fs::exists(folder / name.get<std::string>());
+  });
 }
 
 Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const Table& table, double seconds) {
@@ -113,7 +122,7 @@ Result<RunReport> runExperiment(const RunPlan& plan, const builder::ProgressCall
   if (!models) return models.error();
   if (auto document = kept(json, csv, settingsJson(plan, models.value()))) {
     report.document = std::move(*document);
-    if (!plan.figures || !report.document["figures"].empty()) return report;
+    if (!plan.figures || hasFigures(report.document, plan.folder)) return report;
   }
   report.measured = report.document.is_null();
   const auto table = report.measured ? measured(plan, models.value(), csv, report.document, progress) : tableIn(csv);
