@@ -127,35 +127,27 @@ class Measuring:
     def make(self, part):
         """One part, whatever becomes of it: its state and why."""
         undrawn = self._undrawn(part)
-        if not undrawn:
-            self._forget(part)  # what is there is damaged, or of other programs or settings
+        forget = (lambda _: None) if undrawn else self._forget
+        forget(part)  # what is there is damaged, or of other programs or settings
         started, made = time.monotonic(), self._made()
         try:
             code, said = self._run(part)
         except Cancelled:
-            if not undrawn:
-                self._forget(part)
+            forget(part)
             raise
         except OSError as failure:
             return {"state": "failed", "why": f"it could not be started: {failure.strerror}"}
-        seconds = time.monotonic() - started
-        if undrawn:  # times and day stay those of the measurement
-            seconds, made = undrawn["seconds"], undrawn["made"]
-        return self._record(part, code, said, {"seconds": seconds, "made": made}) | ({"kept": True} if undrawn and code == 0 else {})
-
-    def _record(self, part, code, said, measured):
-        """The state of a part that ran, stamped if it is done."""
-        there = all((self.data / o).exists() for o in part.outputs)
-        if code != 0 or not there:
-            self._forget(part)
-        if code is None:
-            return {"state": "left out", "why": f"it was stopped when the {QUICK_SECONDS // 60} minutes of --quick were over"}
-        if there and code == 0:
+        measured = {"seconds": time.monotonic() - started, "made": made}
+        if code == 0 and all((self.data / o).exists() for o in part.outputs):
+            if undrawn:  # times and day stay those of the measurement
+                measured = {key: undrawn[key] for key in measured}
             stamp = {"key": self._key(part), "files": keys.digests_of(keys.left_by(part, self.data), self.data), **measured}
             keys.written_whole(self._stamp(part), json.dumps(stamp))
-            return {"state": "done", "kept": False, **measured}
-        why = said.splitlines()[-1] if said else f"it ended with exit code {code}"
-        return {"state": "failed", "why": why, "seconds": measured["seconds"]}
+            return {"state": "done", "kept": bool(undrawn), **measured}
+        forget(part)
+        if code is None:
+            return {"state": "left out", "why": f"it was stopped when the {QUICK_SECONDS // 60} minutes of --quick were over"}
+        return {"state": "failed", "why": said.splitlines()[-1] if said else f"it ended with exit code {code}", "seconds": measured["seconds"]}
 
     def forget_other_models(self, program, archive):
         """The program keeps the meshes it makes: those of another archive or another program go."""

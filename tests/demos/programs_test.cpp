@@ -278,11 +278,26 @@ TEST_F(ProgramsWithATree, PictureIsAPngOrOneSentenceWithoutPovray) {
     }
     std::filesystem::remove(folder_.path() / "tree.png");
   }
+  const std::string before = std::getenv("PATH");
   ASSERT_EQ(setenv("PATH", folder_.path().c_str(), 1), 0);
   const ProgramResult missing = runProgram("tree_picture", path("rock.cairn") + " -o " + path("tree.png"));
+  ASSERT_EQ(setenv("PATH", before.c_str(), 1), 0);
   EXPECT_EQ(missing.exitCode, 1);
   expectOneSentence(missing, "tree_picture", "install the package povray");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree.png"));
+}
+
+TEST_F(ProgramsWithATree, PicturesGoWhereTheyAreToWhateverItIsCalled) {
+  for (const char* name : {"two words", "an 'apostrophe", "\"quoted\"", "caf\u00e9", "-W10", "a;b$HOME"}) {
+    const std::filesystem::path folder = folder_.path() / name, picture = folder / (std::string(name) + ".png");
+    std::filesystem::create_directory(folder);
+    ASSERT_EQ(setenv("CAIRN_PICTURE", picture.c_str(), 1), 0);
+    const ProgramResult drawn = runProgram("tree_picture", path("rock.cairn") + " --width 200 -o \"$CAIRN_PICTURE\"");
+    if (drawn.errors.find("install the package povray") != std::string::npos) GTEST_SKIP() << drawn.errors;
+    EXPECT_EQ(drawn.exitCode, 0) << drawn.errors;
+    EXPECT_EQ(contentOf(picture).substr(1, 3), "PNG") << name;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "no file of another name: " << name;
+  }
 }
 
 TEST_F(ProgramsWithATree, HelloBulletPrintsHeightsThatFall) {

@@ -3,7 +3,9 @@
 """The report's page, made of tiny real runs: report_test.py PROGRAMS. Ends with 77 where jinja2 is not installed."""
 import html.parser
 import json
+import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -180,6 +182,38 @@ class Report(unittest.TestCase):
             record = json.loads((Path(folder) / "out/data-quick/run.json").read_text(encoding="utf-8"))
             self.assertEqual({p["name"]: p["kept"] for p in record["parts"] if p["state"] == "done"}, {"textbook": True, "expand-selection": False})
 
+    def test_makes_again_what_is_damaged_or_gone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out, options = f"{folder}/out", ("--models", str(self.meshes), "--only", "textbook,expand-selection")
+            data = Path(out) / "data-quick"
+            self.assertEqual(run(out, *options).returncode, 0)
+            table, figures = data / "expand-selection.csv", sorted(data.glob("expand-selection*.[sp]*g"))
+            whole, day = table.read_bytes(), json.loads((data / "stamps/expand-selection.json").read_text(encoding="utf-8"))["made"]
+
+            def again(*made):
+                done = run(out, *options)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(re.findall(r"^\[\S+ (\S+), about", done.stdout, re.MULTILINE), list(made))
+                self.assertEqual(table.read_bytes(), whole)
+                return json.loads((data / "stamps/expand-selection.json").read_text(encoding="utf-8"))["made"]
+
+            os.truncate(data / "textbook.json", 100)
+            again("textbook")
+            for damage in (whole[:-20], bytes(len(whole)), b""):
+                table.write_bytes(damage)
+                again("expand-selection")
+            (data / "expand-selection.json").write_text("{}", encoding="utf-8")
+            again("expand-selection")
+            for stamp in ("null", "[1]", '{"key": 1, "made": 2, "files": 3, "seconds": "4"}', "", "{"):
+                (data / "stamps/textbook.json").write_text(stamp, encoding="utf-8")
+                again("textbook")
+            day = again()
+            for figure in figures:
+                drawn = figure.read_bytes()
+                figure.unlink()
+                self.assertEqual(again("expand-selection"), day, "it is drawn, not measured")
+                self.assertEqual(len(figure.read_bytes()), len(drawn))
+
     def test_says_what_failed_and_ends_with_1(self):
         with tempfile.TemporaryDirectory() as folder:
             meshes = Path(folder) / "meshes"
@@ -240,6 +274,71 @@ class Report(unittest.TestCase):
             self.assertEqual(child.wait(60), 130)
             left = [f for f in Path(folder).rglob("*") if f.suffix in (".html", ".json", ".csv", ".partial")]
             self.assertEqual(left, [])
+
+
+def child_of(process):
+    """The one child a report has."""
+    return int(Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text(encoding="utf-8").split()[0])
+
+
+@unittest.skipUnless(Path("/proc/self/task").exists(), "children are found in Linux's /proc")
+class Alone(unittest.TestCase):
+    """One report at a time in a folder, and nothing that outlives it."""
+
+    def test_a_second_is_refused_and_a_killed_one_leaves_no_experiment(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = f"{folder}/out"
+            command = [sys.executable, str(REPORT / "measure.py"), "--quick", "-o", out, "--programs", PROGRAMS, "--only", "interruption"]
+            subprocess.run([f"{PROGRAMS}/accuracy_cost", "models", "torus", "-o", f"{folder}/meshes"], check=True, stdout=subprocess.DEVNULL)
+            first = subprocess.Popen([*command, "--models", f"{folder}/meshes"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            deadline = time.monotonic() + 60
+            while not list(Path(out).glob("data-quick/logs/interruption.out.partial")) and time.monotonic() < deadline:
+                time.sleep(0.05)
+            time.sleep(0.3)
+            experiment = child_of(first)
+            second = run(out, "--only", "textbook")
+            self.assertEqual(second.returncode, 1)
+            self.assertRegex(second.stderr, r"\Areport: another report, .*at work in .*\n\Z")
+            first.kill()
+            first.wait()
+            deadline = time.monotonic() + 10
+            while Path(f"/proc/{experiment}/exe").exists() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            self.assertFalse(Path(f"/proc/{experiment}/exe").exists(), "the experiment goes on")
+            third = run(out, "--only", "textbook")
+            self.assertEqual(third.returncode, 0, third.stderr)
+
+
+class Commands(unittest.TestCase):
+    """What the page shows can be typed."""
+
+    def test_are_quoted_and_whole(self):
+        import parts
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "a b" / "it's"
+            source.mkdir(parents=True)
+            (source / "bin").symlink_to(PROGRAMS)
+            data = source / "out/é"
+            plan = parts.Plan(source, source / "bin", data, True, "/my meshes/weird", "/x y.tar.gz").parts()
+            shown = {part.name: parts.shown(part, source, data) for part in plan}
+        self.assertEqual(shlex.split(shown["model-bunny"]),
+                         ["bin/accuracy_cost", "models", "bunny", "-o", "out/é/models", "--archive", "/x y.tar.gz"])
+        self.assertEqual(shlex.split(shown["levels"])[-3:], ["--quick", "--models", "/my meshes/weird"])
+        self.assertEqual(shlex.split(shown["builder"])[-2:], [">", "out/é/builder.txt"])
+        for text in shown.values():
+            self.assertNotIn(folder, text)
+
+    def test_the_reports_own_has_all_its_options(self):
+        import measure
+        asked = ["--quick", "--only", "levels", "-o", "/tmp/a b", "--models", "/tmp/some/weird", "--archive", "/no such", "--programs", "/usr/share"]
+        before, sys.argv = sys.argv, ["report", *asked]
+        try:
+            self.assertEqual(shlex.split(measure.command_of(measure.options(), SOURCE)), ["./cairn.sh", "report", *asked])
+            sys.argv = ["report"]
+            os.chdir(SOURCE)
+            self.assertEqual(measure.command_of(measure.options(), SOURCE), "./cairn.sh report")
+        finally:
+            sys.argv = before
 
 
 class TenMinutes(unittest.TestCase):

@@ -13,7 +13,8 @@ extern char** environ;
 
 namespace cairn::scenes {
 
-int runCommand(const std::vector<std::string>& command, const std::filesystem::path& log) {
+int runCommand(const std::vector<std::string>& command, const std::filesystem::path& log,
+               const std::filesystem::path& folder) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -21,6 +22,7 @@ int runCommand(const std::vector<std::string>& command, const std::filesystem::p
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   pid_t child = 0;
   const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

@@ -110,17 +110,18 @@ Status renderWithPovray(const std::string& scene, const PictureSize& size, const
   const ScratchFolder scratch;
   if (scratch.path().empty())
     return Error{"cannot make a folder for the scene in " + fs::temp_directory_path().string()};
-  const fs::path source = scratch.path() / "scene.pov";
-  if (const Status status = writeFileAtomically(source, scene); !status) return status;
+  if (const Status status = writeFileAtomically(scratch.path() / "scene.pov", scene); !status) return status;
   return writeFileAtomically(png, [&](const fs::path& temporary) -> Status {
     const fs::path log = scratch.path() / "povray.log";
-    const int code =
-        runCommand({"povray", "+I" + source.string(), "+O" + temporary.string(), fmt::format("+W{}", size.width),
-                    fmt::format("+H{}", size.height), "+A0.15", "+R3", "-D", "+FN"},
-                   log);
+    // POV-Ray splits its options at spaces and quotes and replaces what is not ASCII: it sees no names but these.
+    const int code = runCommand({"povray", "+Iscene.pov", "+Opicture.png", fmt::format("+W{}", size.width),
+                                 fmt::format("+H{}", size.height), "+A0.15", "+R3", "-D", "+FN"},
+                                log, scratch.path());
     if (code == -ENOENT) return Error{"POV-Ray is needed to render pictures: install the package povray"};
     if (code != 0) return Error{fmt::format("povray could not render {}: {}", png.string(), complaintIn(log))};
-    return {};
+    std::error_code failure;
+    fs::copy_file(scratch.path() / "picture.png", temporary, failure);
+    return failure ? Error{fmt::format("cannot write {}: {}", png.string(), failure.message())} : Status();
   });
 }
 
