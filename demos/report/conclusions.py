@@ -59,6 +59,10 @@ def _told(best):
     return ", ".join(f"{model} {100 * value:.0f} % ({construction}, after {at})" for model, (value, construction, at) in best.items())
 
 
+def _in_part(lacking, found):
+    return f"not measured on {' and '.join(lacking)}, which it names (--quick and missing archives leave models out); on the rest: {found}"
+
+
 def own_interrupted(rows):
     best = _least(rows, "hubbard_worst_ratio", ("cairn adaptive",))
     if not best:
@@ -67,7 +71,8 @@ def own_interrupted(rows):
 
 
 def own_second_level(rows):
-    """Our methods' second level against Hubbard's third, by the rule of the experiment's claim about merge."""
+    """Our methods' second level against Hubbard's third, by the rule of the experiment's claim about merge. Holds neither way
+    where one of the two scans was not measured."""
     worst = {(r["model"], r["construction"], r["level"]): _number(r, "sampled_max_fraction") for r in rows}
     found, holds = [], []
     for model in [m for m in dict.fromkeys(r["model"] for r in rows) if m in SCANS]:
@@ -81,7 +86,11 @@ def own_second_level(rows):
         holds.append(ours[construction] <= ABOUT_THE_SAME * third)
     if not holds:
         return None
-    return all(holds), f"worst error of our level 2 over that of Hubbard's level 3: {', '.join(found)}"
+    text = f"worst error of our level 2 over that of Hubbard's level 3: {', '.join(found)}"
+    lacking = [name for name in SCANS if all(name != model for model, _, _ in worst)]
+    if lacking and all(holds):
+        return None, _in_part(lacking, text)
+    return all(holds), text
 
 
 def early_gain(rows):
@@ -163,11 +172,14 @@ def _settle(point, experiment):
         if answer is None:
             point.why = "its table has not what it takes (--quick measures less)"
         else:
-            point.holds, point.found = answer
+            point.holds, text = answer
+            point.found, point.why = (text, "") if point.holds is not None else ("", text)
         return
     for claim in experiment["document"].get("claims", []):
         if claim["thesis"] == point.claim:
             point.holds, point.found, point.rule = claim["holds"], claim["found"], claim["rule"]
+            if point.holds and claim.get("lacking"):  # of bunny and dragon cannot be said what is known of one
+                point.holds, point.why = None, _in_part(claim["lacking"], claim["found"])
             return
     point.why = f"the experiment {point.experiment} has not measured it (--quick measures less)"
 

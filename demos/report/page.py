@@ -15,17 +15,24 @@ import tables
 
 MOST_ROWS = 60  # of a table on the page; the whole of it is there to be saved
 MOST_SVG_BYTES = 350_000  # of a figure; its PNG stands in for a larger one
-DOCUMENT_KEYS = ("experiment", "title", "thesis_section", "thesis_says", "we_found", "verdict", "why", "differs", "claims", "figures", "models", "seconds")
+DOCUMENT_KEYS = ("experiment", "title", "thesis_section", "thesis_says", "we_found", "verdict", "why", "differs", "claims", "figures", "models", "left_out", "seconds")
 KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".csv": "text/csv", ".json": "application/json"}
 # A shape beside each word, so that colour is never alone.
 SHAPES = {conclusions.REPRODUCED: ("yes", "●"), conclusions.IN_PART: ("part", "◐"), conclusions.NOT: ("no", "○"),
-          conclusions.UNKNOWN: ("none", "–"), "holds": ("yes", "●"), "does not hold": ("no", "○"),
+          conclusions.UNKNOWN: ("none", "–"), "holds": ("yes", "●"), "holds in part": ("part", "◐"), "does not hold": ("no", "○"),
           "as good as stock": ("part", "◐"), "misses": ("no", "○")}
 
 
 def data_uri(path):
     encoded = base64.b64encode(path.read_bytes()).decode("ascii")
     return Markup(f"data:{KINDS[path.suffix]};base64,{encoded}")
+
+
+def claim_verdict(claim):
+    """What is shown beside a claim; one that names models which were not measured holds in part at most."""
+    if not claim["holds"]:
+        return "does not hold"
+    return "holds in part" if claim["lacking"] else "holds"
 
 
 def shape_of(verdict):
@@ -121,6 +128,7 @@ def render(run, data):
     environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:]
     environment.filters["shape"] = shape_of
     environment.filters["number"] = tables.number
+    environment.filters["claim_verdict"] = claim_verdict
     style = Markup((here / "report.css").read_text(encoding="utf-8"))
     return environment.get_template("report.html.j2").render(style=style, **content_of(run, data))
 

@@ -66,13 +66,14 @@ def read_csv(path):
 
 
 def from_rows(rows, caption, most):
-    """The first rows of a CSV file; a column is of numbers when all its cells are."""
+    """The first rows of a CSV file; a column is of numbers when all its cells are, but models' names are texts whatever they
+    look like."""
     if not rows:
         return None
     shown, columns, factors = rows[:most], [], []
     for name in rows[0]:
         words, unit, factor = heading(name)
-        numbers = all(_parsed(r[name]) is not None or not r[name] for r in shown)
+        numbers = name != "model" and all(_parsed(r[name]) is not None or not r[name] for r in shown)
         columns.append(Column(words, unit if numbers else "", numbers))
         factors.append(factor)
     table = Table(caption, columns, left=len(rows) - len(shown))

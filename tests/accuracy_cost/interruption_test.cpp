@@ -104,7 +104,8 @@ TEST(InterruptionTable, AveragesRatiosFrameByFrame) {
 }
 
 /// Every tree of the thesis in one frame, `share` times as bad as its reference in everything but the best error.
-std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0) {
+std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0,
+                            const std::vector<std::string>& models = {"bunny", "dragon"}) {
   const auto frames = [&](double factor, double bestError) {
     InterruptedFrames list;
     for (int i = 0; i < 100; ++i) {
@@ -122,13 +123,14 @@ std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0)
     trees.push_back({name, frames(share, best), {{}, {}}});
   trees.push_back({"hybrid", frames(share / 2, best), {{}, {}}});
   Table table = emptyInterruptionTable();
-  addInterruptionRows(table, "bunny", {15000, kToTheEnd}, trees);
+  for (const std::string& model : models) addInterruptionRows(table, model, {15000, kToTheEnd}, trees);
   return judgeInterruption(table);
 }
 
 TEST(Verdict, OfInterruptionTurnsWithTheData) {
   EXPECT_EQ(verdictOf(claimsOf(0.2, 1.1)), Verdict::reproduced) << whyText(claimsOf(0.2, 1.1));
   EXPECT_EQ(claimsOf(0.2, 1.1).size(), 11U);
+  EXPECT_EQ(verdictOf(claimsOf(0.2, 1.1, 0, {"bunny"})), Verdict::inPart) << "some claims name the dragon";
   const auto half = claimsOf(0.5, 1.1);
   EXPECT_EQ(verdictOf(half), Verdict::inPart);
   EXPECT_FALSE(half[0].holds) << "a half is not a fifth";

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using Ordered = nlohmann::ordered_json;  // the program's: keys stay where they are
 using test::contentOf;
 using test::ProgramResult;
 
@@ -69,23 +70,77 @@ TEST_F(AccuracyCostProgram, WritesWhatTheReportReads) {
 }
 
 TEST_F(AccuracyCostProgram, KeepsWhatIsThereAndMeasuresWhatChanged) {
-  ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
   const auto csv = path("out/expand-selection.csv");
-  // A mark in the table tells whether it was written again.
-  const std::string marked = contentOf(csv) + "cube,max-elim,marked,0,0\n";
-  ASSERT_TRUE(writeFileAtomically(csv, marked));
-  EXPECT_NE(run("expand-selection", "out").output.find("was there"), std::string::npos);
-  EXPECT_EQ(contentOf(csv), marked);
-
-  ASSERT_EQ(run("expand-selection", "out", "--no-figures --seed 2").exitCode, 0);
-  EXPECT_EQ(contentOf(csv).find("marked"), std::string::npos) << "another seed";
-  ASSERT_TRUE(writeFileAtomically(csv, marked));
+  // An old time of change tells whether the table was written again.
+  const fs::file_time_type old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  const auto isMeasured = [&](const std::string& rest) {
+    if (fs::exists(csv)) fs::last_write_time(csv, old);
+    const ProgramResult result = run("expand-selection", "out", "--no-figures" + rest);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(result.output.find("was there") == std::string::npos, fs::last_write_time(csv) != old);
+    return fs::last_write_time(csv) != old;
+  };
+  EXPECT_TRUE(isMeasured(""));
+  EXPECT_FALSE(isMeasured(""));
+  EXPECT_TRUE(isMeasured(" --seed 2"));
   addMesh("cube", box({1, 1, 2}));
-  ASSERT_EQ(run("expand-selection", "out", "--no-figures --seed 2").exitCode, 0);
-  EXPECT_EQ(contentOf(csv).find("marked"), std::string::npos) << "another mesh of that name";
-  ASSERT_TRUE(writeFileAtomically(path("out/expand-selection.json"), "{"));
+  EXPECT_TRUE(isMeasured(" --seed 2")) << "another mesh of that name";
+  EXPECT_FALSE(isMeasured(" --seed 2"));
+}
+
+TEST_F(AccuracyCostProgram, MeasuresAgainWhatIsDamaged) {
   ASSERT_EQ(run("expand-selection", "out").exitCode, 0);
-  EXPECT_EQ(json::parse(contentOf(path("out/expand-selection.json"))).at("settings").at("seed"), 1) << "a broken file";
+  const auto csv = path("out/expand-selection.csv"), file = path("out/expand-selection.json");
+  const std::string table = contentOf(csv), document = contentOf(file);
+  const auto isMadeAgain = [&](const std::string& what) {
+    const ProgramResult result = run("expand-selection", "out");
+    EXPECT_EQ(result.exitCode, 0) << what << ": " << result.errors;
+    EXPECT_EQ(result.output.find("was there"), std::string::npos) << what;
+    EXPECT_EQ(contentOf(csv), table) << what;
+  };
+  for (const std::string& damage :
+       {table.substr(0, table.size() / 2), std::string(table.size(), '\0'), std::string()}) {
+    ASSERT_TRUE(writeFileAtomically(csv, damage));
+    isMadeAgain("a table of " + std::to_string(damage.size()) + " bytes");
+  }
+  for (const std::string damage : {"", "{", "null", "[]", R"({"sha256": 1})"}) {
+    ASSERT_TRUE(writeFileAtomically(file, damage));
+    isMadeAgain(damage);
+  }
+  for (const char* key : {"verdict", "seconds", "figures", "files", "settings", "claims", "sha256"})
+    for (const Ordered& value : {Ordered(), Ordered(7), Ordered("text"), Ordered::object()}) {
+      Ordered changed = Ordered::parse(document);
+      changed[key] = value;
+      ASSERT_TRUE(writeFileAtomically(file, changed.dump()));
+      isMadeAgain(key);
+    }
+}
+
+TEST_F(AccuracyCostProgram, DrawsAgainWhatIsDamagedOrGone) {
+  if (const Status there = checkGnuplot(); !there) GTEST_SKIP() << there.error().message;
+  ASSERT_EQ(run("expand-selection", "out", "").exitCode, 0);
+  const auto svg = path("out/expand-selection.svg");
+  const std::string drawn = contentOf(svg);
+  for (const bool isGone : {true, false}) {
+    if (isGone)
+      fs::remove(svg);
+    else
+      ASSERT_TRUE(writeFileAtomically(svg, drawn.substr(0, 100)));
+    const ProgramResult again = run("expand-selection", "out", "");
+    ASSERT_EQ(again.exitCode, 0) << again.errors;
+    EXPECT_NE(again.output.find("was there"), std::string::npos) << "nothing is measured";
+    EXPECT_EQ(contentOf(svg).size(), drawn.size());
+  }
+}
+
+TEST_F(AccuracyCostProgram, NamesModelsThatAreLeftOut) {
+  const ProgramResult result = test::runProgram(
+      "accuracy_cost", "run expand-selection --quick --archive /nosuch -o '" + path("out").string() + "' --no-figures");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const json document = json::parse(contentOf(path("out/expand-selection.json")));
+  ASSERT_FALSE(document.at("left_out").empty());
+  for (const json& name : document.at("left_out"))
+    EXPECT_NE(result.errors.find(name.get<std::string>()), std::string::npos) << result.errors;
 }
 
 TEST_F(AccuracyCostProgram, DrawsFiguresOfATableThatIsThere) {

@@ -24,6 +24,15 @@ TEST(Verdict, FollowsItsRule) {
   EXPECT_EQ(whyText({claim(true), claim(false)}), "1 of 2 claims hold. Not: thesis (rule: rule).");
 }
 
+TEST(Verdict, IsInPartWhereAModelThatIsNamedWasNotMeasured) {
+  Claim partial = claim(true);
+  partial.lacking = {"dragon"};
+  EXPECT_EQ(verdictOf({claim(true), partial}), Verdict::inPart);
+  EXPECT_EQ(whyText({claim(true), partial}), "2 of 2 claims hold. Without dragon, which it names: thesis.");
+  partial.holds = false;
+  EXPECT_EQ(verdictOf({partial}), Verdict::notReproduced);
+}
+
 builder::LevelFit fitOf(double error, double variance = 0, double uncovered = 0) {
   builder::LevelFit fit;
   fit.sampledMaxFraction = fit.sampledRmsFraction = fit.sampledMeanFraction = fit.wastedVolumeFraction = error;

@@ -254,6 +254,22 @@ class Report(unittest.TestCase):
             self.assertEqual(made.faults, [])
             self.assertEqual(made.text.count("what it left cannot be read"), 4, "in its place and in the list")
 
+    def test_names_models_that_are_left_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(f"{folder}/out", "--archive", "/nosuch", "--only", "expand-selection")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            page = Page((Path(folder) / "out/index.html").read_text(encoding="utf-8"))
+            self.assertRegex(page.text, r"Left out: bunny, for which the archive of meshes is not there")
+
+    def test_names_the_sweep_and_advise(self):
+        for command in ("build/release/bin/frame_budget --scene heap,", "build/release/bin/cairn advise "):
+            self.assertIn(command, self.page.text)
+
+    def test_a_mesh_may_be_called_like_a_number(self):
+        import tables
+        rows = [{"model": name, "error_fraction": "0.5"} for name in ("nan", "1e5")]
+        self.assertEqual([row[0] for row in tables.from_rows(rows, "", 9).rows], ["nan", "1e5"])
+
     def test_refuses_in_one_sentence(self):
         unknown = run(self.out, "--only", "no-such")
         self.assertEqual(unknown.returncode, 2)
@@ -411,6 +427,16 @@ class Conclusions(unittest.TestCase):
         self.assertEqual(self.verdict(True, None, True).verdict, "reproduced in part", "what was not measured was not found again")
         self.assertEqual(self.verdict(None, False, None).verdict, "not reproduced")
 
+    def test_what_names_a_model_that_was_not_measured_is_not_known(self):
+        import conclusions
+        third = conclusions.all_conclusions()[2]
+        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": True, "lacking": []} for p in third.points if p.claim]
+        claims[0]["lacking"] = ["dragon"]
+        settled = conclusions.judged({name: {"document": {"claims": claims}, "rows": []} for name in ("levels", "balance")})[2]
+        self.assertEqual((settled.verdict, settled.unmeasured), ("reproduced in part", 1))
+        self.assertIsNone(settled.points[0].holds)
+        self.assertIn("not measured on dragon", settled.points[0].why)
+
     def test_claims_are_those_the_experiments_make(self):
         """A claim reworded in an experiment would silently leave the summary."""
         import conclusions
@@ -443,7 +469,10 @@ class Conclusions(unittest.TestCase):
             return conclusions.own_second_level(rows)
         self.assertTrue(judged(("bunny", 0.124), ("dragon", 0.1))[0])
         self.assertFalse(judged(("bunny", 0.126), ("dragon", 0.1))[0], "one of the two is not enough")
-        self.assertTrue(judged(("bunny", 0.1), ("cube", 1))[0], "of bunny and dragon alone")
+        self.assertTrue(judged(("bunny", 0.1), ("dragon", 0.1), ("cube", 1))[0], "of bunny and dragon alone")
+        self.assertIsNone(judged(("bunny", 0.1), ("cube", 1))[0], "of both, or it is not known")
+        self.assertIn("not measured on dragon", judged(("bunny", 0.1))[1])
+        self.assertFalse(judged(("bunny", 0.2))[0], "one is enough to refute it")
         self.assertIsNone(judged(("cube", 0.1)))
         texts = (SOURCE / "demos/accuracy_cost/experiments/levels.cpp").read_text(encoding="utf-8")
         self.assertIn(f"kAboutTheSame = {conclusions.ABOUT_THE_SAME};", texts)

@@ -20,7 +20,9 @@ std::string sentence(std::string clause) {
 Verdict verdictOf(const std::vector<Claim>& claims) {
   const auto held = std::ranges::count_if(claims, &Claim::holds);
   if (held == 0) return Verdict::notReproduced;
-  return held == std::ssize(claims) ? Verdict::reproduced : Verdict::inPart;
+  const bool areAll = held == std::ssize(claims) &&
+                      std::ranges::all_of(claims, [](const Claim& claim) { return claim.lacking.empty(); });
+  return areAll ? Verdict::reproduced : Verdict::inPart;
 }
 
 const char* verdictName(Verdict verdict) {
@@ -45,6 +47,9 @@ std::string whyText(const std::vector<Claim>& claims) {
   std::string text = fmt::format("{} of {} claims hold.", std::ranges::count_if(claims, &Claim::holds), claims.size());
   for (const Claim& claim : claims)
     if (!claim.holds) text += fmt::format(" Not: {} (rule: {}).", claim.thesis, claim.rule);
+  for (const Claim& claim : claims)
+    if (claim.holds && !claim.lacking.empty())
+      text += fmt::format(" Without {}, which it names: {}.", fmt::join(claim.lacking, " and "), claim.thesis);
   return text;
 }
 

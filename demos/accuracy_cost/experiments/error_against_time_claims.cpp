@@ -69,6 +69,21 @@ void compare(const Table& table, const Where& scene, const std::string& column, 
   }
 }
 
+/// How sure times are. No claim: it is the machine's, and what is said of shapes goes by the intervals.
+std::string noiseText(const Table& table) {
+  std::vector<double> widths;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Time time = timeOf(table, row);
+    if (time.median > 0) widths.push_back((time.high - time.low) / time.median);
+  }
+  if (widths.empty()) return {};
+  std::ranges::sort(widths);
+  return fmt::format(
+      "; intervals of 95 % of the ratios of times are {:.1f} % of the median wide in the middle, {:.1f} "
+      "% at most",
+      100 * widths[widths.size() / 2], 100 * widths.back());
+}
+
 void addFront(const Table& table, const std::string& column, const char* which, std::vector<Claim>& claims) {
   Fronts fronts;
   for (const std::string& model : table.texts("model"))
@@ -82,6 +97,7 @@ void addFront(const Table& table, const std::string& column, const char* which, 
   if (fronts.greatestFactor > 0)
     found += fmt::format("; at no more error than a rival's ours takes 1/{:.3g} to 1/{:.3g} of its time",
                          fronts.leastFactor, fronts.greatestFactor);
+  found += noiseText(table);
   claims.push_back(
       {fmt::format("no rival is below and left of ours for any {} error of a pair between {} and {} % of size", which,
                    100 * kLeastError, 100 * kGreatestError),
@@ -112,25 +128,6 @@ void addMissed(const Table& table, std::vector<Claim>& claims) {
                     beyond == 0});
 }
 
-/// How sure times are: not a claim about shapes, but what the others stand on.
-void addNoise(const Table& table, std::vector<Claim>& claims) {
-  constexpr double kWidest = 0.25;
-  std::vector<double> widths;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const Time time = timeOf(table, row);
-    if (time.median > 0) widths.push_back((time.high - time.low) / time.median);
-  }
-  if (widths.empty()) return;
-  std::ranges::sort(widths);
-  const double middle = widths[widths.size() / 2];
-  claims.push_back({"ratios of times are known well enough to compare shapes",
-                    fmt::format("half of the intervals are narrower than {:.0f} % of their median", 100 * kWidest),
-                    fmt::format("intervals of 95 % of the ratios are {:.1f} % of the median wide in the middle, {:.1f} "
-                                "% at most",
-                                100 * middle, 100 * widths.back()),
-                    middle < kWidest});
-}
-
 }  // namespace
 
 std::vector<Claim> judgeErrorAgainstTime(const Table& table) {
@@ -138,7 +135,6 @@ std::vector<Claim> judgeErrorAgainstTime(const Table& table) {
   addFront(table, "error_mean_fraction", "mean", claims);
   addFront(table, "error_p99_fraction", "99 %", claims);
   addMissed(table, claims);
-  addNoise(table, claims);
   return claims;
 }
 

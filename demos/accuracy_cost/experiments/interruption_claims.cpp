@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "accuracy_cost/experiments/interruption_table.h"
+#include "accuracy_cost/experiments/scans.h"
 #include "accuracy_cost/experiments/statistics.h"
 
 namespace cairn::accuracy_cost {
@@ -83,6 +84,7 @@ struct DownTo {
   double limit;
   bool inEvery;
   const char* interruption = "";  ///< at this one; at any
+  Names lacking{};                ///< models it names that were not measured
 };
 
 void addDownTo(const Table& table, const DownTo& claim, std::vector<Claim>& claims) {
@@ -98,7 +100,7 @@ void addDownTo(const Table& table, const DownTo& claim, std::vector<Claim>& clai
                                 limit, claim.inEvery ? "every" : "at least one"),
                     fmt::format("least {}: {}; at most {:.4g} in {} of {} models", claim.what, textOf(list), limit,
                                 reached, list.size()),
-                    claim.inEvery ? reached == std::ssize(list) : reached > 0});
+                    claim.inEvery ? reached == std::ssize(list) : reached > 0, claim.lacking});
 }
 
 void addDefinite(const Table& table, const Names& models, std::vector<Claim>& claims) {
@@ -171,9 +173,7 @@ void addUpperBound(const Table& table, std::vector<Claim>& claims) {
 
 std::vector<Claim> judgeInterruption(const Table& table) {
   const Names models = table.texts("model");
-  Names complex;
-  for (const std::string& model : models)
-    if (model == "bunny" || model == "dragon") complex.push_back(model);
+  const auto [complex, lacking] = scansOf(table);
   const std::vector<DownTo> reductions{
       {"grid has as little as 20 % of the octree's error when interrupted",
        "worst error of grid over the octree's",
@@ -191,10 +191,12 @@ std::vector<Claim> judgeInterruption(const Table& table) {
        {"combined", "combined optimised"},
        ratioColumn("hubbard", "worst"),
        0.5 * kAsLow,
-       true},
+       true,
+       "",
+       lacking},
       {"as little as 20 % as many pairs of colliding spheres are found as with Hubbard's trees for bunny and dragon",
        "number of pairs of spheres over Hubbard's", complex, kMedial, ratioColumn("hubbard", "sphere_pairs"),
-       0.2 * kAsLow, true},
+       0.2 * kAsLow, true, "", lacking},
       {"optimised trees leave less than half as many frames unresolved as Hubbard's after 15 000 operations",
        "share of unresolved frames over Hubbard's",
        models,
@@ -218,7 +220,8 @@ std::vector<Claim> judgeInterruption(const Table& table) {
        ratioColumn("octree", "unresolved"),
        0.25 * kAsLow,
        true,
-       kLast},
+       kLast,
+       lacking},
   };
   std::vector<Claim> claims;
   for (const DownTo& reduction : reductions) addDownTo(table, reduction, claims);

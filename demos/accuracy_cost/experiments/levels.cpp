@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "accuracy_cost/experiments/fit_columns.h"
+#include "accuracy_cost/experiments/scans.h"
 #include "accuracy_cost/experiments/statistics.h"
 #include "accuracy_cost/experiments/thesis_ratios.h"
 #include "accuracy_cost/experiments/tree_fit.h"
@@ -109,16 +110,9 @@ Claim lowerClaim(const Table& table, const char* worse, const std::vector<const 
           all > 0 && 20 * above >= 19 * all};
 }
 
-/// Rule of a claim about bunny and dragon, the models it is made of in the thesis; those at hand.
-std::vector<std::string> complexModels(const Table& table) {
-  std::vector<std::string> models;
-  for (const std::string& model : table.texts("model"))
-    if (model == "bunny" || model == "dragon") models.push_back(model);
-  return models;
-}
-
+/// Claims about bunny and dragon, the models they are made of in the thesis: by those at hand.
 void addComplexClaims(const Table& table, std::vector<Claim>& claims) {
-  const std::vector<std::string> models = complexModels(table);
+  const auto [models, lacking] = scansOf(table);
   if (models.empty()) return;
   double leastRatio = INFINITY, mostLevel = 0, mostGrid = 0, mostHybrid = 0;
   for (const std::string& model : models) {
@@ -133,18 +127,18 @@ void addComplexClaims(const Table& table, std::vector<Claim>& claims) {
       {"merge has less than half of Hubbard's worst error for bunny and dragon",
        "at level 3 the ratio is at least 2 for each",
        fmt::format("hubbard's worst error at level 3 is at least {:.2f} times merge's ({})", leastRatio, names),
-       leastRatio >= 2});
+       leastRatio >= 2, lacking});
   claims.push_back({"merge's second level is about as tight as Hubbard's third for bunny and dragon",
                     fmt::format("its worst error is at most {} times as large", kAboutTheSame),
                     fmt::format("merge's level 2 has up to {:.2f} times the worst error of hubbard's level 3 ({})",
                                 mostLevel, names),
-                    mostLevel <= kAboutTheSame});
+                    mostLevel <= kAboutTheSame, lacking});
   claims.push_back(
       {"grid's worst error is as low as a quarter of the octree's, hybrid's a seventh, for bunny and dragon",
        "at level 3 the largest ratios are at least 4 x 0.75 and 7 x 0.75",
        fmt::format("at level 3 the octree's worst error is up to {:.2f} times grid's and {:.2f} times hybrid's ({})",
                    mostGrid, mostHybrid, names),
-       mostGrid >= 3 && mostHybrid >= 5.25});
+       mostGrid >= 3 && mostHybrid >= 5.25, lacking});
 }
 
 /// Our ratios over the thesis's, for all cells of its tables 7.2 to 7.5 that are at hand.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_cost/runs/run.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
 
 #include "accuracy_cost/figures/draw.h"
+#include "accuracy_cost/runs/seal.h"
 #include "cairn/core/atomic_file.h"
 
 namespace cairn::accuracy_cost {
@@ -38,28 +38,32 @@ Json modelsJson(const std::vector<Model>& models) {
 Json claimsJson(const std::vector<Claim>& claims) {
   Json list = Json::array();
   for (const Claim& claim : claims)
-    list.push_back({{"thesis", claim.thesis}, {"rule", claim.rule}, {"found", claim.found}, {"holds", claim.holds}});
+    list.push_back({{"thesis", claim.thesis},
+                    {"rule", claim.rule},
+                    {"found", claim.found},
+                    {"holds", claim.holds},
+                    {"lacking", claim.lacking}});
   return list;
 }
 
-/// The finished document of the same settings, if there is one beside its table.
+/// The finished document of the same settings, if there is one beside its table and both are as they were written.
 std::optional<Json> kept(const fs::path& file, const fs::path& csv, const Json& settings) {
   const auto text = textOf(file);
-  if (!text || !fs::exists(csv)) return std::nullopt;
+  if (!text) return std::nullopt;
   Json document = Json::parse(text.value(), nullptr, false);
-  if (!document.is_object() || !document.contains("settings") || document["settings"] != settings) return std::nullopt;
+  if (!isSealed(document) || document["settings"] != settings) return std::nullopt;
+  if (!areWhole({csv.filename().string()}, document["files"], csv.parent_path())) return std::nullopt;
   return document;
 }
 
-/// Whether it has figures, and all of them are there.
+/// Whether it has figures, and all of them are as they were drawn.
 bool hasFigures(const Json& document, const fs::path& folder) {
-  const Json names = document.value("figures", Json::array());
-  return !names.empty() && std::ranges::all_of(names, [&](const Json& name) {
-    return name.is_string() && fs::exists(folder / name.get<std::string>());
-  });
+  const auto names = document["figures"].get<std::vector<std::string>>();
+  return !names.empty() && areWhole(names, document["files"], folder);
 }
 
-Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const Table& table, double seconds) {
+Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const std::vector<std::string>& leftOut,
+                const Table& table, double seconds) {
   const Experiment& e = *plan.experiment;
   const std::vector<Claim> claims = e.judge(table);
   return {{"experiment", e.name},
@@ -76,17 +80,20 @@ Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const Tab
           {"csv", std::string(e.name) + ".csv"},
           {"figures", Json::array()},
           {"models", modelsJson(models)},
+          {"left_out", leftOut},
           {"settings", settingsJson(plan, models)},
-          {"seconds", seconds}};
+          {"seconds", seconds},
+          {"files", digestsOf({std::string(e.name) + ".csv"}, plan.folder)}};
 }
 
 Status addFigures(Json& document, const RunPlan& plan, const Table& table, const fs::path& csv) {
-  Json names = Json::array();
+  std::vector<std::string> names;
   for (const Figure& figure : plan.experiment->draw(table)) {
     const auto files = drawFigure(figure, table, csv, plan.folder);
     if (!files) return files.error();
-    for (const std::string& name : files.value()) names.push_back(name);
+    names.insert(names.end(), files.value().begin(), files.value().end());
   }
+  document["files"].update(digestsOf(names, plan.folder));
   document["figures"] = std::move(names);
   return {};
 }
@@ -98,14 +105,15 @@ Result<Table> tableIn(const fs::path& csv) {
 }
 
 /// Measures and writes the table; the document still lacks its figures.
-Result<Table> measured(const RunPlan& plan, const std::vector<Model>& models, const fs::path& csv, Json& document,
+Result<Table> measured(const RunPlan& plan, const std::vector<Model>& models, const fs::path& csv, RunReport& report,
                        const builder::ProgressCallback& progress) {
   const auto begin = std::chrono::steady_clock::now();
   auto table = plan.experiment->measure(models, plan.settings, progress);
   if (!table) return table.error();
   if (Status written = writeFileAtomically(csv, table.value().csv()); !written) return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  document = documentOf(plan, models, table.value(), seconds.count());
+  report.measured = true;
+  report.document = documentOf(plan, models, report.leftOut, table.value(), seconds.count());
   return table;
 }
 
@@ -124,11 +132,11 @@ Result<RunReport> runExperiment(const RunPlan& plan, const builder::ProgressCall
     report.document = std::move(*document);
     if (!plan.figures || hasFigures(report.document, plan.folder)) return report;
   }
-  report.measured = report.document.is_null();
-  const auto table = report.measured ? measured(plan, models.value(), csv, report.document, progress) : tableIn(csv);
+  const auto table = report.document.is_null() ? measured(plan, models.value(), csv, report, progress) : tableIn(csv);
   if (!table) return table.error();
   if (plan.figures)
     if (Status drawn = addFigures(report.document, plan, table.value(), csv); !drawn) return drawn.error();
+  report.document = sealed(std::move(report.document));
   if (Status written = writeFileAtomically(json, report.document.dump(1) + "\n"); !written) return written.error();
   return report;
 }

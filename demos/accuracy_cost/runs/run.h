@@ -30,8 +30,9 @@ struct RunReport {
 };
 
 /// Measures, judges and draws an experiment: `folder`/NAME.csv, the figures, then NAME.json, each written whole or not
-/// at all, so that a JSON file vouches for the others. One that is there for the same settings, meshes and version is
-/// kept; only figures it lacks are drawn, from its CSV file. Fails as `readModels`, the experiment and `drawFigure` do.
+/// at all. The JSON has digests of the others and of itself: one of the same settings, meshes and version is kept if
+/// its table and itself are as they were written; figures that are not, or that it lacks, are drawn from the CSV file.
+/// Fails as `readModels`, the experiment and `drawFigure` do.
 Result<RunReport> runExperiment(const RunPlan& plan, const builder::ProgressCallback& progress = {});
 
 }  // namespace cairn::accuracy_cost
