@@ -75,9 +75,10 @@ std::string adviceText(const std::vector<Candidate>& candidates, double budgetUs
                                           : std::string("set no budget of operations");
   return fmt::format(
       "Build with `cairn build {} {} -o FILE`, {}; expect {:.0f} us at most in 99 of 100 steps here ({:.0f} to {:.0f} "
-      "from start to start), and a certified error of {:.3g} % of the size in the mean, {:.3g} % at worst.",
+      "from start to start), and a certified error of {:.3g} % of the size in the mean, {:.3g} % at worst "
+      "({:.3g} % in the start where it is least).",
       mesh, treeText(candidate), set, rung.p99Us, rung.p99LowUs, rung.p99HighUs, 100 * rung.meanError,
-      100 * rung.worstError);
+      100 * rung.worstError, 100 * rung.mildestError);
 }
 
 }  // namespace cairn::advise

@@ -12,7 +12,9 @@
 namespace cairn::advise {
 
 /// What a tree does on one budget of operations a step. Errors are certified, fractions of the size (the bounding box's
-/// diagonal), the same bits on every run; microseconds are of this machine. Over the steps in which bodies touch.
+/// diagonal), the same bits on every run; microseconds are of this machine. Operations and times are over the
+/// steps in which bodies touch; errors over those in which there are contacts, on a small budget also of bodies that
+/// are still apart: what any other program that plays the same steps on the same budget is told.
 struct Rung {
   std::uint64_t budget = 0;            ///< operations; 0: none was set, because on none that was tried all was resolved
   bool cuts = true;                    ///< false: nothing was left unresolved
@@ -20,6 +22,7 @@ struct Rung {
   double medianUs = 0, p99Us = 0;      ///< of the whole narrow phase, CPU time a step, over all steps of all playings
   double p99LowUs = 0, p99HighUs = 0;  ///< of the start that was quickest, and of the slowest
   double meanError = 0, worstError = 0;  ///< mean over the steps of the pairs' mean; worst pair of any step
+  double mildestError = 0;               ///< worst pair of the start whose worst is least
   double unresolvedPairs = 0;            ///< share of all pairs
 };
 

@@ -158,7 +158,7 @@ class Race {
     for (int i = 0; i < kUncutTrials; ++i, budget += (budget + 3) / 4) {
       Take take(budget);
       if (Status played = play(take, contender); !played) return played;
-      if (take.cuts(frames_)) continue;
+      if (take.cuts()) continue;
       contender.takes.push_back(std::move(take));
       return {};
     }

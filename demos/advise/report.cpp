@@ -79,6 +79,7 @@ nlohmann::ordered_json rungJson(const Rung& rung, double budgetUs) {
           {"narrow_phase_p99_slowest_start_us", rung.p99HighUs},
           {"certified_error_mean_fraction", rung.meanError},
           {"certified_error_worst_fraction", rung.worstError},
+          {"certified_error_worst_mildest_start_fraction", rung.mildestError},
           {"unresolved_pairs_fraction", rung.unresolvedPairs},
           {"fits", fits(rung, budgetUs)}};
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scenes/world/run_cost.h"
+
 namespace cairn::advise {
 
 scenes::Quantiles stepQuantiles(const std::vector<std::vector<double>>& times,
@@ -32,15 +34,36 @@ Status Take::play(const scenes::Recording& recording, const scenes::Model& model
   return {};
 }
 
-bool Take::cuts(const std::vector<std::uint32_t>& frames) const {
-  return std::ranges::any_of(frames, [&](std::uint32_t frame) { return records_[frame].tree->unresolvedPairs > 0; });
+bool Take::cuts() const {
+  return std::ranges::any_of(records_,
+                             [](const scenes::StepRecord& record) { return record.tree->unresolvedPairs > 0; });
 }
 
-scenes::Quantiles Take::timesOf(std::uint32_t run, const std::vector<std::uint32_t>& frames) const {
+std::vector<std::uint32_t> Take::ofRun(std::uint32_t run, const std::vector<std::uint32_t>& frames) const {
   std::vector<std::uint32_t> own;
   for (const std::uint32_t frame : frames)
     if (frame / framesPerRun_ == run) own.push_back(frame);
-  return stepQuantiles(times_, own);
+  return own;
+}
+
+double Take::worstError(std::uint32_t run) const {
+  double worst = 0;
+  for (std::uint32_t frame = run * framesPerRun_; frame < (run + 1) * framesPerRun_; ++frame)
+    worst = std::max(worst, records_[frame].tree->worstErrorFraction);
+  return worst;
+}
+
+void Take::addSpread(Rung& rung, const std::vector<std::uint32_t>& frames) const {
+  rung.p99LowUs = rung.p99HighUs = rung.p99Us;
+  rung.mildestError = rung.worstError;
+  for (std::uint32_t run = 0; run * framesPerRun_ < records_.size(); ++run) {
+    rung.mildestError = std::min(rung.mildestError, worstError(run));
+    const std::vector<std::uint32_t> own = ofRun(run, frames);
+    if (own.empty()) continue;
+    const double p99 = stepQuantiles(times_, own).p99;
+    rung.p99LowUs = std::min(rung.p99LowUs, p99);
+    rung.p99HighUs = std::max(rung.p99HighUs, p99);
+  }
 }
 
 std::uint64_t Take::mostOperations() const {
@@ -57,31 +80,20 @@ std::vector<std::uint32_t> Take::busyFrames() const {
 }
 
 Rung Take::rung(const std::vector<std::uint32_t>& frames) const {
-  Rung rung;
-  double operations = 0, errors = 0, pairs = 0, unresolved = 0;
-  for (const std::uint32_t frame : frames) {
-    const bullet::StepStatistics& tree = *records_[frame].tree;
-    operations += static_cast<double>(tree.operations);
-    errors += tree.meanErrorFraction;
-    rung.worstError = std::max(rung.worstError, tree.worstErrorFraction);
-    pairs += tree.pairs;
-    unresolved += tree.unresolvedPairs;
-  }
-  const auto count = static_cast<double>(frames.size());
+  const scenes::TreeRunStatistics tree = *scenes::runCost(records_).tree;
   const scenes::Quantiles quantiles = stepQuantiles(times_, frames);
+  double operations = 0;
+  for (const std::uint32_t frame : frames) operations += static_cast<double>(records_[frame].tree->operations);
+  Rung rung;
   rung.budget = budget_.value_or(0);
-  rung.cuts = cuts(frames);
-  rung.meanOperations = operations / count;
+  rung.cuts = cuts();
+  rung.meanOperations = operations / static_cast<double>(frames.size());
   rung.medianUs = quantiles.median;
   rung.p99Us = quantiles.p99;
-  rung.meanError = errors / count;
-  rung.p99LowUs = rung.p99HighUs = rung.p99Us;
-  for (std::uint32_t run = 0; run * framesPerRun_ < records_.size(); ++run)
-    if (const scenes::Quantiles own = timesOf(run, frames); own.max > 0) {
-      rung.p99LowUs = std::min(rung.p99LowUs, own.p99);
-      rung.p99HighUs = std::max(rung.p99HighUs, own.p99);
-    }
-  rung.unresolvedPairs = pairs > 0 ? unresolved / pairs : 0;
+  rung.meanError = tree.meanErrorFraction;
+  rung.worstError = tree.maxErrorFraction;
+  rung.unresolvedPairs = tree.unresolvedPairFraction;
+  addSpread(rung, frames);
   return rung;
 }
 

@@ -30,15 +30,20 @@ class Take {
   std::uint32_t playings() const { return static_cast<std::uint32_t>(times_.size()); }
   /// Of any frame; 0 before it is played.
   std::uint64_t mostOperations() const;
-  /// Whether anything was left unresolved in one of these frames.
-  bool cuts(const std::vector<std::uint32_t>& frames) const;
+  /// Whether anything was left unresolved in any frame, whether or not bodies touch in it.
+  bool cuts() const;
   /// The frames in which bodies touch, counted on from run to run.
   std::vector<std::uint32_t> busyFrames() const;
-  /// Over these frames; times are `stepQuantiles`. Precondition: it was played.
+  /// Operations and times over these frames, times by `stepQuantiles`; errors and unresolved pairs as `runCost` has
+  /// them, over all frames in which it has contacts. Precondition: it was played; there are frames.
   Rung rung(const std::vector<std::uint32_t>& frames) const;
 
  private:
-  scenes::Quantiles timesOf(std::uint32_t run, const std::vector<std::uint32_t>& frames) const;
+  /// Of these frames those of one run.
+  std::vector<std::uint32_t> ofRun(std::uint32_t run, const std::vector<std::uint32_t>& frames) const;
+  double worstError(std::uint32_t run) const;
+  /// How much starts differ.
+  void addSpread(Rung& rung, const std::vector<std::uint32_t>& frames) const;
 
   std::optional<std::uint64_t> budget_;
   std::uint32_t framesPerRun_ = 0;

@@ -48,7 +48,8 @@ TEST(Advice, OfEqualMeansTakesTheLowerWorstThenTheSmallerBudgetThenTheSmallerTre
 
 TEST(Advice, NamesWhatToBuildSetAndExpect) {
   const std::string text = adviceText(twoTrees(), 39, "rock.obj");
-  for (const char* words : {"cairn build rock.obj", "--depth 1", "200 operations", "20 us", "20 %", "30 %"})
+  for (const char* words :
+       {"cairn build rock.obj", "--depth 1", "200 operations", "20 us", "20 %", "30 %", "from start to start"})
     EXPECT_NE(text.find(words), std::string::npos) << words << " in: " << text;
   EXPECT_EQ(text.find("cut nothing"), std::string::npos);
   EXPECT_NE(adviceText(twoTrees(), 40, "rock.obj").find("cut nothing"), std::string::npos);

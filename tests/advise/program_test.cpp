@@ -102,26 +102,35 @@ TEST_F(AdviseProgram, ErrorsAndOperationsAreTheSameOnEveryRun) {
   EXPECT_EQ(one["trees"], two["trees"]);
 }
 
-// What it says of a budget is what that budget does, in another program.
-TEST_F(AdviseProgram, ItsBudgetDoesWhatItSays) {
+// What it says of a budget is what that budget does, in another program: of one that cuts, and of one that does not.
+TEST_F(AdviseProgram, ItsBudgetsDoWhatItSays) {
   const std::string common = " --bodies 8 --seed 1 ";
   const ProgramResult advised =
       test::runProgram("cairn", "advise " + quoted("ring.obj") + common +
                                     "--methods combined --branching 8 --depths 2 --frames 200 --budget-us 1e6 --json " +
                                     quoted("advice.json"));
   ASSERT_EQ(advised.exitCode, 0) << advised.errors;
-  const json chosen = read("advice.json")["recommendation"];
-  ASSERT_FALSE(chosen["budget_operations"].is_null());
-  const ProgramResult played = test::runProgram(
-      "frame_budget", "--scene converge --runs 3 --steps 200 --method combined --depth 2 --mesh " + quoted("ring.obj") +
-                          common + "--budget-ops " + std::to_string(chosen["budget_operations"].get<std::uint64_t>()) +
-                          " --json " + quoted("played.json"));
-  ASSERT_EQ(played.exitCode, 0) << played.errors;
-  const json found = read("played.json");
-  EXPECT_EQ(found["unresolved_pairs_fraction"], 0);
-  EXPECT_FALSE(chosen["cuts"]);
-  EXPECT_EQ(found["certified_error_fraction"]["mean"], chosen["certified_error_mean_fraction"]);
-  EXPECT_EQ(found["certified_error_fraction"]["max"], chosen["certified_error_worst_fraction"]);
+  const json document = read("advice.json"), rungs = document["trees"][0]["budgets"];
+  ASSERT_GT(rungs.size(), 1U);
+  EXPECT_TRUE(rungs.front()["cuts"]);
+  EXPECT_FALSE(rungs.back()["cuts"]);
+  EXPECT_EQ(document["recommendation"]["budget_operations"], rungs.back()["budget_operations"]);
+  for (const json& rung : {rungs.front(), rungs.back()}) {
+    ASSERT_FALSE(rung["budget_operations"].is_null());
+    const ProgramResult played =
+        test::runProgram("frame_budget", "--scene converge --runs 3 --steps 200 --method combined --depth 2 --mesh " +
+                                             quoted("ring.obj") + common + "--budget-ops " +
+                                             std::to_string(rung["budget_operations"].get<std::uint64_t>()) +
+                                             " --json " + quoted("played.json"));
+    ASSERT_EQ(played.exitCode, 0) << played.errors;
+    const json found = read("played.json");
+    EXPECT_EQ(found["unresolved_pairs_fraction"], rung["unresolved_pairs_fraction"]);
+    EXPECT_EQ(found["unresolved_pairs_fraction"] > 0, rung["cuts"].get<bool>());
+    EXPECT_EQ(found["certified_error_fraction"]["mean"], rung["certified_error_mean_fraction"]);
+    EXPECT_EQ(found["certified_error_fraction"]["max"], rung["certified_error_worst_fraction"]);
+    EXPECT_LE(rung["certified_error_worst_mildest_start_fraction"], rung["certified_error_worst_fraction"]);
+    EXPECT_LE(rung["narrow_phase_p99_quickest_start_us"], rung["narrow_phase_p99_us"]);
+  }
 }
 
 TEST_F(AdviseProgram, PlaysWhatIsClearlyBehindLessOftenAndSaysSo) {
