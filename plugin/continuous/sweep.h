@@ -122,6 +122,7 @@ class Sweep {
   };
   Points pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) const;
   void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
+  Meeting meetingAt(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
   struct Floor;
   void keepAboveFloors(const SweptPair& pair);
   Meeting* nextFloor();

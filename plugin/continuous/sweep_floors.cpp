@@ -85,10 +85,13 @@ bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m,
   return tree - other - target_->margin() - margin_ >= -sunk;
 }
 
-// Along the floor's normal, if it comes to that within the step.
+// Along the floor's normal, if it comes to that within the step. In its own place: a node that was split and then, for
+// want of time, met as a whole has a meeting that is not found by its name.
 void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting) {
   const NodePair nodes = meeting.nodes;
+  const bool isAsked = meeting.isAsked;
   meeting = {};
+  meeting.isAsked = isAsked;
   const float closing = -dot(floor.normal, moved(start, nodes.a).way);
   if (closing <= 0) return;
   const float gap = dot(floor.normal, start.tree.support(nodes.a, -floor.normal) -
@@ -96,7 +99,8 @@ void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, const Segment& 
                     target_->margin() - margin_;
   const float at = std::max(gap, 0.0F) / closing;
   if (at * (start.to - start.from) >= 1) return;
-  note(pair, start, nodes, {at, floor.normal, closing});
+  meeting = meetingAt(pair, start, nodes, {at, floor.normal, closing});
+  meeting.isAsked = isAsked;
 }
 
 }  // namespace cairn::bullet

@@ -127,10 +127,15 @@ Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, con
   return {onOther - way + apart, onOther};
 }
 
-// Where the two regions are now, with the plane that they reach then.
 void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
+  if (isSettled(nodes.a, segment.from + hit.at * (segment.to - segment.from))) return;
+  const Meeting meeting = meetingAt(pair, segment, nodes, hit);
+  makeMeeting(nodes.a) = meeting;
+}
+
+// Where the two regions are now, with the plane that they reach then.
+Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
   const float length = segment.to - segment.from, at = segment.from + hit.at * length;
-  if (isSettled(nodes.a, at)) return;
   const auto inPair = [&](btTransform pose) {
     pose.getOrigin() -= pair.origin;
     return pose;
@@ -156,7 +161,7 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   target_->name(nodes.b, contact);
 
   const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
-  makeMeeting(nodes.a) = {at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
+  return {at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
 }
 
 }  // namespace cairn::bullet
