@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cairn/builder/import.h"
+#include "cairn/builder/sha256.h"
 #include "cairn/core/atomic_file.h"
 #include "import/mesh_text.h"
 #include "import/scene_reader.h"
-#include "import/sha256.h"
 #include "import/triangulate.h"
 #include "import/weld.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cairn/builder/mesh_file.h"
-#include "import/sha256.h"
+#include "cairn/builder/sha256.h"
 #include "import/weld.h"
 
 namespace cairn::builder {

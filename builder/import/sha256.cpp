@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "import/sha256.h"
+#include "cairn/builder/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cairn/builder/sha256.h"
 #include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
-#include "import/sha256.h"
 
 namespace cairn::tool {
 

@@ -18,11 +18,12 @@ std::string treeText(const Candidate& candidate) {
                      candidate.branching, candidate.depth);
 }
 
-}  // namespace
-
+// "400 operations", or "no budget".
 std::string budgetText(const Rung& rung) {
   return rung.budget > 0 ? fmt::format("{} operations", rung.budget) : std::string("no budget");
 }
+
+}  // namespace
 
 bool fits(const Rung& rung, double budgetUs) {
   return rung.p99Us <= budgetUs;

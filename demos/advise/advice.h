@@ -26,9 +26,6 @@ struct Rung {
   double unresolvedPairs = 0;            ///< share of all pairs
 };
 
-/// "400 operations", or "no budget".
-std::string budgetText(const Rung& rung);
-
 /// A tree and what it does, from the smallest budget to one that cuts nothing.
 struct Candidate {
   builder::Method method = builder::Method::combined;

@@ -151,8 +151,8 @@ class Race {
     return {};
   }
 
-  /// The least budget found that leaves nothing unresolved: more than what is used where there is none, because then
-  /// pairs are looked at in another order. Where none does, `whole`.
+  /// Adds the least budget found that leaves nothing unresolved: more than no budget uses, because under one pairs are
+  /// looked at in another order. Where none is found, `whole`, which has none.
   Status playUncut(Contender& contender, Take whole) {
     std::uint64_t budget = std::max<std::uint64_t>(whole.mostOperations(), 1);
     for (int i = 0; i < kUncutTrials; ++i, budget += (budget + 3) / 4) {

@@ -17,6 +17,9 @@ inline constexpr float kClusterCosine = 0.642787610F;
 /// Cosine of the 45 degrees within which two bounding spheres' contacts hold against the same motion.
 inline constexpr float kSameWayCosine = 0.707106781F;
 
+/// Cosine of the 10 degrees within which normals are of one surface and resist the same motion.
+inline constexpr float kSameNormalCosine = 0.984807753F;
+
 /// The direction a cluster had in the last step, so that contacts stay in the manifold that holds their impulses.
 struct ClusterSeed {
   Vec3 normal;

@@ -41,6 +41,12 @@ Course Course::along(const btVector3& normal, const Course& other) const {
   return along;
 }
 
+// A sphere beside the middle of what it is a child of moves on an arc.
+btScalar Course::turn() const {
+  if (isRound_ && childInObject_.getOrigin().fuzzyZero()) return 0;
+  return angular_.length() * timeStep_;
+}
+
 btTransform Course::at(btScalar fraction) const {
   btTransform moved;
   btTransformUtil::integrateTransform(object_, linear_, angular_, timeStep_ * fraction, moved);

@@ -19,8 +19,8 @@ class Course {
   btTransform at(btScalar fraction) const;
   /// The same without what moves it against `normal` (unit, world frame) faster than `other`.
   Course along(const btVector3& normal, const Course& other) const;
-  /// Radians within the whole step.
-  btScalar turn() const { return isRound_ ? btScalar(0) : angular_.length() * timeStep_; }
+  /// Radians within the whole step; 0 of a sphere about its middle, which looks the same.
+  btScalar turn() const;
 
  private:
   btTransform object_, childInObject_;

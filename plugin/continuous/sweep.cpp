@@ -25,8 +25,6 @@ constexpr std::uint32_t kLeafCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 constexpr int kMostSlowSteps = 30;
 // Two walls of a corner, after its floor.
 constexpr int kDeflections = 2;
-// Cosine of the 10 degrees within which what is met later is of the same surface, and bounces with it.
-constexpr float kSameNormalCosine = 0.984807753F;
 
 // A leaf whose certified error is more than this part of the other side's radius may say too little of where its
 // surface is to be met as a whole.
@@ -79,7 +77,7 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
   if (isSunk && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
-  if (pair.isFast) anchor_ = frameOf(pair).at(0);
+  if (pair.isFast) anchor_ = frame_->at(0);
 }
 
 const Sweep::Meeting* Sweep::firstMeeting() const {
@@ -127,19 +125,17 @@ void Sweep::follow(const SweptPair& pair, bool fromAnchor, Budget& budget) {
   keepAboveFloors(pair);
 }
 
-SweptFrame Sweep::frameOf(const SweptPair& pair) const {
-  return {pair.treeCourse, pair.otherCourse, !asSphereTree(pair.other) && otherReach_ < pair.tree->size()};
-}
-
-SweptPlace Sweep::placeAt(const SweptFrame& frame, float part) const {
-  if (part >= 0) return frame.at(btScalar(part));
-  return placeBetween(frame.at(0), *anchor_, -btScalar(part));
+SweptPlace Sweep::placeAt(float part) const {
+  if (part >= 0) return frame_->at(btScalar(part));
+  return placeBetween(frame_->at(0), *anchor_, -btScalar(part));
 }
 
 // Also asks the target for all that is near the way.
 void Sweep::cut(const SweptPair& pair, bool fromAnchor) {
   segments_.clear();
-  if (anchor_ && fromAnchor) append(pair, -1, 0, turnBetween(*anchor_, frameOf(pair).at(0)));
+  const bool otherIsSmaller = !asSphereTree(pair.other) && otherReach_ < pair.tree->size();
+  frame_.emplace(pair.treeCourse, pair.otherCourse, otherIsSmaller);
+  if (anchor_ && fromAnchor) append(pair, -1, 0, turnBetween(*anchor_, frame_->at(0)));
   if (pair.isFast) append(pair, 0, 1, pair.treeCourse.turn() + pair.otherCourse.turn());
   btVector3 lower(SIMD_INFINITY, SIMD_INFINITY, SIMD_INFINITY), upper = -lower;
   for (const Segment& s : segments_) {
@@ -161,10 +157,9 @@ void Sweep::append(const SweptPair& pair, float from, float to, btScalar turn) {
 }
 
 Sweep::Segment Sweep::segment(const SweptPair& pair, float from, float to) const {
-  const SweptFrame frame = frameOf(pair);
-  const auto [begin, otherAxes] = placeAt(frame, from);
-  const auto [end, otherAxesAtEnd] = placeAt(frame, to);
-  const btTransform middle = placeAt(frame, 0.5F * (from + to)).tree;
+  const auto [begin, otherAxes] = placeAt(from);
+  const auto [end, otherAxesAtEnd] = placeAt(to);
+  const btTransform middle = placeAt(0.5F * (from + to)).tree;
   btVector3 center;
   btScalar radius = 0;
   pair.tree->getBoundingSphere(center, radius);

@@ -97,8 +97,7 @@ class Sweep {
   void cut(const SweptPair& pair, bool fromAnchor);
   void append(const SweptPair& pair, float from, float to, btScalar turn);
   Segment segment(const SweptPair& pair, float from, float to) const;
-  SweptFrame frameOf(const SweptPair& pair) const;
-  SweptPlace placeAt(const SweptFrame& frame, float part) const;
+  SweptPlace placeAt(float part) const;
   void sweep(const SweptPair& pair, Budget& budget);
   void follow(const SweptPair& pair, bool fromAnchor, Budget& budget);
   void deflect(SweptPair pair, Budget& budget);
@@ -112,6 +111,8 @@ class Sweep {
   void makeMeetingsBelow(NodeId leaf, std::uint32_t count);
   bool isSettled(TreeParts::Part part, float at) const;
   bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
+  // How far apart two regions are along a unit direction of the frame; negative if they are not.
+  float gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
   struct Approach;
   std::size_t collectNormals(const Approach& approach);
   Hit flattest(const Approach& approach, Hit latest, std::size_t ofOther) const;
@@ -127,6 +128,7 @@ class Sweep {
   void keepAboveFloors(const SweptPair& pair);
   Meeting* nextFloor();
   bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
+  float heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const;
   bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
   void meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting);
 
@@ -139,8 +141,9 @@ class Sweep {
   std::vector<Meeting> meetings_;
   std::vector<Contact> contacts_;
   SeparatingNormals normals_;
-  float margin_ = 0;      // of the moved tree
-  float otherReach_ = 0;  // from the origin of its frame
+  float margin_ = 0;                 // of the moved tree
+  float otherReach_ = 0;             // of the other side's farthest point, from its own origin
+  std::optional<SweptFrame> frame_;  // of the last way followed
   std::uint32_t tests_ = 0;
   int slowSteps_ = 0;                 // since it was last fast
   std::optional<SweptPlace> anchor_;  // where both stood when nothing had sunk in

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/normal_clusters.h"
 #include "continuous/sweep.h"
 
 namespace cairn::bullet {
@@ -37,14 +36,18 @@ void Sweep::keepAboveFloors(const SweptPair& pair) {
     if (!next) return;
     for (const bool isTrees : {true, false}) {
       if (!isFace(isTrees, *start, next->nodes, next->normal)) continue;
-      const Vec3 n = next->normal;
-      const Vec3 on =
-          isTrees ? start->tree.support(next->nodes.a, -n) : supportOf(*target_, next->nodes.b, start->otherAxes, n);
-      const Floor floor{next->nodes, n, next->at, isTrees, dot(n, on)};
+      const Floor floor{next->nodes, next->normal, next->at, isTrees,
+                        heightOf(isTrees, *start, next->nodes, next->normal)};
       for (Meeting& m : meetings_)
         if (standsOn(floor, *start, m, pair.reach)) meetFloor(floor, pair, *start, m);
     }
   }
+}
+
+// Where the surface of a region lies along a normal from the other side to the tree, as the step begins.
+float Sweep::heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const {
+  const Vec3 on = ofTree ? start.tree.support(nodes.a, -normal) : supportOf(*target_, nodes.b, start.otherAxes, normal);
+  return dot(normal, on);
 }
 
 // The earliest that was not asked for yet; those of the same direction are answered with it.
@@ -76,13 +79,11 @@ bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m,
   if (!m.isContact || m.at <= floor.at || dot(m.normal, floor.normal) > kFloorCosine) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
   if (!isFace(floor.isTrees, start, m.nodes, floor.normal)) return false;
-  const float tree = dot(floor.normal, start.tree.support(m.nodes.a, -floor.normal));
-  const float other = dot(floor.normal, supportOf(*target_, m.nodes.b, start.otherAxes, floor.normal));
   const float treeRadius = start.tree.sphere(m.nodes.a).radius, otherRadius = target_->radius(m.nodes.b);
-  const float region = floor.isTrees ? tree : other;
-  if (std::abs(region - floor.height) > kFloorFraction * (floor.isTrees ? treeRadius : otherRadius)) return false;
+  const float beside = heightOf(floor.isTrees, start, m.nodes, floor.normal) - floor.height;
+  if (std::abs(beside) > kFloorFraction * (floor.isTrees ? treeRadius : otherRadius)) return false;
   const float sunk = std::max(reach, kSunkFraction * (floor.isTrees ? otherRadius : treeRadius));
-  return tree - other - target_->margin() - margin_ >= -sunk;
+  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -sunk;
 }
 
 // Along the floor's normal, if it comes to that within the step. In its own place: a node that was split and then, for
@@ -94,10 +95,7 @@ void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, const Segment& 
   meeting.isAsked = isAsked;
   const float closing = -dot(floor.normal, moved(start, nodes.a).way);
   if (closing <= 0) return;
-  const float gap = dot(floor.normal, start.tree.support(nodes.a, -floor.normal) -
-                                          supportOf(*target_, nodes.b, start.otherAxes, floor.normal)) -
-                    target_->margin() - margin_;
-  const float at = std::max(gap, 0.0F) / closing;
+  const float at = std::max(gapAlong(floor.normal, nodes, start.tree, start.otherAxes), 0.0F) / closing;
   if (at * (start.to - start.from) >= 1) return;
   meeting = meetingAt(pair, start, nodes, {at, floor.normal, closing});
   meeting.isAsked = isAsked;

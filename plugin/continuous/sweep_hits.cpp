@@ -25,29 +25,30 @@ bool turnsOnePoint(const Vec3& direction, float size, const auto& support) {
 
 }  // namespace
 
+float Sweep::gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const {
+  const Vec3 apart = tree.support(nodes.a, -normal) - supportOf(*target_, nodes.b, otherAxes, normal);
+  return dot(normal, apart) - target_->margin() - margin_;
+}
+
 // Two regions that come together within a segment.
 struct Sweep::Approach {
+  const Sweep& sweep;
   const Segment& segment;
-  const SweptTarget& target;
   NodePair nodes;
   MovedNode node;
-  float entry;    // part of the segment at which they are near
-  float margins;  // of both
-  float sunk;     // so deep they still count as apart
+  float entry;  // part of the segment at which they are near
+  float sunk;   // so deep they still count as apart
 
-  float gap(const Vec3& normal) const { return gapOf(segment.tree, segment.otherAxes, normal); }
-  float gapAtEnd(const Vec3& normal) const { return gapOf(segment.treeAtEnd, segment.otherAxesAtEnd, normal); }
+  float gap(const Vec3& normal) const { return sweep.gapAlong(normal, nodes, segment.tree, segment.otherAxes); }
+  float gapAtEnd(const Vec3& normal) const {
+    return sweep.gapAlong(normal, nodes, segment.treeAtEnd, segment.otherAxesAtEnd);
+  }
   float closing(const Vec3& normal) const { return -dot(normal, node.way); }
   bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
   bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
   Hit hit(const Vec3& normal) const {
     const float least = gap(normal) - node.slack;
     return {std::clamp(least / closing(normal), entry, 1.0F), normal, closing(normal)};
-  }
-
- private:
-  float gapOf(const TreeParts& tree, const Mat3& otherAxes, const Vec3& normal) const {
-    return dot(normal, tree.support(nodes.a, -normal) - supportOf(target, nodes.b, otherAxes, normal)) - margins;
   }
 };
 
@@ -72,13 +73,8 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
 std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
   const MovedNode node = moved(segment, candidate.pair.a);
   if (lengthSq(node.way) == 0) return std::nullopt;
-  const Approach approach{segment,
-                          *target_,
-                          candidate.pair,
-                          node,
-                          candidate.entry,
-                          target_->margin() + margin_,
-                          std::max(pair.reach, kSunkFraction * node.ball.radius)};
+  const Approach approach{*this, segment,         candidate.pair,
+                          node,  candidate.entry, std::max(pair.reach, kSunkFraction * node.ball.radius)};
   const std::size_t ofOther = collectNormals(approach);
   std::optional<Hit> latest;
   for (const Vec3& normal : normals_.all()) {
@@ -140,9 +136,8 @@ Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, c
     pose.getOrigin() -= pair.origin;
     return pose;
   };
-  const SweptFrame frame = frameOf(pair);
-  const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(frame.inWorld());
-  const Mat3 otherTurn = toMat3(frame.at(0).otherAxes) * transpose(segment.otherAxes);
+  const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(frame_->inWorld());
+  const Mat3 otherTurn = toMat3(frame_->at(0).otherAxes) * transpose(segment.otherAxes);
   Contact contact;
   contact.isAhead = contact.ofSpheres = true;
   const NodeId leaf = TreeParts::nodeOf(nodes.a);

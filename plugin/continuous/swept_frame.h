@@ -5,13 +5,13 @@
 
 namespace cairn::bullet {
 
-/// How two bodies stand to each other in the frame a sweep is made in.
+/// How two bodies stand to each other in the frame a sweep is made in, world unit.
 struct SweptPlace {
-  btTransform tree;
+  btTransform tree;       ///< its shape's, in the frame
   btMatrix3x3 otherAxes;  ///< the other body's own, in the frame; its origin is the frame's
 };
 
-/// Part 0 is `x`, part 1 is `y`.
+/// On the straight and shortest way between two, both of one frame: part 0 is `x`, part 1 is `y`.
 SweptPlace placeBetween(const SweptPlace& x, const SweptPlace& y, btScalar part);
 /// Radians, of both bodies together.
 btScalar turnBetween(const SweptPlace& x, const SweptPlace& y);
@@ -20,12 +20,13 @@ btScalar turnBetween(const SweptPlace& x, const SweptPlace& y);
 /// stands beside a wheel that rolls would else move on arcs about it, and its ground would tilt.
 class SweptFrame {
  public:
+  /// `keepsAxes`: the other is the smaller one.
   SweptFrame(const Course& tree, const Course& other, bool keepsAxes)
       : tree_(tree), other_(other), keepsAxes_(keepsAxes) {}
 
-  /// After this part of the step, 0 to 1.
+  /// How they stand after this part of the step, 0 to 1, if nothing stops them.
   SweptPlace at(btScalar part) const;
-  /// The frame itself as the step begins.
+  /// The frame itself as the step begins, world frame.
   btTransform inWorld() const;
 
  private:

@@ -8,8 +8,6 @@ namespace cairn::bullet {
 
 namespace {
 
-// Clusters whose common normals are closer than 10 degrees resist the same motion.
-constexpr float kSameNormalCosine = 0.984807753F;
 // Normals more than 120 degrees apart hold against opposite motions.
 constexpr float kOpposedCosine = 0.5F;
 

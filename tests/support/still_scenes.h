@@ -37,7 +37,6 @@ class StillWorld : public BulletWorld<> {
     if (resisted == Resisted::fixed) mode |= SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION;
     if (resisted == Resisted::both) mode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   }
-  void resistInTwoDirections() { resist(Resisted::both); }
 
   btRigidBody& addTried(const TriedBody& tried, const btTransform& at, btScalar friction) {
     btRigidBody& body = add(tried.shape, 1, at.getOrigin(), at.getRotation());

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_cost/runs/seal.h"
 
-#include <fmt/format.h>
-#include <openssl/evp.h>
-
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
+#include "cairn/builder/sha256.h"
 #include "cairn/core/atomic_file.h"
 
 namespace cairn::accuracy_cost {
@@ -17,18 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr const char* kSeal = "sha256";
 
-std::string sha256Of(std::span<const std::byte> bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
-}
-
 std::string sealOf(const Json& document) {
   const std::string text = document.dump();
-  return sha256Of(std::as_bytes(std::span(text.data(), text.size())));
+  return builder::sha256Hex(std::as_bytes(std::span(text.data(), text.size())));
 }
 
 }  // namespace
@@ -36,7 +24,7 @@ std::string sealOf(const Json& document) {
 Json digestsOf(const std::vector<std::string>& names, const std::filesystem::path& folder) {
   Json digests = Json::object();
   for (const std::string& name : names)
-    if (const auto bytes = readFile(folder / name)) digests[name] = sha256Of(bytes.value());
+    if (const auto bytes = readFile(folder / name)) digests[name] = builder::sha256Hex(bytes.value());
   return digests;
 }
 

@@ -115,7 +115,7 @@ double standing(const Building& building, const std::string& shape, double secon
   const auto body = std::ranges::find(building.of, shape, &CaseBody::name);
   test::StillWorld w;
   w.world.getSolverInfo().m_numIterations = kIterations;
-  if (inTwoDirections) w.resistInTwoDirections();
+  if (inTwoDirections) w.resist(test::Resisted::both);
   w.addGround().setFriction(btScalar(building.friction));
   std::vector<btRigidBody*> bodies;
   std::vector<btVector3> places;

@@ -20,7 +20,7 @@ Pile::Pile(const test::TriedBody& tried, double size, const PileOptions& options
   const double spacing = kRoom * size;
   halfWidth_ = spacing * perSide / 2;
   world_.world.getSolverInfo().m_numIterations = options.iterations;
-  if (options.inTwoDirections) world_.resistInTwoDirections();
+  if (options.inTwoDirections) world_.resist(test::Resisted::both);
   planes_.push_back(&world_.addGround());
   for (const btVector3& n : {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 1, 0), btVector3(0, -1, 0)})
     planes_.push_back(

@@ -32,7 +32,7 @@ Outcome runRestForAMinute(Effort effort) {
     for (const test::Resisted resisted : {test::Resisted::sliding, test::Resisted::fixed, test::Resisted::both}) {
       start.resisted = resisted;
       std::ranges::copy(lie(body.body, start), std::back_inserter(figures));
-      figures.push_back(figures.back());
+      figures.push_back(figures.back());  // the drift again, for its upper tenth
     }
     return figures;
   };
