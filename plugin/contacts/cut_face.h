@@ -9,18 +9,19 @@
 
 namespace cairn::bullet {
 
+inline constexpr std::size_t kMaxFaceCorners = 8;
+
 /// A convex face of few corners (or an edge, or a point), of which planes cut away what lies behind them, one after the
-/// other (Sutherland and Hodgman 1974).
+/// other (Sutherland and Hodgman 1974). At most `kMaxCuts` planes.
+template <std::size_t kMaxCuts>
 class CutFace {
  public:
-  static constexpr std::size_t kMaxCorners = 8;
-
-  /// `corners`: in their order around the face, at most `kMaxCorners`.
+  /// `corners`: in their order around the face, at most `kMaxFaceCorners`.
   explicit CutFace(std::span<const Vec3> corners) {
     for (const Vec3& corner : corners) points_[count_++] = corner;
   }
 
-  /// Keeps what has dot(inwards, x) >= offset. At most three cuts. An edge's ends may come twice.
+  /// Keeps what has dot(inwards, x) >= offset. An edge's ends may come twice.
   void cut(const Vec3& inwards, float offset) {
     std::array<Vec3, kMaxPoints> kept;
     std::size_t count = 0;
@@ -38,7 +39,7 @@ class CutFace {
 
  private:
   // Each cut of a convex face adds one; rounding, which bends it, one more.
-  static constexpr std::size_t kMaxPoints = kMaxCorners + 6;
+  static constexpr std::size_t kMaxPoints = kMaxFaceCorners + 2 * kMaxCuts;
 
   std::array<Vec3, kMaxPoints> points_;
   std::size_t count_ = 0;

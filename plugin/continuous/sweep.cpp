@@ -69,7 +69,7 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
   follow(pair, true, budget);
   bool isSunk = false;
   for (const Meeting& m : meetings_) {
-    if (m.isContact) contacts_.push_back(m.contact);
+    if (m.isContact) addContactsOf(m);
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
   markLater();
@@ -78,6 +78,14 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
   if (isSunk && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
   if (pair.isFast) anchor_ = frame_->at(0);
+}
+
+void Sweep::addContactsOf(const Meeting& meeting) {
+  contacts_.push_back(meeting.contact);
+  for (std::size_t i = 0; i < meeting.besideCount; ++i) {
+    contacts_.push_back(meeting.contact);
+    contacts_.back().position += meeting.beside[i];
+  }
 }
 
 const Sweep::Meeting* Sweep::firstMeeting() const {
@@ -106,7 +114,7 @@ void Sweep::deflect(SweptPair pair, Budget& budget) {
     pair.treeCourse = pair.treeCourse.along(toBullet(normal), pair.otherCourse);
     follow(pair, false, budget);
     for (const Meeting& m : meetings_)
-      if (m.isContact && dot(m.contact.normal, normal) < kSameWayCosine) contacts_.push_back(m.contact);
+      if (m.isContact && dot(m.contact.normal, normal) < kSameWayCosine) addContactsOf(m);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "cairn/core/budget.h"
 #include "continuous/course.h"
+#include "continuous/meeting_place.h"
 #include "continuous/swept_frame.h"
 #include "continuous/swept_target.h"
 #include "continuous/tree_parts.h"
@@ -81,12 +82,16 @@ class Sweep {
   // What a part of the moved tree comes to first: on the way from the anchor, no contact if it is still in front of it.
   static constexpr float kNotMet = 2;  // beyond any part of the step
   struct Meeting {
+    static constexpr std::size_t kMostBeside = MeetingPlace::kMost - 1;
     float at = kNotMet;
     bool isContact = false;
     bool isAsked = false;  // whether it is a floor
     NodePair nodes;
     Vec3 normal;  // in the frame
     Contact contact;
+    // More contacts of the same two regions: so far beside the first.
+    std::array<Vec3, kMostBeside> beside{};
+    std::size_t besideCount = 0;
   };
   struct Hit {
     float at = 0;  // part of the segment
@@ -103,6 +108,7 @@ class Sweep {
   void deflect(SweptPair pair, Budget& budget);
   const Meeting* firstMeeting() const;
   void markLater();
+  void addContactsOf(const Meeting& meeting);
   static void swapSides(Contact& contact);
   void search(const SweptPair& pair, const Segment& segment, Budget& budget);
   void enter(const Segment& segment, const NodePair& pair);
@@ -117,20 +123,24 @@ class Sweep {
   std::size_t collectNormals(const Approach& approach);
   Hit flattest(const Approach& approach, Hit latest, std::size_t ofOther) const;
   std::optional<Hit> hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate);
-  // A point of each, where the tree is at the segment's beginning.
+  // A point of each, where the tree is at the segment's beginning, and all of the other's that are known.
   struct Points {
     Vec3 onTree, onOther;
+    MeetingPlace place;
   };
   Points pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) const;
   void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
   Meeting meetingAt(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
   struct Floor;
   void keepAboveFloors(const SweptPair& pair);
-  Meeting* nextFloor();
+  void keepAbove(const Floor& floor, const SweptPair& pair, const Segment& start);
+  const Meeting* nextMeeting();
+  void answer(const Vec3& normal);
   bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
   float heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const;
+  bool isLevel(const Floor& floor, const Segment& start, const Meeting& meeting) const;
   bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
-  void meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting);
+  void meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting);
 
   std::unique_ptr<SweptTarget> target_;
   std::vector<Segment> segments_;

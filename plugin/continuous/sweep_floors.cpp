@@ -32,14 +32,27 @@ void Sweep::keepAboveFloors(const SweptPair& pair) {
   const auto start = std::ranges::find_if(segments_, [](const Segment& s) { return s.from == 0; });
   if (start == segments_.end()) return;
   for (int i = 0; i < kMostFloors; ++i) {
-    const Meeting* const next = nextFloor();
+    const Meeting* const next = nextMeeting();
     if (!next) return;
+    const NodePair nodes = next->nodes;
+    const Vec3 normal = next->normal;
+    const float at = next->at;
+    bool isFloor = false;
     for (const bool isTrees : {true, false}) {
-      if (!isFace(isTrees, *start, next->nodes, next->normal)) continue;
-      const Floor floor{next->nodes, next->normal, next->at, isTrees,
-                        heightOf(isTrees, *start, next->nodes, next->normal)};
-      for (Meeting& m : meetings_)
-        if (standsOn(floor, *start, m, pair.reach)) meetFloor(floor, pair, *start, m);
+      if (!isFace(isTrees, *start, nodes, normal)) continue;
+      isFloor = true;
+      keepAbove({nodes, normal, at, isTrees, heightOf(isTrees, *start, nodes, normal)}, pair, *start);
+    }
+    if (!isFloor) answer(normal);
+  }
+}
+
+void Sweep::keepAbove(const Floor& floor, const SweptPair& pair, const Segment& start) {
+  for (Meeting& m : meetings_) {
+    if (dot(m.normal, floor.normal) > kFloorCosine) {
+      m.isAsked = m.isAsked || isLevel(floor, start, m);
+    } else if (standsOn(floor, start, m, pair.reach)) {
+      meetFloor(floor, pair, m);
     }
   }
 }
@@ -50,15 +63,19 @@ float Sweep::heightOf(bool ofTree, const Segment& start, const NodePair& nodes, 
   return dot(normal, on);
 }
 
-// The earliest that was not asked for yet; those of the same direction are answered with it.
-Sweep::Meeting* Sweep::nextFloor() {
+// The earliest that was not asked for yet.
+const Sweep::Meeting* Sweep::nextMeeting() {
   Meeting* next = nullptr;
   for (Meeting& m : meetings_)
     if (!m.isAsked && m.at >= 0 && m.at < kNotMet && (!next || m.at < next->at)) next = &m;
-  if (!next) return nullptr;
-  for (Meeting& m : meetings_)
-    if (dot(m.normal, next->normal) > kFloorCosine) m.isAsked = true;
+  if (next) next->isAsked = true;
   return next;
+}
+
+// All that are met along this direction.
+void Sweep::answer(const Vec3& normal) {
+  for (Meeting& m : meetings_)
+    if (dot(m.normal, normal) > kFloorCosine) m.isAsked = true;
 }
 
 bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) {
@@ -74,31 +91,36 @@ bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, con
   return false;
 }
 
+// Whether a region that is met has a face as high as the floor.
+bool Sweep::isLevel(const Floor& floor, const Segment& start, const Meeting& m) const {
+  const float radius = floor.isTrees ? start.tree.sphere(m.nodes.a).radius : target_->radius(m.nodes.b);
+  const float beside = heightOf(floor.isTrees, start, m.nodes, floor.normal) - floor.height;
+  return std::abs(beside) <= kFloorFraction * radius;
+}
+
 // Whether what it meets later is another region of that floor, which it was above as the step began.
 bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float reach) {
-  if (!m.isContact || m.at <= floor.at || dot(m.normal, floor.normal) > kFloorCosine) return false;
+  if (!m.isContact || m.at <= floor.at) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
-  if (!isFace(floor.isTrees, start, m.nodes, floor.normal)) return false;
-  const float treeRadius = start.tree.sphere(m.nodes.a).radius, otherRadius = target_->radius(m.nodes.b);
-  const float beside = heightOf(floor.isTrees, start, m.nodes, floor.normal) - floor.height;
-  if (std::abs(beside) > kFloorFraction * (floor.isTrees ? treeRadius : otherRadius)) return false;
-  const float sunk = std::max(reach, kSunkFraction * (floor.isTrees ? otherRadius : treeRadius));
-  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -sunk;
+  if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m)) return false;
+  const float radius = floor.isTrees ? target_->radius(m.nodes.b) : start.tree.sphere(m.nodes.a).radius;
+  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -std::max(reach, kSunkFraction * radius);
 }
 
 // Along the floor's normal, if it comes to that within the step. In its own place: a node that was split and then, for
 // want of time, met as a whole has a meeting that is not found by its name.
-void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, const Segment& start, Meeting& meeting) {
+void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting) {
   const NodePair nodes = meeting.nodes;
-  const bool isAsked = meeting.isAsked;
   meeting = {};
-  meeting.isAsked = isAsked;
-  const float closing = -dot(floor.normal, moved(start, nodes.a).way);
-  if (closing <= 0) return;
-  const float at = std::max(gapAlong(floor.normal, nodes, start.tree, start.otherAxes), 0.0F) / closing;
-  if (at * (start.to - start.from) >= 1) return;
-  meeting = meetingAt(pair, start, nodes, {at, floor.normal, closing});
-  meeting.isAsked = isAsked;
+  for (const Segment& s : segments_) {
+    if (s.from < 0) continue;
+    const float gap = std::max(gapAlong(floor.normal, nodes, s.tree, s.otherAxes), 0.0F);
+    const float closing = gap - gapAlong(floor.normal, nodes, s.treeAtEnd, s.otherAxesAtEnd);
+    if (closing <= 0 || gap >= closing) continue;
+    meeting = meetingAt(pair, s, nodes, {gap / closing, floor.normal, closing});
+    break;
+  }
+  meeting.isAsked = true;
 }
 
 }  // namespace cairn::bullet

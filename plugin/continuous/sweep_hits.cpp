@@ -17,12 +17,6 @@ constexpr float kPassingFraction = 1e-4F;
 // What is left of a unit line beside the way, to make a direction of.
 constexpr float kLeastBeside = 0.1F;
 
-bool turnsOnePoint(const Vec3& direction, float size, const auto& support) {
-  FacingCorners corners;
-  corners.look(direction, size, support);
-  return corners.corners().size() == 1;
-}
-
 }  // namespace
 
 float Sweep::gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const {
@@ -47,8 +41,8 @@ struct Sweep::Approach {
   bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
   bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
   Hit hit(const Vec3& normal) const {
-    const float least = gap(normal) - node.slack;
-    return {std::clamp(least / closing(normal), entry, 1.0F), normal, closing(normal)};
+    const float now = gap(normal), closes = now - gapAtEnd(normal);
+    return {closes > 0 ? std::clamp(now / closes, entry, 1.0F) : entry, normal, closes};
   }
 };
 
@@ -104,8 +98,8 @@ Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofO
   return latest;
 }
 
-// The smaller region knows where: on a flat one any point may be the extreme one. A corner, or a round side, of
-// something that is no tree is where it is whatever its size.
+// The smaller region knows where: on a flat one any point may be the extreme one. Of something that is no tree the
+// corners are known as well: the place is what they have in common with the leaf's, unless that is a single point.
 Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes,
                               const Hit& hit) const {
   const auto treeSupport = [&](const Vec3& direction) { return segment.tree.support(nodes.a, direction); };
@@ -116,11 +110,21 @@ Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, con
   const Vec3 way = moved(segment, nodes.a).way * hit.at;
   const Vec3 apart = hit.normal * dot(hit.normal, onTree + way - onOther);
   const float treeSize = 2 * segment.tree.sphere(nodes.a).radius, otherSize = 2 * target_->radius(nodes.b);
-  const bool otherKnows = !asSphereTree(pair.other) && std::isfinite(otherSize) &&
-                          turnsOnePoint(hit.normal, otherSize, otherSupport) &&
-                          !turnsOnePoint(-hit.normal, treeSize, treeSupport);
-  if (treeSize <= otherSize && !otherKnows) return {onTree, onTree + way - apart};
-  return {onOther - way + apart, onOther};
+  Points points;
+  FacingCorners ofTree, ofOther;
+  if (!asSphereTree(pair.other) && std::isfinite(otherSize)) ofTree.look(-hit.normal, treeSize, treeSupport);
+  if (ofTree.corners().size() > 1) {
+    ofOther.look(hit.normal, otherSize, otherSupport);
+    ofTree.move(way);
+    points.place.find(hit.normal, ofTree.corners(), ofOther.corners());
+    points.onOther = points.place.points().front();
+    points.onTree = points.onOther - way + apart;
+    return points;
+  }
+  const bool treeKnows = treeSize <= otherSize;
+  points.onTree = treeKnows ? onTree : onOther - way + apart;
+  points.onOther = treeKnows ? onTree + way - apart : onOther;
+  return points;
 }
 
 void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
@@ -156,7 +160,12 @@ Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, c
   target_->name(nodes.b, contact);
 
   const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
-  return {at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
+  Meeting meeting{at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
+  for (std::size_t i = 1; i < points.place.points().size(); ++i) {
+    const Vec3 beside = points.place.points()[i] - points.onOther;
+    meeting.beside[meeting.besideCount++] = toVec3(other.getBasis() * toBullet(otherTurn * beside));
+  }
+  return meeting;
 }
 
 }  // namespace cairn::bullet

@@ -211,7 +211,7 @@ void ConvexCounterpart::appendOnTriangle(NodeId leaf, const Vec3& normal, const 
   const Vec3 outwards = triangle.normal();
   const float facing = -dot(outwards, normal);
   if (facing < kSameFaceCosine) return;
-  CutFace common(face);
+  CutFace<3> common(face);
   const float seam = kSeam * tree_.sphere(leaf).radius;
   const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
   for (std::size_t i = 0; i < 3; ++i) {

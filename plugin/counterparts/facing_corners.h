@@ -15,7 +15,7 @@ namespace cairn::bullet {
 /// some tilted a little from it.
 class FacingCorners {
  public:
-  static constexpr std::size_t kMaxCorners = CutFace::kMaxCorners;
+  static constexpr std::size_t kMaxCorners = kMaxFaceCorners;
 
   /// `support(direction)`: the shape's farthest point. `direction`: unit. `size`: of the shape; corners nearer to each
   /// other than an eightieth of that are one. Nine questions at most.
@@ -28,6 +28,10 @@ class FacingCorners {
     for (const Vec3& corner : tilted) add(corner, size);
     if (count_ == 1) corners_[0] = support(direction);
     if (count_ == 2) takeFarthestPair(tilted);
+  }
+
+  void move(const Vec3& by) {
+    for (std::size_t i = 0; i < count_; ++i) corners_[i] += by;
   }
 
   /// In their order around the direction.

@@ -161,7 +161,7 @@ bool TrianglesOnFaces::isWellOver(const Own& own, std::span<const Contact> point
 // it.
 void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair) {
   const std::array<Vec3, 3> others{other.a, other.b, other.c};
-  CutFace common(others);
+  CutFace<3> common(others);
   for (const Side& side : own.sides) common.cut(side.inwards, side.offset);
   for (const Vec3& onOther : common.points()) {
     Contact contact;
