@@ -75,9 +75,11 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
   markLater();
   if (pair.isFast) deflect(pair, budget);
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
-  if (isSunk && slowSteps_ < kMostSlowSteps) return;
+  const bool isIn = !sunkFloors_.empty();
+  if ((isSunk || (isIn && anchor_)) && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
-  if (pair.isFast) anchor_ = frame_->at(0);
+  // Where it was set down in something it has never been in front of that.
+  if (pair.isFast && !isIn) anchor_ = frame_->at(0);
 }
 
 void Sweep::addContactsOf(const Meeting& meeting) {
@@ -120,6 +122,7 @@ void Sweep::deflect(SweptPair pair, Budget& budget) {
 
 void Sweep::follow(const SweptPair& pair, bool fromAnchor, Budget& budget) {
   meetings_.clear();
+  sunkFloors_.clear();
   cut(pair, fromAnchor);
   if (target_->rootCount() == 0) return;
   meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), kNone);

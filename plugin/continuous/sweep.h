@@ -99,6 +99,17 @@ class Sweep {
     float closing = 0;  // along it, in the whole segment
   };
 
+  // A face of either side that something is stopped by, where it is as the step begins.
+  struct Floor {
+    NodePair nodes;
+    Vec3 normal;  // from the other side to the tree
+    float at;     // when it is reached; below 0 if something has sunk into it
+    bool isTrees;
+    float height;  // along the normal
+  };
+  // Faces of one body that are known by then.
+  static constexpr std::size_t kMostFloors = 4;
+
   void cut(const SweptPair& pair, bool fromAnchor);
   void append(const SweptPair& pair, float from, float to, btScalar turn);
   Segment segment(const SweptPair& pair, float from, float to) const;
@@ -131,14 +142,18 @@ class Sweep {
   Points pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) const;
   void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
   Meeting meetingAt(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
-  struct Floor;
   void keepAboveFloors(const SweptPair& pair);
   void keepAbove(const Floor& floor, const SweptPair& pair, const Segment& start);
+  void noteSunk(const Segment& start, const NodePair& nodes);
+  void noteSunkInto(bool isTrees, const Segment& start, const NodePair& nodes);
+  void keepOffSunkFloors(const SweptPair& pair, const Segment& start);
+  bool isEdgeOf(const Floor& floor, const Segment& start, const Meeting& meeting);
   const Meeting* nextMeeting();
   void answer(const Vec3& normal);
   bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
   float heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const;
-  bool isLevel(const Floor& floor, const Segment& start, const Meeting& meeting) const;
+  bool isLevel(const Floor& floor, const Segment& start, const NodePair& nodes) const;
+  float sunkBelow(const Floor& floor, const Segment& start, const NodePair& nodes) const;
   bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
   void meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting);
 
@@ -150,6 +165,7 @@ class Sweep {
   std::vector<int> meetingOf_;
   std::vector<Meeting> meetings_;
   std::vector<Contact> contacts_;
+  std::vector<Floor> sunkFloors_;
   SeparatingNormals normals_;
   float margin_ = 0;                 // of the moved tree
   float otherReach_ = 0;             // of the other side's farthest point, from its own origin

@@ -10,8 +10,6 @@ namespace cairn::bullet {
 
 namespace {
 
-// Faces of one body that are known by then.
-constexpr int kMostFloors = 4;
 // Cosine of 5 degrees: normals of one flat face, up to what a mesh's rounding does to them.
 constexpr float kFloorCosine = 0.996194698F;
 // Of a region's radius: so far beside a floor's plane it is part of that.
@@ -19,19 +17,11 @@ constexpr float kFloorFraction = 0.05F;
 
 }  // namespace
 
-// A face of either side that something is stopped by, where it is as the step begins.
-struct Sweep::Floor {
-  NodePair nodes;
-  Vec3 normal;  // from the other side to the tree
-  float at;     // when it is reached
-  bool isTrees;
-  float height;  // along the normal
-};
-
 void Sweep::keepAboveFloors(const SweptPair& pair) {
   const auto start = std::ranges::find_if(segments_, [](const Segment& s) { return s.from == 0; });
   if (start == segments_.end()) return;
-  for (int i = 0; i < kMostFloors; ++i) {
+  keepOffSunkFloors(pair, *start);
+  for (std::size_t i = 0; i < kMostFloors; ++i) {
     const Meeting* const next = nextMeeting();
     if (!next) return;
     const NodePair nodes = next->nodes;
@@ -50,7 +40,7 @@ void Sweep::keepAboveFloors(const SweptPair& pair) {
 void Sweep::keepAbove(const Floor& floor, const SweptPair& pair, const Segment& start) {
   for (Meeting& m : meetings_) {
     if (dot(m.normal, floor.normal) > kFloorCosine) {
-      m.isAsked = m.isAsked || isLevel(floor, start, m);
+      m.isAsked = m.isAsked || isLevel(floor, start, m.nodes);
     } else if (standsOn(floor, start, m, pair.reach)) {
       meetFloor(floor, pair, m);
     }
@@ -91,20 +81,72 @@ bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, con
   return false;
 }
 
-// Whether a region that is met has a face as high as the floor.
-bool Sweep::isLevel(const Floor& floor, const Segment& start, const Meeting& m) const {
-  const float radius = floor.isTrees ? start.tree.sphere(m.nodes.a).radius : target_->radius(m.nodes.b);
-  const float beside = heightOf(floor.isTrees, start, m.nodes, floor.normal) - floor.height;
+// Whether a region has a face as high as the floor.
+bool Sweep::isLevel(const Floor& floor, const Segment& start, const NodePair& nodes) const {
+  const float radius = floor.isTrees ? start.tree.sphere(nodes.a).radius : target_->radius(nodes.b);
+  const float beside = heightOf(floor.isTrees, start, nodes, floor.normal) - floor.height;
   return std::abs(beside) <= kFloorFraction * radius;
+}
+
+// How far a part of the body on the floor is below it as the step begins, beyond what is still in front.
+float Sweep::sunkBelow(const Floor& floor, const Segment& start, const NodePair& nodes) const {
+  const float radius = floor.isTrees ? target_->radius(nodes.b) : start.tree.sphere(nodes.a).radius;
+  return -gapAlong(floor.normal, nodes, start.tree, start.otherAxes) - kSunkFraction * radius;
 }
 
 // Whether what it meets later is another region of that floor, which it was above as the step began.
 bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float reach) {
   if (!m.isContact || m.at <= floor.at) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
-  if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m)) return false;
-  const float radius = floor.isTrees ? target_->radius(m.nodes.b) : start.tree.sphere(m.nodes.a).radius;
-  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -std::max(reach, kSunkFraction * radius);
+  if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m.nodes)) return false;
+  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -reach ||
+         sunkBelow(floor, start, m.nodes) <= 0;
+}
+
+// What lies in a floor already, set down or pressed into it, is held by ordinary contacts. Its edges are no obstacles,
+// and what swings up through it from below has never been there.
+void Sweep::noteSunk(const Segment& start, const NodePair& nodes) {
+  noteSunkInto(true, start, nodes);
+  noteSunkInto(false, start, nodes);
+}
+
+void Sweep::noteSunkInto(bool isTrees, const Segment& start, const NodePair& nodes) {
+  // Of the body on the floor; the other's is where its frame begins.
+  const Vec3 middle = isTrees ? Vec3() : start.tree.sphere(kRootNode).center;
+  isFace(isTrees, start, nodes, Vec3());  // collects them
+  const SeparatingNormals faces = normals_;
+  for (std::size_t i = 0; i < faces.all().size(); ++i) {
+    if (sunkFloors_.size() == kMostFloors) return;
+    if (!faces.isFace(i)) continue;
+    const Vec3& normal = faces.all()[i];
+    const Floor floor{nodes, normal, -1, isTrees, heightOf(isTrees, start, nodes, normal)};
+    const float above = dot(normal, middle) - floor.height;
+    if ((isTrees ? -above : above) <= 0) continue;
+    const auto isKnown = [&](const Floor& known) {
+      return known.isTrees == isTrees && dot(known.normal, normal) > kFloorCosine && isLevel(known, start, nodes);
+    };
+    if (std::ranges::none_of(sunkFloors_, isKnown)) sunkFloors_.push_back(floor);
+  }
+}
+
+// Of a region with a face in the floor's plane: along no other face of it.
+bool Sweep::isEdgeOf(const Floor& floor, const Segment& start, const Meeting& m) {
+  if (dot(m.normal, floor.normal) > kFloorCosine) return false;
+  if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m.nodes)) return false;
+  return dot(m.normal, floor.normal) < -kFloorCosine || !isFace(floor.isTrees, start, m.nodes, m.normal);
+}
+
+void Sweep::keepOffSunkFloors(const SweptPair& pair, const Segment& start) {
+  for (const Floor& floor : sunkFloors_) {
+    for (Meeting& m : meetings_) {
+      if (!m.isContact || m.at < 0 || !isEdgeOf(floor, start, m)) continue;
+      if (sunkBelow(floor, start, m.nodes) <= 0) {
+        meetFloor(floor, pair, m);
+      } else {
+        m.isContact = false;
+      }
+    }
+  }
 }
 
 // Along the floor's normal, if it comes to that within the step. In its own place: a node that was split and then, for

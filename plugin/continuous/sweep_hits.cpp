@@ -80,7 +80,9 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
     const Hit hit = approach.hit(normal);
     if (!latest || hit.at > latest->at) latest = hit;
   }
-  return latest ? std::optional(flattest(approach, *latest, ofOther)) : std::nullopt;
+  if (latest) return flattest(approach, *latest, ofOther);
+  if (segment.from == 0 && candidate.entry == 0) noteSunk(segment, candidate.pair);
+  return std::nullopt;
 }
 
 // Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the faces along whose
