@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "dispatch/compound_algorithm.h"
 #include "dispatch/narrow_phase_impl.h"
 #include "dispatch/tree_algorithm.h"
 
@@ -44,6 +45,10 @@ void forEachCell(const Visit& visit) {
   }
 }
 
+bool isGImpacts(btCollisionAlgorithmCreateFunc* create) {
+  return dynamic_cast<btGImpactCollisionAlgorithm::CreateFunc*>(create) != nullptr;
+}
+
 }  // namespace
 
 // Stands in for what one table had in our cells, and asks that for what is not ours.
@@ -67,7 +72,7 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
   void takeBackFromGImpact() {
     const auto takeBack = [&](int type0, int type1) {
       btCollisionAlgorithmCreateFunc*& cell = table_[type0][type1];
-      if (cell == this || !dynamic_cast<btGImpactCollisionAlgorithm::CreateFunc*>(cell)) return;
+      if (!isGImpacts(cell)) return;
       original(type0, type1) = cell;
       cell = this;
     };
@@ -101,6 +106,43 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
   std::array<std::array<btCollisionAlgorithmCreateFunc*, MAX_BROADPHASE_COLLISION_TYPES>, 2> originals_{};
 };
 
+// Stands in for GImpact where it has taken a table's cells for compounds: those with sphere-trees go to whom compounds
+// with anything else go to, child by child.
+class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
+ public:
+  explicit CreateCompoundAlgorithm(Functions& table) : table_(table) { takeFromGImpact(); }
+  ~CreateCompoundAlgorithm() override {
+    if (compoundFirst() == this) compoundFirst() = gimpacts_;
+    if (compoundSecond() == this) compoundSecond() = gimpacts_;
+  }
+
+  void takeFromGImpact() {
+    for (btCollisionAlgorithmCreateFunc** cell : {&compoundFirst(), &compoundSecond()})
+      if (isGImpacts(*cell)) gimpacts_ = std::exchange(*cell, this);
+  }
+
+  btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                 const btCollisionObjectWrapper* body0,
+                                                 const btCollisionObjectWrapper* body1) override {
+    const bool isFirst = body0->getCollisionShape()->isCompound();
+    const btCollisionShape& other = *(isFirst ? body1 : body0)->getCollisionShape();
+    if (!kindOf(other)) return gimpacts_->CreateCollisionAlgorithm(info, body0, body1);  // it hides its triangles
+    btCollisionAlgorithmCreateFunc* const childByChild =
+        isFirst ? table_[COMPOUND_SHAPE_PROXYTYPE][kOwnType] : table_[kOwnType][COMPOUND_SHAPE_PROXYTYPE];
+    void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(CompoundAlgorithm));
+    return new (memory) CompoundAlgorithm(info, {childByChild, gimpacts_});
+  }
+
+ private:
+  btCollisionAlgorithmCreateFunc*& compoundFirst() { return table_[COMPOUND_SHAPE_PROXYTYPE][GIMPACT_SHAPE_PROXYTYPE]; }
+  btCollisionAlgorithmCreateFunc*& compoundSecond() {
+    return table_[GIMPACT_SHAPE_PROXYTYPE][COMPOUND_SHAPE_PROXYTYPE];
+  }
+
+  Functions& table_;
+  btCollisionAlgorithmCreateFunc* gimpacts_ = nullptr;  // one for all its cells
+};
+
 bool Registration::isOn(btCollisionDispatcher& dispatcher) {
   bool isFound = false;
   forEachCell([&](int type0, int type1) {
@@ -113,6 +155,8 @@ Registration::Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl&
   assert(!isOn(dispatcher) && "sphere-trees are registered already");
   contacts_ = std::make_unique<CreateTreeAlgorithm>(Tables::contacts(dispatcher), narrowPhase, false);
   closestPoints_ = std::make_unique<CreateTreeAlgorithm>(Tables::closestPoints(dispatcher), narrowPhase, true);
+  compoundContacts_ = std::make_unique<CreateCompoundAlgorithm>(Tables::contacts(dispatcher));
+  compoundClosestPoints_ = std::make_unique<CreateCompoundAlgorithm>(Tables::closestPoints(dispatcher));
 }
 
 Registration::~Registration() = default;
@@ -120,6 +164,8 @@ Registration::~Registration() = default;
 void Registration::renew() {
   contacts_->takeBackFromGImpact();
   closestPoints_->takeBackFromGImpact();
+  compoundContacts_->takeFromGImpact();
+  compoundClosestPoints_->takeFromGImpact();
 }
 
 }  // namespace cairn::bullet

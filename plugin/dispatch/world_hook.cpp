@@ -5,11 +5,10 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
 #include <cassert>
 
-#include "cairn/bullet/sphere_tree_shape.h"
+#include "dispatch/compound_algorithm.h"
 #include "dispatch/narrow_phase_impl.h"
 #include "dispatch/passing_broadphase.h"
 #include "dispatch/tree_algorithm.h"
@@ -18,26 +17,18 @@ namespace cairn::bullet {
 
 namespace {
 
-bool hasTree(const btCollisionShape& shape) {
-  if (asSphereTree(&shape)) return true;
-  if (!shape.isCompound()) return false;
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i)
-    if (hasTree(*compound.getChildShape(i))) return true;
-  return false;
-}
-
 bool isOfTree(const btBroadphaseProxy& proxy) {
   return hasTree(*static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape());
 }
 
-bool hasTree(const btBroadphasePair& pair) {
+bool isOfTree(const btBroadphasePair& pair) {
   return isOfTree(*pair.m_pProxy0) || isOfTree(*pair.m_pProxy1);
 }
 
 // Looks at no shape: when all is taken down, they may be gone before their bodies.
 bool mayBeOurs(const btBroadphasePair& pair) {
   return dynamic_cast<const TreeAlgorithm*>(pair.m_algorithm) ||
+         dynamic_cast<const CompoundAlgorithm*>(pair.m_algorithm) ||
          dynamic_cast<const btCompoundCollisionAlgorithm*>(pair.m_algorithm);  // whose children may be
 }
 
@@ -63,7 +54,7 @@ WorldHook::WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher,
     : world_(world),
       dispatcher_(dispatcher),
       broadphase_(std::make_unique<PassingBroadphase>(*world.getBroadphase(), dispatcher, narrowPhase)) {
-  forgetAlgorithms(world_, dispatcher_, [](const btBroadphasePair& pair) { return hasTree(pair); });
+  forgetAlgorithms(world_, dispatcher_, [](const btBroadphasePair& pair) { return isOfTree(pair); });
   world_.setBroadphase(broadphase_.get());
 }
 

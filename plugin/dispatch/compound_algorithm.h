@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
+
+struct btCollisionAlgorithmCreateFunc;
+class btCollisionShape;
+struct btCollisionObjectWrapper;
+
+namespace cairn::bullet {
+
+/// Whether the shape is a sphere-tree, or a compound with one in it at any depth.
+bool hasTree(const btCollisionShape& shape);
+
+/// Who answers for a compound against one of GImpact's shapes.
+struct CompoundAnswers {
+  btCollisionAlgorithmCreateFunc* withTree;
+  btCollisionAlgorithmCreateFunc* withoutTree;
+};
+
+/// What Bullet keeps for a pair of a compound and one of GImpact's shapes: the algorithm of one of two, changed when
+/// the compound gets its first sphere-tree or loses the last. May outlive who made it; small for the reason
+/// `TreeAlgorithm` is.
+class CompoundAlgorithm final : public btCollisionAlgorithm {
+ public:
+  CompoundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const CompoundAnswers& answers);
+  ~CompoundAlgorithm() override;
+  CompoundAlgorithm(const CompoundAlgorithm&) = delete;
+  CompoundAlgorithm& operator=(const CompoundAlgorithm&) = delete;
+
+  void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
+                        const btDispatcherInfo& info, btManifoldResult* result) override;
+  btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& info,
+                                 btManifoldResult* result) override;
+  void getAllContactManifolds(btManifoldArray& manifolds) override;
+
+ private:
+  void forget();
+
+  btPersistentManifold* sharedManifold_;
+  CompoundAnswers answers_;
+  btCollisionAlgorithm* answering_ = nullptr;
+  bool isWithTree_ = false;
+};
+static_assert(sizeof(CompoundAlgorithm) <= sizeof(btCompoundCollisionAlgorithm));
+
+}  // namespace cairn::bullet
