@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -97,15 +98,48 @@ void TriangleCounterpart::placeTriangles() {
 
 void TriangleCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   const std::size_t first = contacts.size();
-  divide(pairs);
-  contacts_.append(placement_, inPair_, others_, traversal_.done(), sides_, contacts);
-  onFaces_.append(placement_, size(*placement_.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
+  if (placement_.ownReach > 0 && placement_.ownReach < placement_.reach)
+    measureAsked(pairs, contacts);
+  else
+    measure(pairs, placement_, contacts);
   for (std::size_t i = first; i < contacts.size(); ++i) {
     const TriangleSoup::Source& source = soup_.triangles()[contacts[i].pair.b];
     const NodeId leaf = contacts[i].pair.a;
     contacts[i].id = {static_cast<int>(placement_.tree.tree().level(leaf)), static_cast<int>(leaf), source.part,
                       source.index};
   }
+}
+
+void TriangleCounterpart::measure(std::span<const NodePair> pairs, const PairPlacement& placement,
+                                  std::vector<Contact>& contacts) {
+  divide(pairs);
+  contacts_.append(placement, inPair_, others_, traversal_.done(), sides_, contacts);
+  onFaces_.append(placement, size(*placement.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
+}
+
+// Which face a point belongs to is told by what is within the reach of it. Where a query asks farther, that would be
+// most of the body: what touches is measured as it always is, and only what is apart comes from looking farther.
+void TriangleCounterpart::measureAsked(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  const TriangleSides sidesBefore = sides_;
+  const TrianglesOnFaces facesBefore = onFaces_;
+  const std::size_t first = contacts.size();
+  measure(pairs, placement_, contacts);
+  const auto touches = [&](const Contact& c) { return c.gap < placement_.ownReach; };
+  contacts.erase(std::remove_if(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(), touches),
+                 contacts.end());
+  sides_ = sidesBefore;
+  onFaces_ = facesBefore;
+  near_.clear();
+  std::ranges::copy_if(pairs, std::back_inserter(near_), [&](const NodePair& pair) { return isNear(pair); });
+  PairPlacement placement = placement_;
+  placement.reach = placement_.ownReach;
+  measure(near_, placement, contacts);
+}
+
+bool TriangleCounterpart::isNear(const NodePair& pair) const {
+  const Sphere ball = placement_.tree.sphere(pair.a);
+  const float within = ball.radius + placement_.treeMargin + placement_.ownReach;
+  return lengthSq(ball.center - nearestOnTriangle(inPair_[pair.b], ball.center).point) < within * within;
 }
 
 // What is no larger than the tree stands on its flat leaves' faces.

@@ -39,6 +39,9 @@ class TriangleCounterpart final : public Counterpart {
   void rename(std::vector<NodePair>& known) const;
   void placeTriangles();
   void divide(std::span<const NodePair> pairs);
+  void measure(std::span<const NodePair> pairs, const PairPlacement& placement, std::vector<Contact>& contacts);
+  void measureAsked(std::span<const NodePair> pairs, std::vector<Contact>& contacts);
+  bool isNear(const NodePair& pair) const;
 
   PairPlacement placement_;
   btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
@@ -52,6 +55,7 @@ class TriangleCounterpart final : public Counterpart {
   TriangleSides sides_;
   TriangleContacts contacts_;
   TrianglesOnFaces onFaces_;
+  std::vector<NodePair> near_;              // working memory of `appendContacts`
   std::vector<NodePair> ofFaces_, others_;  // working memory of `divide`
 };
 

@@ -262,6 +262,7 @@ PairPlacement TreePair::place(const btCollisionObjectWrapper& treeBody, const bt
   placement.otherIndex = otherBody.m_index;
   setSizes(*shape, *placement.otherShape, threshold);
   placement.reach = reach_;
+  placement.ownReach = speculative_;
   center_ = smallerCenter(placement);
   return placement;
 }

@@ -21,6 +21,7 @@ struct PairPlacement {
   btTransform other;                             ///< the other body, its origin relative to the pair frame's
   int otherIndex = -1;  ///< which child of a compound it is, -1 for none, as Bullet's wrapper says
   float reach = 0;      ///< contacts with a gap below this are wanted; > 0
+  float ownReach = 0;   ///< the same without what a query asks for beyond it; 0: as far as `reach`
   float travel = 0;     ///< bound on how far the bodies move against each other in a step
   float slip = 0;       ///< the same of the smaller body's points alone, in the larger's frame
 };

@@ -5,10 +5,12 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 
+#include <random>
 #include <set>
 #include <string>
 
 #include "front_ends.h"
+#include "gimpact_mesh.h"
 #include "triangle_grounds.h"
 
 namespace cairn::test::contact_query_test {
@@ -133,6 +135,50 @@ TEST_P(ContactQuery, TellsDistanceAndNormalOfEverythingWithinTheThreshold) {
             EXPECT_TRUE(points.partner == &other || points.partner == tree);
             EXPECT_EQ(w.dispatcher.getNumManifolds(), 0) << "a query leaves nothing behind";
           });
+}
+
+// How deep two cubes are in each other does not depend on how far apart was asked for; Bullet's boxes agree within what
+// a tree against a mesh is off by without a threshold, too.
+TEST(ContactQueryThreshold, DoesNotChangeHowDeepATreeIsInAMesh) {
+  const auto box = std::make_shared<btBoxShape>(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<float> number(-1, 1);
+  const auto turned = [&] {
+    const btVector3 axis(number(engine), number(engine), number(engine) + 2);
+    return btQuaternion(axis, btScalar(3 * number(engine)));
+  };
+  int overlapping = 0;
+  for (const int cells : {4, 8}) {
+    const Solid solid = cuboid({1, 1, 1}, cells);
+    const auto tree = treeShape(plainTree(solid));
+    const auto mesh = gimpactMesh(solid, 0);
+    for (int i = 0; i < 60; ++i) {
+      const btQuaternion none = btQuaternion::getIdentity(), ofTree = i % 2 ? turned() : none,
+                         ofOther = i % 2 ? turned() : none;
+      const btVector3 at = btVector3(number(engine), number(engine), number(engine)) * btScalar(1.3);
+      const auto deepest = [&](const std::shared_ptr<btCollisionShape>& first,
+                               const std::shared_ptr<btCollisionShape>& second, btScalar threshold) {
+        BulletWorld<> w;
+        btRigidBody& a = w.add(first, 1, btVector3(0, 0, 0), ofTree);
+        btRigidBody& b = w.add(second, 0, at, ofOther);
+        Points points;
+        points.m_closestDistanceThreshold = threshold;
+        w.world.contactPairTest(&a, &b, points);
+        return double(points.deepest);
+      };
+      const double touching = deepest(tree, mesh, 0), ofBoxes = deepest(box, box, 0);
+      overlapping += touching < -0.01 ? 1 : 0;
+      for (const btScalar threshold : {btScalar(0.1), btScalar(0.2), btScalar(0.4), btScalar(0.6)}) {
+        SCOPED_TRACE("cells " + std::to_string(cells) + ", pose " + std::to_string(i) + ", threshold " +
+                     std::to_string(threshold));
+        const double asked = deepest(tree, mesh, threshold);
+        if (touching < 0) EXPECT_NEAR(asked, touching, 1e-4);
+        if (touching > 0) EXPECT_GE(asked, -1e-4);
+        if (ofBoxes < 0 && ofBoxes > -0.2) EXPECT_NEAR(asked, ofBoxes, 0.1);
+      }
+    }
+  }
+  EXPECT_GT(overlapping, 30);
 }
 
 // Of the leaves of what lies below; between trees a point may be anywhere between the two leaves that touch.
