@@ -4,6 +4,7 @@ a point holds when the claim of an experiment it names does, or by a rule that s
 from dataclasses import dataclass, field
 
 REPRODUCED, IN_PART, NOT, UNKNOWN = "reproduced", "reproduced in part", "not reproduced", "not measured"
+UNDECIDED = "not decided"  # by what was measured; the rest could turn it
 
 
 @dataclass
@@ -18,6 +19,8 @@ class Point:
     holds: object = None  # True, False, or None where it was not measured
     found: str = ""
     why: str = ""
+    in_part: bool = False  # holds on what was measured, which is not all it is about
+    undecided: bool = False  # does not hold there, but the rest could turn it
 
 
 @dataclass
@@ -169,6 +172,13 @@ def _settle(point, experiment):
         return
     if point.judge:
         answer = point.judge(experiment["rows"])
+        models = {row["model"] for row in experiment["rows"]}
+        lacking = [m for m in experiment["document"].get("default_models", []) if m not in models]
+        if answer and lacking and point.judge is not own_second_level and answer[0] is not None:
+            refuted = point.judge is own_interrupted and not answer[0]  # of every model: one is enough
+            if not refuted:
+                point.in_part, point.undecided = answer[0], not answer[0]
+                answer = None, _in_part(lacking, answer[1])
         if answer is None:
             point.why = "its table has not what it takes (--quick measures less)"
         else:
@@ -178,8 +188,10 @@ def _settle(point, experiment):
     for claim in experiment["document"].get("claims", []):
         if claim["thesis"] == point.claim:
             point.holds, point.found, point.rule = claim["holds"], claim["found"], claim["rule"]
-            if point.holds and claim.get("lacking"):  # of bunny and dragon cannot be said what is known of one
-                point.holds, point.why = None, _in_part(claim["lacking"], claim["found"])
+            point.in_part, point.undecided = claim["standing"] == "holds in part", claim["standing"] == "not decided"
+            if point.in_part or point.undecided:  # of all models cannot be said what is known of some
+                point.holds = None
+                point.why = f"{claim['standing']}: {claim['lacking_text']}; on the rest: {claim['found']}"
             return
     point.why = f"the experiment {point.experiment} has not measured it (--quick measures less)"
 
@@ -194,6 +206,13 @@ def judged(experiments):
         measured = [holds for holds in counted if holds is not None]
         conclusion.counted, conclusion.held = len(counted), sum(measured)
         conclusion.unmeasured = len(counted) - len(measured)
-        if measured:  # what was not measured is not reproduced either
-            conclusion.verdict = REPRODUCED if all(measured) and not conclusion.unmeasured else IN_PART if any(measured) else NOT
+        thesis = [p for p in conclusion.points if not p.own]
+        if measured and all(measured) and not conclusion.unmeasured:
+            conclusion.verdict = REPRODUCED
+        elif any(measured) or any(p.in_part for p in thesis):
+            conclusion.verdict = IN_PART
+        elif any(p.undecided for p in thesis) or (measured and conclusion.unmeasured):
+            conclusion.verdict = UNDECIDED
+        elif measured:
+            conclusion.verdict = NOT
     return result

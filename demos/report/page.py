@@ -19,7 +19,7 @@ DOCUMENT_KEYS = ("experiment", "title", "thesis_section", "thesis_says", "we_fou
 KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".csv": "text/csv", ".json": "application/json"}
 # A shape beside each word, so that colour is never alone.
 SHAPES = {conclusions.REPRODUCED: ("yes", "●"), conclusions.IN_PART: ("part", "◐"), conclusions.NOT: ("no", "○"),
-          conclusions.UNKNOWN: ("none", "–"), "holds": ("yes", "●"), "holds in part": ("part", "◐"), "does not hold": ("no", "○"),
+          conclusions.UNKNOWN: ("none", "–"), conclusions.UNDECIDED: ("none", "–"), "holds": ("yes", "●"), "holds in part": ("part", "◐"), "does not hold": ("no", "○"),
           "as good as stock": ("part", "◐"), "misses": ("no", "○")}
 
 
@@ -29,10 +29,8 @@ def data_uri(path):
 
 
 def claim_verdict(claim):
-    """What is shown beside a claim; one that names models which were not measured holds in part at most."""
-    if not claim["holds"]:
-        return "does not hold"
-    return "holds in part" if claim["lacking"] else "holds"
+    """What is shown beside a claim: what is known of it, where not all it is about was measured."""
+    return claim["standing"]
 
 
 def shape_of(verdict):

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "accuracy_cost/experiments/budget_claims.h"
 #include "accuracy_cost/experiments/error_against_time_claims.h"
 #include "accuracy_cost/experiments/statistics.h"
 #include "accuracy_cost/models/solids.h"
@@ -67,12 +69,12 @@ struct Row {
 };
 
 Table contestOf(const std::vector<Row>& rows, int beyondCertificate = 0) {
-  Table table({"model", "scene", "series", "side", "error_mean_fraction", "error_p99_fraction", "meeting_pairs",
-               "missed_pairs", "missed_depth_max_fraction", "missed_beyond_certificate", "time_over_tree",
-               "time_over_tree_low", "time_over_tree_high"});
+  Table table({"model", "scene", "series", "depth", "budget_operations", "time_us", "side", "error_mean_fraction",
+               "error_p99_fraction", "meeting_pairs", "shape", "missed_pairs", "missed_depth_max_fraction",
+               "missed_beyond_certificate", "time_over_tree", "time_over_tree_low", "time_over_tree_high"});
   for (const Row& r : rows)
-    table.add("cube", "heap", r.series, r.side, r.error, r.error, 10, beyondCertificate, 0.01, beyondCertificate,
-              r.time, r.low, r.high);
+    table.add("cube", "heap", r.series, "3", "", r.time, r.side, r.error, r.error, 10, "tree", beyondCertificate, 0.01,
+              beyondCertificate, r.time, r.low, r.high);
   return table;
 }
 
@@ -104,6 +106,30 @@ TEST(ErrorAgainstTimeClaims, NoticeAMissedPair) {
   ASSERT_EQ(claims.size(), 1U) << "no rival, no front";
   EXPECT_FALSE(claims[0].holds);
   EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, kFine}))[0].holds);
+}
+
+/// One tree by budget: budget, error, time.
+Table budgetsOf(const std::vector<std::array<double, 3>>& points) {
+  Table table({"model", "scene", "series", "shape", "depth", "side", "budget_operations", "error_mean_fraction",
+               "time_us", "time_over_tree"});
+  for (const auto& [budget, error, time] : points)
+    table.add("cube", "heap", "by budget", "tree", "3", "ours", budget, error, time, time);
+  table.add("cube", "heap", "fewer levels", "tree", "2", "ours", "", 0.02, 1.5, 1.5);
+  return table;
+}
+
+TEST(ErrorAgainstTimeClaims, TellWhetherErrorFallsWithTheBudgetAndWhichPointsAreDominated) {
+  const auto claimOf = [](const Table& table) {
+    std::vector<Claim> claims;
+    addBudgets(table, claims);
+    return claims.at(0);
+  };
+  const Claim falling = claimOf(budgetsOf({{4000, 0.01, 3}, {2000, 0.05, 2}, {1000, 0.1, 1}}));
+  EXPECT_TRUE(falling.holds) << falling.found;
+  EXPECT_NE(falling.found.find("of 4 points of ours 1 err more"), std::string::npos) << falling.found;
+  EXPECT_NE(falling.found.find("2000 operations"), std::string::npos) << falling.found;
+  EXPECT_FALSE(claimOf(budgetsOf({{4000, 0.06, 3}, {2000, 0.05, 2}})).holds) << "more operations, more error";
+  EXPECT_FALSE(claimOf(budgetsOf({{4000, 0.01, 2}, {2000, 0.05, 3}})).holds) << "more time, more error";
 }
 
 TEST(ErrorAgainstTimeClaims, TellHowSureTimesAreWithoutJudgingTheMachine) {

@@ -28,9 +28,49 @@ TEST(Verdict, IsInPartWhereAModelThatIsNamedWasNotMeasured) {
   Claim partial = claim(true);
   partial.lacking = {"dragon"};
   EXPECT_EQ(verdictOf({claim(true), partial}), Verdict::inPart);
-  EXPECT_EQ(whyText({claim(true), partial}), "2 of 2 claims hold. Without dragon, which it names: thesis.");
+  EXPECT_EQ(whyText({claim(true), partial}),
+            "1 of 2 claims hold. In part: thesis; only 0 of 1 models measured (without dragon).");
   partial.holds = false;
-  EXPECT_EQ(verdictOf({partial}), Verdict::notReproduced);
+  partial.scope.reach = Reach::every;
+  EXPECT_EQ(verdictOf({partial}), Verdict::notReproduced) << "one is enough to refute what is said of all";
+}
+
+TEST(Verdict, IsNotDecidedByFewerModelsThanAClaimIsAbout) {
+  const auto standing = [](Reach reach, bool holds) {
+    Claim partial = claim(holds);
+    partial.scope.reach = reach;
+    return standingOf(withLacking({partial}, {"bunny", "cow", "dragon"}, {"bunny"}).front());
+  };
+  EXPECT_EQ(standing(Reach::every, true), Standing::inPart);
+  EXPECT_EQ(standing(Reach::every, false), Standing::fails);
+  EXPECT_EQ(standing(Reach::some, true), Standing::holds);
+  EXPECT_EQ(standing(Reach::some, false), Standing::undecided);
+  EXPECT_EQ(standing(Reach::share, true), Standing::inPart);
+  EXPECT_EQ(standing(Reach::share, false), Standing::undecided);
+  const auto told = withLacking({claim(false)}, {"bunny", "cow", "dragon"}, {"bunny"});
+  EXPECT_EQ(verdictOf(told), Verdict::undecided);
+  EXPECT_EQ(lackingText(told.front()), "only 1 of 3 models measured (without cow, dragon)");
+  EXPECT_EQ(whyText(told), "0 of 1 claims hold. Not decided: thesis; " + lackingText(told.front()) + ".");
+}
+
+TEST(Verdict, IsNotDecidedWithoutAMethodAClaimIsAbout) {
+  Claim partial = claim(false);
+  partial.scope.lackingSettings = {"method burst"};
+  EXPECT_EQ(standingOf(partial), Standing::undecided);
+  partial.holds = true;
+  EXPECT_EQ(standingOf(partial), Standing::inPart);
+  partial.scope.settingReach = Reach::some;
+  EXPECT_EQ(standingOf(partial), Standing::holds);
+  EXPECT_EQ(lackingText(partial), "not measured: method burst");
+}
+
+TEST(Verdict, OfOurOwnReproducesNothingAndDoesNotCountBesideTheThesiss) {
+  Claim own = claim(false);
+  own.isOwn = true;
+  EXPECT_EQ(verdictOf({claim(true), own}), Verdict::reproduced);
+  EXPECT_STREQ(verdictName(verdictOf({own}), true), "does not hold");
+  EXPECT_TRUE(findExperiment("frame-time")->isOwn);
+  EXPECT_TRUE(findExperiment("error-against-time")->isOwn);
 }
 
 builder::LevelFit fitOf(double error, double variance = 0, double uncovered = 0) {
@@ -48,7 +88,7 @@ std::string verdictIn(const char* experiment, const Table& table) {
 /// Samples, spheres and fit of both samplings; the adaptive one `better` times as good.
 Table samplingTable(double better) {
   Table table(withFitColumns({"model", "sampling", "samples", "spheres", "coverage_spheres"}));
-  for (const int samples : {100, 200, 300}) {
+  for (const int samples : {500, 1000, 2000}) {
     const double error = 10.0 / samples;
     table.addRow(withFit({"cube", "regular", fmt::format("{}", samples), fmt::format("{}", 3 * samples), "0"},
                          fitOf(error, error, 0.05)));
@@ -107,11 +147,13 @@ TEST(Verdict, OfLevelsIsReproducedByTheThesissOwnFigures) {
   ASSERT_EQ(thesisRatios().size(), 60U) << "four tables of five ratios at three levels";
 }
 
-Table selectionTable(double elim) {
+/// Max-elim needs `elim` times the spheres at the first `apart` stand-offs, and hardly more or as hardly fewer at
+/// others.
+Table selectionTable(double elim, int apart = 65) {
   Table table({"model", "heuristic", "search", "stand_off_fraction", "spheres"});
   for (int i = 0; i < 65; ++i) {
     table.add("bunny", "max-cover", "spheres at a stand-off", 0.1 + i, 100 - i);
-    table.add("bunny", "max-elim", "spheres at a stand-off", 0.1 + i, elim * (100 - i));
+    table.add("bunny", "max-elim", "spheres at a stand-off", 0.1 + i, (i < apart ? elim : 1 / elim) * (100 - i));
   }
   table.add("bunny", "max-cover", "least stand-off", 0.1, 8);
   table.add("bunny", "max-elim", "least stand-off", 0.1 * elim, 8);
@@ -119,7 +161,7 @@ Table selectionTable(double elim) {
 }
 
 TEST(Verdict, OfExpandSelectionLeavesTheTorusApart) {
-  Table table = selectionTable(0.98);
+  Table table = selectionTable(0.98, 35);
   for (int i = 0; i < 65; ++i) {
     table.add("torus", "max-cover", "spheres at a stand-off", 0.1 + i, 100 - i);
     table.add("torus", "max-elim", "spheres at a stand-off", 0.1 + i, 0.5 * (100 - i));
@@ -128,16 +170,21 @@ TEST(Verdict, OfExpandSelectionLeavesTheTorusApart) {
 }
 
 TEST(Verdict, OfExpandSelectionTurnsWithTheData) {
-  EXPECT_EQ(verdictIn("expand-selection", selectionTable(0.98)), "reproduced");
+  EXPECT_EQ(verdictIn("expand-selection", selectionTable(0.98, 35)), "reproduced");
+  const auto claims = findExperiment("expand-selection")->judge(selectionTable(0.98));
+  EXPECT_TRUE(claims[0].holds) << "independent groups do not tell them apart";
+  EXPECT_FALSE(claims[1].holds) << "pair by pair one is always the lower: " << claims[1].found;
   EXPECT_EQ(verdictIn("expand-selection", selectionTable(1.02)), "reproduced in part") << "not significantly different";
   EXPECT_EQ(verdictIn("expand-selection", selectionTable(2)), "not reproduced");
 }
 
 Table balanceTable(const char* spheres, double error) {
   Table table(withFitColumns({"model", "method", "allowance", "level", "spheres"}));
-  table.addRow(withFit({"bunny", "merge", "as made", "3", "500"}, fitOf(1)));
-  for (const char* allowance : {"100 %", "105 %"})
-    table.addRow(withFit({"bunny", "merge", allowance, "3", spheres}, fitOf(error)));
+  for (const char* method : {"merge", "expand", "combined"}) {
+    table.addRow(withFit({"bunny", method, "as made", "3", "500"}, fitOf(1)));
+    for (const char* allowance : {"100 %", "105 %"})
+      table.addRow(withFit({"bunny", method, allowance, "3", spheres}, fitOf(error)));
+  }
   return table;
 }
 
@@ -145,6 +192,13 @@ TEST(Verdict, OfBalanceTurnsWithTheData) {
   EXPECT_EQ(verdictIn("balance", balanceTable("300", 1.05)), "reproduced");
   EXPECT_EQ(verdictIn("balance", balanceTable("450", 1.05)), "reproduced in part");
   EXPECT_EQ(verdictIn("balance", balanceTable("500", 2)), "not reproduced");
+}
+
+TEST(Verdict, OfExpandSelectionTakesTiesForNothing) {
+  const auto claims = findExperiment("expand-selection")->judge(selectionTable(1));
+  EXPECT_FALSE(claims[2].holds);
+  EXPECT_FALSE(claims[3].holds);
+  EXPECT_NE(claims[3].found.find("lower in 0 cases, the same in 1, higher in 0"), std::string::npos) << claims[3].found;
 }
 
 TEST(Experiments, HaveNamesOfTheirOwnAndFiguresNamedAfterThem) {

@@ -52,7 +52,7 @@ class Conclusions(unittest.TestCase):
     def verdict(*holds):
         import conclusions
         first = conclusions.all_conclusions()[0]
-        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": h} for p, h in zip(first.points, holds) if h is not None]
+        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": h, "standing": "holds" if h else "does not hold"} for p, h in zip(first.points, holds) if h is not None]
         return conclusions.judged({"sampling": {"document": {"claims": claims}, "rows": []}})[0]
 
     def test_turn_with_the_claims(self):
@@ -62,17 +62,20 @@ class Conclusions(unittest.TestCase):
         self.assertEqual(self.verdict(None, None, None).verdict, "not measured")
         self.assertEqual(self.verdict(True, None, True).unmeasured, 1)
         self.assertEqual(self.verdict(True, None, True).verdict, "reproduced in part", "what was not measured was not found again")
-        self.assertEqual(self.verdict(None, False, None).verdict, "not reproduced")
+        self.assertEqual(self.verdict(None, False, None).verdict, "not decided", "what was not measured could hold")
 
     def test_what_names_a_model_that_was_not_measured_is_not_known(self):
         import conclusions
         third = conclusions.all_conclusions()[2]
-        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": True, "lacking": []} for p in third.points if p.claim]
-        claims[0]["lacking"] = ["dragon"]
+        claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": True, "standing": "holds"} for p in third.points if p.claim]
+        claims[0] |= {"standing": "holds in part", "lacking_text": "only 1 of 2 models measured (without dragon)"}
         settled = conclusions.judged({name: {"document": {"claims": claims}, "rows": []} for name in ("levels", "balance")})[2]
         self.assertEqual((settled.verdict, settled.unmeasured), ("reproduced in part", 1))
         self.assertIsNone(settled.points[0].holds)
-        self.assertIn("not measured on dragon", settled.points[0].why)
+        self.assertIn("without dragon", settled.points[0].why)
+        claims[0] |= {"holds": False, "standing": "not decided"}
+        alone = conclusions.judged({"levels": {"document": {"claims": claims[:1]}, "rows": []}})[2]
+        self.assertEqual(alone.verdict, "not decided")
 
     def test_claims_are_those_the_experiments_make(self):
         """A claim reworded in an experiment would silently leave the summary."""

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "accuracy_cost/experiments/fit_columns.h"
 #include "accuracy_cost/experiments/tree_fit.h"
@@ -94,6 +95,16 @@ std::vector<Change> changesOf(const Table& table, const char* allowance) {
   return changes;
 }
 
+/// What claims are about: all methods, of which some were not measured.
+Scope scopeOf(const Table& table, Reach reach) {
+  Scope scope{.reach = reach, .settingReach = reach};
+  const std::vector<std::string> measured = table.texts("method");
+  for (const Method method : kMethods)
+    if (std::ranges::find(measured, builder::methodName(method)) == measured.end())
+      scope.lackingSettings.push_back(fmt::format("method {}", builder::methodName(method)));
+  return scope;
+}
+
 std::string textOf(const std::vector<Change>& changes) {
   std::vector<std::string> texts;
   for (const Change& c : changes)
@@ -101,7 +112,10 @@ std::string textOf(const std::vector<Change>& changes) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-Claim droppedClaim(const std::vector<Change>& changes) {
+Claim droppedClaim(const std::vector<Change>& changes, Scope scope) {
+  double most = 0;
+  for (const Change& c : changes)
+    if (c.worst <= kAboutTheSame) most = std::max(most, c.dropped);
   const bool holds = std::ranges::any_of(
       changes, [](const Change& c) { return c.dropped >= kManyDropped && c.worst <= kAboutTheSame; });
   return {
@@ -110,10 +124,13 @@ Claim droppedClaim(const std::vector<Change>& changes) {
                   "times that of the tree as made",
                   kManyDropped, kDepth, kAboutTheSame),
       fmt::format("at 105 % of level {} are dropped, for so many times the worst error: {}", kDepth, textOf(changes)),
-      holds};
+      holds,
+      {},
+      std::move(scope),
+      most};
 }
 
-Claim sameErrorClaim(const std::vector<Change>& changes) {
+Claim sameErrorClaim(const std::vector<Change>& changes, Scope scope) {
   const auto same = std::ranges::count_if(changes, [](const Change& c) { return c.worst <= kAboutTheSame; });
   return {
       "at 105 % the approximations contain pretty much the same error as unoptimised ones",
@@ -122,23 +139,30 @@ Claim sameErrorClaim(const std::vector<Change>& changes) {
                   kDepth, kAboutTheSame),
       fmt::format("the worst error is at most {} times as large in {} of {} trees", kAboutTheSame, same,
                   changes.size()),
-      2 * same > std::ssize(changes)};
+      2 * same > std::ssize(changes),
+      {},
+      std::move(scope),
+      static_cast<double>(same)};
 }
 
-Claim freeClaim(const std::vector<Change>& changes) {
+Claim freeClaim(const std::vector<Change>& changes, Scope scope) {
   const auto fewer = std::ranges::count_if(changes, [](const Change& c) { return c.dropped > 0; });
   return {
       "spheres are dropped even where the worst error may not grow (100 %)",
       fmt::format("level {} has fewer spheres in more than half of all models and methods", kDepth),
       fmt::format("at 100 %, of level {} are dropped, for so many times the worst error: {}", kDepth, textOf(changes)),
-      2 * fewer > std::ssize(changes)};
+      2 * fewer > std::ssize(changes),
+      {},
+      std::move(scope),
+      static_cast<double>(fewer)};
 }
 
 std::vector<Claim> judge(const Table& table) {
   const std::vector<Change> atMost = changesOf(table, "105 %"), none = changesOf(table, "100 %");
   std::vector<Claim> claims;
-  if (!atMost.empty()) claims = {droppedClaim(atMost), sameErrorClaim(atMost)};
-  if (!none.empty()) claims.push_back(freeClaim(none));
+  if (!atMost.empty())
+    claims = {droppedClaim(atMost, scopeOf(table, Reach::some)), sameErrorClaim(atMost, scopeOf(table, Reach::share))};
+  if (!none.empty()) claims.push_back(freeClaim(none, scopeOf(table, Reach::share)));
   return claims;
 }
 

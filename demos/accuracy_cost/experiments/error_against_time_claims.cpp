@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "accuracy_cost/experiments/budget_claims.h"
+
 namespace cairn::accuracy_cost {
 namespace {
 
@@ -106,26 +108,42 @@ void addFront(const Table& table, const std::string& column, const char* which, 
                    "the fastest of ours that errs no more (or at most {} %) is not slower: the interval of "
                    "its time over the tree's does not lie above the rival's",
                    100 * kGreatestError, 100 * kLeastError),
-       found, fronts.exceptions.empty()});
+       found,
+       fronts.exceptions.empty(),
+       {},
+       {.reach = Reach::every},
+       static_cast<double>(fronts.exceptions.size()),
+       true});
 }
 
 /// That what a tree is silent about is no deeper than it says it may be.
 void addMissed(const Table& table, std::vector<Claim>& claims) {
-  double meeting = 0, missed = 0, beyond = 0, deepest = 0;
-  for (const std::size_t row : table.select({{"side", "ours"}})) {
-    meeting += table.number(row, "meeting_pairs");
-    missed += table.number(row, "missed_pairs");
-    beyond += table.number(row, "missed_beyond_certificate");
-    deepest = std::max(deepest, table.number(row, "missed_depth_max_fraction"));
-  }
-  if (meeting == 0) return;
+  double distinct = 0, shown = 0, missed = 0, beyond = 0, deepest = 0;
+  for (const std::string& model : table.texts("model"))
+    for (const std::string& scene : table.texts("scene")) {
+      double meeting = 0;  // the same for all that are shown the scene
+      for (const std::size_t row : table.select({{"model", model}, {"scene", scene}, {"side", "ours"}})) {
+        meeting = std::max(meeting, table.number(row, "meeting_pairs"));
+        shown += table.number(row, "meeting_pairs");
+        missed += table.number(row, "missed_pairs");
+        beyond += table.number(row, "missed_beyond_certificate");
+        deepest = std::max(deepest, table.number(row, "missed_depth_max_fraction"));
+      }
+      distinct += meeting;
+    }
+  if (shown == 0) return;
   claims.push_back({"a tree misses no pair of bodies that are deeper in each other than it certifies, on any budget",
                     "of all pairs the exact check finds to meet none without a contact is deeper than the worst "
                     "certified error of its frame",
-                    fmt::format("of {} meeting pairs trees of all levels and budgets miss {}, the deepest by {:.2g} % "
-                                "of size, {} of them deeper than certified",
-                                meeting, missed, 100 * deepest, beyond),
-                    beyond == 0});
+                    fmt::format("{} pairs meet in the frames checked; shown to trees of {:.3g} levels and budgets, {} "
+                                "times in all, they are missed {} times, the deepest by {:.2g} % of size, {} times "
+                                "deeper than certified",
+                                distinct, shown / distinct, shown, missed, 100 * deepest, beyond),
+                    beyond == 0,
+                    {},
+                    {.reach = Reach::every},
+                    beyond,
+                    true});
 }
 
 }  // namespace
@@ -135,6 +153,7 @@ std::vector<Claim> judgeErrorAgainstTime(const Table& table) {
   addFront(table, "error_mean_fraction", "mean", claims);
   addFront(table, "error_p99_fraction", "99 %", claims);
   addMissed(table, claims);
+  addBudgets(table, claims);
   return claims;
 }
 

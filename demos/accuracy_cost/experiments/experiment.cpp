@@ -28,6 +28,10 @@ const Experiment* findExperiment(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::vector<Claim> claimsOf(const Experiment& experiment, const Table& table) {
+  return withLacking(experiment.judge(table), experiment.models, table.texts("model"));
+}
+
 Error about(const std::string& what, const Error& error) {
   return error.message == builder::kCancelled ? error : Error{what + ": " + error.message};
 }

@@ -37,7 +37,11 @@ struct Experiment {
   std::vector<Claim> (*judge)(const Table& table);
   /// The first figure has the experiment's name.
   std::vector<Figure> (*draw)(const Table& table);
+  bool isOwn = false;  ///< beyond what the thesis measures: it reproduces nothing
 };
+
+/// What an experiment's table says, each claim with the models it is about that the table does not have.
+std::vector<Claim> claimsOf(const Experiment& experiment, const Table& table);
 
 /// All, in the order of the thesis.
 const std::vector<Experiment>& allExperiments();

@@ -68,10 +68,11 @@ std::vector<Least> leastOf(const Table& table, const Names& models, const Names&
   return list;
 }
 
-std::string textOf(const std::vector<Least>& list) {
+std::string textOf(const std::vector<Least>& list, double limit) {
   std::vector<std::string> texts;
   for (const Least& least : list)
-    texts.push_back(fmt::format("{} {:.2f} ({} after {})", least.model, least.ratio, least.tree, least.interruption));
+    texts.push_back(
+        fmt::format("{} {} ({} after {})", least.model, ratioText(least.ratio, limit), least.tree, least.interruption));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -84,8 +85,17 @@ struct DownTo {
   double limit;
   bool inEvery;
   const char* interruption = "";  ///< at this one; at any
-  Names lacking{};                ///< models it names that were not measured
+  bool isOfScans = false;         ///< it is about the scans the thesis names, not about all models
 };
+
+/// Trees that were not measured.
+Names lackingTrees(const Table& table, const Names& trees) {
+  const Names measured = table.texts("construction");
+  Names lacking;
+  for (const std::string& tree : trees)
+    if (!isOneOf(tree, measured)) lacking.push_back("trees by " + tree);
+  return lacking;
+}
 
 void addDownTo(const Table& table, const DownTo& claim, std::vector<Claim>& claims) {
   const std::vector<Least> list = leastOf(table, claim.models, claim.trees, claim.column, claim.interruption);
@@ -93,14 +103,22 @@ void addDownTo(const Table& table, const DownTo& claim, std::vector<Claim>& clai
   const double limit = claim.limit;
   const auto reaches = [&](const Least& least) { return least.ratio <= limit; };
   const auto reached = std::ranges::count_if(list, reaches);
+  const auto [least, greatest] = std::ranges::minmax(list, {}, &Least::ratio);
+  const Names lacking = claim.isOfScans ? scansOf(table).lacking : Names();
   claims.push_back({claim.thesis,
                     fmt::format("the least mean ratio of the {} {} is at most {:.4g} in {} model", claim.what,
                                 *claim.interruption ? fmt::format("after {} operations", claim.interruption)
                                                     : std::string("at any interruption"),
                                 limit, claim.inEvery ? "every" : "at least one"),
-                    fmt::format("least {}: {}; at most {:.4g} in {} of {} models", claim.what, textOf(list), limit,
-                                reached, list.size()),
-                    claim.inEvery ? reached == std::ssize(list) : reached > 0, claim.lacking});
+                    fmt::format("least {}: {}; at most {:.4g} in {} of {} models", claim.what, textOf(list, limit),
+                                limit, reached, list.size()),
+                    claim.inEvery ? reached == std::ssize(list) : reached > 0,
+                    lacking,
+                    {.reach = claim.inEvery ? Reach::every : Reach::some,
+                     .models = claim.isOfScans ? kNamedScans : Names(),
+                     .settingReach = Reach::some,  // the best of its trees counts
+                     .lackingSettings = lackingTrees(table, claim.trees)},
+                    claim.inEvery ? greatest.ratio : least.ratio});
 }
 
 void addDefinite(const Table& table, const Names& models, std::vector<Claim>& claims) {
@@ -114,7 +132,10 @@ void addDefinite(const Table& table, const Names& models, std::vector<Claim>& cl
                    "mean, below it in {} of {}",
                    *std::ranges::min_element(ratios), *std::ranges::max_element(ratios), geometricMean(ratios), below,
                    ratios.size()),
-       20 * below >= 19 * std::ssize(ratios)});
+       20 * below >= 19 * std::ssize(ratios),
+       {},
+       {.lackingSettings = lackingTrees(table, kMedial)},
+       static_cast<double>(below)});
 }
 
 void addBest(const Table& table, const Names& models, std::vector<Claim>& claims) {
@@ -124,7 +145,10 @@ void addBest(const Table& table, const Names& models, std::vector<Claim>& claims
   claims.push_back({"the best error of the medial-axis methods is slightly higher than Hubbard's",
                     fmt::format("the mean ratio over all models, trees and interruptions is from 1 to {}", kSlight),
                     fmt::format("their best error is {:.2f} times Hubbard's on the mean", average),
-                    average >= 1 && average <= kSlight});
+                    average >= 1 && average <= kSlight,
+                    {},
+                    {.lackingSettings = lackingTrees(table, kMedial)},
+                    average});
 }
 
 void addHybrid(const Table& table, const Names& models, std::vector<Claim>& claims) {
@@ -148,7 +172,24 @@ void addHybrid(const Table& table, const Names& models, std::vector<Claim>& clai
                     "interruptions",
                     fmt::format("hybrid's worst error is {:.2f} times grid's on geometric mean, lower in {} of {}",
                                 geometricMean(ratios), lower, all),
-                    4 * lower >= 3 * all});
+                    4 * lower >= 3 * all,
+                    {},
+                    {},
+                    static_cast<double>(lower)});
+}
+
+/// The pairs that meet are the same for every tree and interruption of a model: told once, and how often they are
+/// shown.
+std::string missedText(const Table& table, double missed, double shown) {
+  double distinct = 0;
+  for (const std::string& model : table.texts("model")) {
+    const std::vector<double> pairs = table.numbers("meeting_bodies", {{"model", model}});
+    if (!pairs.empty()) distinct += *std::ranges::max_element(pairs);
+  }
+  return fmt::format(
+      "{} pairs of bodies meet in the frames checked; shown to every tree and interruption, {} times in "
+      "all, they are missed {} times",
+      distinct, shown, missed);
 }
 
 /// Not of the thesis's conclusions, but of what makes them worth anything.
@@ -160,20 +201,24 @@ void addUpperBound(const Table& table, std::vector<Claim>& claims) {
   };
   const double checked = sum("checked_contacts");
   if (checked == 0) return;
-  claims.push_back({"the error of a pair of spheres is an upper bound of the true separation between the objects",
-                    "of all contacts the exact check looked at none is farther apart, and no two bodies that meet are "
-                    "without a pair of spheres",
-                    fmt::format("of {} contacts checked {} are farther apart than certified; {} of {} meeting pairs of "
-                                "bodies are missed",
-                                checked, sum("beyond_certificate"), sum("missed_bodies"), sum("meeting_bodies")),
-                    sum("beyond_certificate") == 0 && sum("missed_bodies") == 0});
+  claims.push_back(
+      {"the error of a pair of spheres is an upper bound of the true separation between the objects",
+       "of all contacts the exact check looked at none is farther apart, and no two bodies that meet are "
+       "without a pair of spheres",
+       fmt::format("of {} contacts checked {} are farther apart than certified; {}", checked, sum("beyond_certificate"),
+                   missedText(table, sum("missed_bodies"), sum("meeting_bodies"))),
+       sum("beyond_certificate") == 0 && sum("missed_bodies") == 0,
+       {},
+       {.reach = Reach::every},
+       sum("beyond_certificate"),
+       true});
 }
 
 }  // namespace
 
 std::vector<Claim> judgeInterruption(const Table& table) {
   const Names models = table.texts("model");
-  const auto [complex, lacking] = scansOf(table);
+  const Names complex = scansOf(table).measured;
   const std::vector<DownTo> reductions{
       {"grid has as little as 20 % of the octree's error when interrupted",
        "worst error of grid over the octree's",
@@ -193,10 +238,10 @@ std::vector<Claim> judgeInterruption(const Table& table) {
        0.5 * kAsLow,
        true,
        "",
-       lacking},
+       true},
       {"as little as 20 % as many pairs of colliding spheres are found as with Hubbard's trees for bunny and dragon",
        "number of pairs of spheres over Hubbard's", complex, kMedial, ratioColumn("hubbard", "sphere_pairs"),
-       0.2 * kAsLow, true, "", lacking},
+       0.2 * kAsLow, true, "", true},
       {"optimised trees leave less than half as many frames unresolved as Hubbard's after 15 000 operations",
        "share of unresolved frames over Hubbard's",
        models,
@@ -221,7 +266,7 @@ std::vector<Claim> judgeInterruption(const Table& table) {
        0.25 * kAsLow,
        true,
        kLast,
-       lacking},
+       true},
   };
   std::vector<Claim> claims;
   for (const DownTo& reduction : reductions) addDownTo(table, reduction, claims);

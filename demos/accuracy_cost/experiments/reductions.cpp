@@ -112,7 +112,11 @@ Claim mergeWorst(const Table& table) {
   const Below worst = belowOne(table, "merge", "hubbard", kWorst);
   return {"merge has a lower worst error than Hubbard's for all models",
           "the geometric mean over all counts of their ratio is below 1 for every model",
-          fmt::format("merge's worst error over Hubbard's: {}", worst.text), worst.all > 0 && worst.below == worst.all};
+          fmt::format("merge's worst error over Hubbard's: {}", worst.text),
+          worst.all > 0 && worst.below == worst.all,
+          {},
+          {.reach = Reach::every},
+          static_cast<double>(worst.below)};
 }
 
 Claim mergeSpread(const Table& table) {
@@ -121,7 +125,10 @@ Claim mergeSpread(const Table& table) {
   return {"merge also lowers the RMS error and the variance",
           "both ratios' geometric means are below 1 for more than half of the models",
           fmt::format("merge's RMS error over Hubbard's: {}; variance: {}", rms.text, variance.text),
-          2 * rms.below > rms.all && 2 * variance.below > variance.all};
+          2 * rms.below > rms.all && 2 * variance.below > variance.all,
+          {},
+          {},
+          static_cast<double>(std::min(rms.below, variance.below))};
 }
 
 Claim expandWorst(const Table& table) {
@@ -130,7 +137,10 @@ Claim expandWorst(const Table& table) {
   return {"expand generally has a lower worst error than Hubbard's and merge",
           "both ratios' geometric means are below 1 for more than half of the models",
           fmt::format("expand's worst error over merge's: {}; over Hubbard's: {}", merge.text, hubbard.text),
-          2 * merge.below > merge.all && 2 * hubbard.below > hubbard.all};
+          2 * merge.below > merge.all && 2 * hubbard.below > hubbard.all,
+          {},
+          {},
+          static_cast<double>(std::min(merge.below, hubbard.below))};
 }
 
 Claim expandVariance(const Table& table) {
@@ -159,7 +169,10 @@ Claim expandVariance(const Table& table) {
           fmt::format("expand has the lowest variance of the three on {} of {} models; the most even has a standard "
                       "deviation of {:.3f} of the mean error",
                       lowest, all, leastEven),
-          all > 0 && 2 * lowest > all && leastEven <= kEven};
+          all > 0 && 2 * lowest > all && leastEven <= kEven,
+          {},
+          {},
+          leastEven};
 }
 
 Claim burstBest(const Table& table) {
@@ -167,7 +180,10 @@ Claim burstBest(const Table& table) {
   return {"burst further improves the fit",
           "its RMS error is below merge's and expand's by the geometric mean for more than half of the models",
           fmt::format("burst's RMS error over merge's: {}; over expand's: {}", merge.text, expand.text),
-          2 * merge.below > merge.all && 2 * expand.below > expand.all};
+          2 * merge.below > merge.all && 2 * expand.below > expand.all,
+          {},
+          {},
+          static_cast<double>(std::min(merge.below, expand.below))};
 }
 
 std::vector<Claim> judge(const Table& table) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "accuracy_cost/experiments/fit_columns.h"
 #include "accuracy_cost/experiments/statistics.h"
@@ -30,6 +31,8 @@ constexpr double kWhole = 2e-3;
 constexpr double kMuchTheSame = 1.1;
 /// Pearson's r squared from which a relation counts as "pretty much linear".
 constexpr double kLinear = 0.95;
+/// Powers of the samples that the spheres may grow with and still count as linear.
+constexpr double kLeastPower = 0.8, kGreatestPower = 1.25;
 /// Volume that still counts as "nearly zero".
 constexpr double kNearlyNothing = 0.01;
 
@@ -94,6 +97,15 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::ranges::max_element(values);
 }
 
+/// What is told of the most samples, where `--quick` or a mesh's own corners end before them.
+Scope scopeAtMostSamples(const Table& table) {
+  Scope scope{.reach = Reach::every};
+  const std::vector<double> samples = table.numbers("samples", {});
+  const double most = samples.empty() ? 0 : *std::ranges::max_element(samples);
+  if (most < kSamples.back()) scope.lackingSettings = {fmt::format("more than {} samples", most)};
+  return scope;
+}
+
 Claim coverClaim(const Table& table) {
   constexpr const char* kColumn = "uncovered_area_fraction";
   std::size_t less = 0, all = 0;
@@ -105,6 +117,8 @@ Claim coverClaim(const Table& table) {
       less += adaptive[i] < regular[i] ? 1 : 0;
     if (!adaptive.empty()) atMost = std::max(atMost, adaptive.back());
   }
+  Scope scope = scopeAtMostSamples(table);
+  if (less < all) scope.settingReach = Reach::every;  // that is refuted at any number of samples
   return {
       "the adaptive algorithm covers the whole surface, where regular sampling leaves some of it out",
       fmt::format("adaptive sampling leaves out less area at all numbers of samples of all models, and at most {} % at "
@@ -114,7 +128,10 @@ Claim coverClaim(const Table& table) {
           "adaptive sampling leaves less of the surface outside its spheres in {} of {} cases, at most {:.2f} % "
           "at the most samples; regular sampling up to {:.2f} %",
           less, all, 100 * atMost, 100 * largest(table.numbers(kColumn, {{"sampling", kRegular}}))),
-      all > 0 && less == all && atMost <= kWhole};
+      all > 0 && less == all && atMost <= kWhole,
+      {},
+      std::move(scope),
+      atMost};
 }
 
 Claim volumeClaim(const Table& table) {
@@ -134,20 +151,35 @@ Claim volumeClaim(const Table& table) {
       fmt::format("at the most samples regular sampling leaves out up to {:.2f} % of a model's volume and at least "
                   "{:.2f} % of its surface",
                   100 * volume, 100 * area),
-      volume <= kNearlyNothing && area > kNearlyNothing};
+      volume <= kNearlyNothing && area > kNearlyNothing,
+      {},
+      scopeAtMostSamples(table),
+      area};
 }
 
 Claim linearClaim(const Table& table) {
-  double least = 1;
+  double least = 1, leastPower = INFINITY, greatestPower = 0;
   for (const std::string& model : table.texts("model"))
     for (const char* sampling : {kRegular, kAdaptive}) {
       const auto x = table.numbers("samples", of(model, sampling)), y = table.numbers("spheres", of(model, sampling));
       if (const double r = linearity(x, y); !std::isnan(r)) least = std::min(least, r);
+      const double power = powerOf(x, y);
+      if (std::isnan(power)) continue;
+      leastPower = std::min(leastPower, power);
+      greatestPower = std::max(greatestPower, power);
     }
   return {"the number of spheres grows linearly with the samples for both",
-          fmt::format("a straight line explains at least {} of the variance for each model and sampling", kLinear),
-          fmt::format("a straight line explains at least {:.3f} of the variance of the number of spheres", least),
-          least >= kLinear};
+          fmt::format("for each model and sampling it grows as a power from {} to {} of the samples (straight line "
+                      "through the logarithms), and a straight line explains at least {} of its variance",
+                      kLeastPower, kGreatestPower, kLinear),
+          fmt::format("the number of spheres grows as the power {} to {} of the samples; a straight line explains at "
+                      "least {} of its variance",
+                      ratioText(leastPower, kLeastPower), ratioText(greatestPower, kGreatestPower),
+                      ratioText(least, kLinear)),
+          least >= kLinear && leastPower >= kLeastPower && greatestPower <= kGreatestPower,
+          {},
+          {.reach = Reach::every},
+          leastPower};
 }
 
 /// A claim about a column: in more than half of all models and numbers of samples the adaptive value is at most `most`
@@ -167,7 +199,10 @@ Claim lowerClaim(const Table& table, const char* column, const char* what, doubl
                       what, most),
           fmt::format("adaptive over regular {}, from the fewest samples to the most: {}; below {} in {} of {}", what,
                       fmt::join(found, ", "), most, lower, all),
-          2 * lower > all};
+          2 * lower > all,
+          {},
+          {},
+          static_cast<double>(lower)};
 }
 
 std::vector<Claim> judge(const Table& table) {

@@ -8,7 +8,10 @@
 
 namespace cairn::accuracy_cost {
 
-/// The scans the thesis draws conclusions from by name, "for bunny and dragon": those a table has, and those it lacks.
+/// The scans the thesis draws conclusions from by name, "for bunny and dragon".
+extern const std::vector<std::string> kNamedScans;
+
+/// Those of them a table has, and those it lacks.
 struct Scans {
   std::vector<std::string> measured, lacking;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_cost/experiments/statistics.h"
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
 namespace cairn::accuracy_cost {
 namespace {
@@ -81,6 +83,36 @@ double geometricMean(std::span<const double> values) {
 double mean(std::span<const double> values) {
   if (values.empty()) return kNaN;
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+SignTest signTestOf(std::span<const double> first, std::span<const double> second) {
+  assert(first.size() == second.size());
+  SignTest test;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    ++(first[i] < second[i] ? test.lower : first[i] > second[i] ? test.higher : test.same);
+  const auto count = static_cast<unsigned>(test.lower + test.higher);
+  const auto fewer = static_cast<unsigned>(std::min(test.lower, test.higher));
+  if (count > 0) test.p = std::min(1.0, 2 * gsl_cdf_binomial_P(fewer, 0.5, count));
+  return test;
+}
+
+double powerOf(std::span<const double> x, std::span<const double> y) {
+  assert(x.size() == y.size());
+  if (x.size() < 3) return kNaN;
+  const double meanX = std::log(geometricMean(x)), meanY = std::log(geometricMean(y));
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (std::log(x[i]) - meanX) * (std::log(x[i]) - meanX);
+    xy += (std::log(x[i]) - meanX) * (std::log(y[i]) - meanY);
+  }
+  return xx > 0 ? xy / xx : kNaN;
+}
+
+std::string ratioText(double value, double limit) {
+  int digits = 2;
+  const auto text = [&] { return fmt::format("{:.{}f}", value, digits); };
+  while (digits < 9 && std::isfinite(value) && value != limit && std::stod(text()) == limit) ++digits;
+  return text();
 }
 
 double linearity(std::span<const double> x, std::span<const double> y) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cairn::accuracy_cost {
@@ -32,6 +33,21 @@ inline constexpr std::size_t kLeastRepetitions = 6;
 /// median they are drawn from with at least `kConfidence` (binomial, whatever the distribution; least and greatest
 /// where there are too few). Precondition: not empty.
 MedianInterval medianOf(std::vector<double> values);
+
+/// A number with two digits after the point, or as many more as it takes to be told from `limit` where it is another.
+std::string ratioText(double value, double limit);
+
+/// Do pairs of values differ? By the sign test: ties apart, are the first as often lower as higher?
+struct SignTest {
+  std::size_t lower = 0, same = 0, higher = 0;  ///< pairs whose first is
+  double p = 1;                                 ///< chance of counts as far apart, either way, if neither were likelier
+};
+/// Precondition: equal sizes.
+SignTest signTestOf(std::span<const double> first, std::span<const double> second);
+
+/// Slope of the straight line through the logarithms (y as x to this power). NaN for fewer than three points and where
+/// x does not vary. Precondition: equal sizes, all above 0.
+double powerOf(std::span<const double> x, std::span<const double> y);
 
 /// exp of the mean logarithm; NaN without values. Precondition: all above 0.
 double geometricMean(std::span<const double> values);

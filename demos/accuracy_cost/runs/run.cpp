@@ -42,7 +42,12 @@ Json claimsJson(const std::vector<Claim>& claims) {
                     {"rule", claim.rule},
                     {"found", claim.found},
                     {"holds", claim.holds},
-                    {"lacking", claim.lacking}});
+                    {"standing", standingName(standingOf(claim))},
+                    {"own", claim.isOwn},
+                    {"figure", claim.figure ? Json(*claim.figure) : Json()},
+                    {"lacking", claim.lacking},
+                    {"lacking_settings", claim.scope.lackingSettings},
+                    {"lacking_text", lackingText(claim)}});
   return list;
 }
 
@@ -65,13 +70,13 @@ bool hasFigures(const Json& document, const fs::path& folder) {
 Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const std::vector<std::string>& leftOut,
                 const Table& table, double seconds) {
   const Experiment& e = *plan.experiment;
-  const std::vector<Claim> claims = e.judge(table);
+  const std::vector<Claim> claims = claimsOf(e, table);
   return {{"experiment", e.name},
           {"title", e.title},
           {"thesis_section", e.section},
           {"thesis_says", e.says},
           {"we_found", foundText(claims)},
-          {"verdict", verdictName(verdictOf(claims))},
+          {"verdict", verdictName(verdictOf(claims), e.isOwn)},
           {"why", whyText(claims)},
           {"differs", e.differs},
           {"rule", kVerdictRule},
@@ -80,6 +85,8 @@ Json documentOf(const RunPlan& plan, const std::vector<Model>& models, const std
           {"csv", std::string(e.name) + ".csv"},
           {"figures", Json::array()},
           {"models", modelsJson(models)},
+          {"default_models", e.models},
+          {"own", e.isOwn},
           {"left_out", leftOut},
           {"settings", settingsJson(plan, models)},
           {"seconds", seconds},

@@ -32,8 +32,8 @@ struct ContactAccuracy {
   double meanStray = 0;
   Quantiles stray;
   /// Error of a pair, of all that meet or are reported, each once: a missed one errs by its penetration, a reported one
-  /// by its worst point, and by its gap where that is more. So neither many points nor points at bodies that are apart
-  /// outweigh a missed pair.
+  /// by its worst point, and by its gap where that is more. So many points of a pair outweigh nothing; many reported
+  /// pairs do make a missed one count for less.
   double meanPairError = 0;
   Quantiles pairError;
 };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "accuracy_cost/experiments/claim.h"
+#include "accuracy_cost/experiments/table.h"
+
+namespace cairn::accuracy_cost {
+
+/// That the error of one tree falls with its budget, by operations and by time, and which of ours are dominated:
+/// another of ours errs less in less time. Nothing where no tree has two budgets.
+void addBudgets(const Table& table, std::vector<Claim>& claims);
+
+}  // namespace cairn::accuracy_cost
