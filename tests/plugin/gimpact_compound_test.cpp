@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "front_ends.h"
 #include "gimpact_mesh.h"
@@ -48,9 +49,8 @@ enum class Registered { never, first, last };
 // A mesh of GImpact's below, a compound that is thrown on it.
 class Scene {
  public:
-  Scene(const std::shared_ptr<btCompoundShape>& compound, bool isCompoundAddedFirst, Registered registered,
-        bool onWorld)
-      : compound(compound) {
+  Scene(std::shared_ptr<btCompoundShape> thrown, bool isCompoundAddedFirst, Registered registered, bool onWorld)
+      : compound(std::move(thrown)) {
     if (registered == Registered::first) enter();
     narrowPhase.emplace(onWorld ? bullet::install(static_cast<btCollisionWorld&>(w.world)).value()
                                 : bullet::install(w.dispatcher).value());
