@@ -10,6 +10,8 @@
 #include <exception>
 #include <utility>
 
+#include "cairn/builder/import.h"
+
 namespace cairn::builder {
 namespace {
 
@@ -55,11 +57,15 @@ bool appendNode(const aiScene& scene, const aiNode& node, const Placement& paren
   return true;
 }
 
+bool reads(const Assimp::Importer& importer, const std::filesystem::path& path) {
+  return path.has_extension() && importer.IsExtensionSupported(path.extension().string());
+}
+
 /// From the file itself when `text` is empty.
 Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<const std::byte> text) {
   const std::string file = path.filename().string();
   Assimp::Importer importer;
-  if (!importer.IsExtensionSupported(path.extension().string()))
+  if (!reads(importer, path))
     return Error{
         fmt::format("{}: '{}' is not the extension of a mesh format assimp reads; export it as OBJ, OFF, PLY, STL "
                     "or glTF",
@@ -79,6 +85,10 @@ Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<cons
 }
 
 }  // namespace
+
+bool isMeshFile(const std::filesystem::path& path) {
+  return reads(Assimp::Importer(), path);
+}
 
 Result<TriangleSoup> readTriangles(const std::filesystem::path& path) {
   return readTriangles(path, {});

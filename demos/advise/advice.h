@@ -56,7 +56,8 @@ std::optional<Choice> bestChoice(const std::vector<Candidate>& candidates, doubl
 /// What is cheapest at 99 %. Precondition: there is a rung.
 Choice cheapestChoice(const std::vector<Candidate>& candidates);
 
-/// Operations a microsecond, over the steps of a rung on the mean.
+/// Operations of a step on the mean over the microseconds of the median one: what a step waits for the processor does
+/// not count.
 double operationsPerUs(const Rung& rung);
 
 /// One sentence for a budget: what to build, what to set, what to expect. `mesh` is its file's name.

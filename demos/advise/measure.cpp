@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -141,7 +142,7 @@ class Race {
   Status playFirst(Contender& contender) {
     Take whole(std::nullopt);
     if (Status played = play(whole, contender); !played) return played;
-    if (&contender == &contenders_.front()) frames_ = whole.busyFrames();
+    addFrames(whole.busyFrames());
     for (const std::uint64_t each : kBudgets)
       if (each * trial_.bodies < whole.mostOperations()) contender.takes.emplace_back(each * trial_.bodies);
     for (Take& take : contender.takes)
@@ -149,6 +150,13 @@ class Race {
     if (Status played = playUncut(contender, std::move(whole)); !played) return played;
     ++begun_;
     return {};
+  }
+
+  /// Each tree has contacts in frames of its own; together they do not depend on the order of the trees.
+  void addFrames(const std::vector<std::uint32_t>& busy) {
+    std::vector<std::uint32_t> together;
+    std::ranges::set_union(frames_, busy, std::back_inserter(together));
+    frames_ = std::move(together);
   }
 
   /// Adds the least budget found that leaves nothing unresolved: more than no budget uses, because under one pairs are
@@ -197,7 +205,7 @@ class Race {
   std::vector<Contender>& contenders_;
   const Trial& trial_;
   const builder::ProgressCallback& progress_;
-  std::vector<std::uint32_t> frames_;  ///< in which bodies touch, as the first tree sees them when nothing is cut
+  std::vector<std::uint32_t> frames_;  ///< in which any tree has contacts when nothing is cut
   std::size_t begun_ = 0;              ///< trees that have been played at all
 };
 

@@ -30,7 +30,7 @@ struct Trial {
 
 struct Measured {
   std::vector<Candidate> candidates;  ///< in the order of methods, branchings, depths
-  std::uint32_t busyFrames = 0;       ///< in which bodies touch: what all figures are of
+  std::uint32_t busyFrames = 0;       ///< in which any of the trees has contacts: what all figures are of
   std::string recording;              ///< hash of the poses
 };
 

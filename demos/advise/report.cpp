@@ -126,7 +126,8 @@ std::string tableText(const Advice& advice, bool all) {
       if (all || j == shown) text += rowText(candidates[i], candidates[i].rungs[j], markOf(advice, {i, j}));
   }
   text += fmt::format("-> what to use; > takes longer than {:g} us in more than one of 100 steps\n", advice.budgetUs);
-  text += "Median and p99 are of all steps, of all starts and playings together, in which bodies touch.\n";
+  text +=
+      "Median and p99 are of all steps, of all starts and playings together, in which any of the trees has contacts.\n";
   if (advice.trial.sieveUs)
     text +=
         "Every tree was played on every budget; those clearly behind less often than the best. --thorough plays all "
@@ -171,7 +172,7 @@ nlohmann::ordered_json toJson(const Advice& advice) {
           {"busy_frames", advice.measured.busyFrames},
           {"seed", advice.trial.seed},
           {"thorough", !advice.trial.sieveUs},
-          {"times_are_of", "all steps of all starts and playings in which bodies touch"},
+          {"times_are_of", "all steps of all starts and playings in which any of the trees has contacts"},
           {"recording_hash", advice.measured.recording},
           {"budget_us", advice.budgetUs},
           {"operations_per_us", operationsPerUs(whole)},

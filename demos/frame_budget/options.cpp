@@ -183,6 +183,8 @@ Status checkCombination(const RawOptions& raw, const Options& options) {
           fmt::format("{:.0f} recorded poses are too many for memory: --bodies, --runs and --steps multiply to "
                       "{:.0f} at most",
                       motions, kMostMotions)};
+    if (options.heap.stepsWithoutBudget > 0)
+      return Error{"--budget-from is for what begins in the air: use it with --scene heap, crush or rockfall"};
     if (options.heap.isWatched) return Error{"--viewer looks at a heap: use it with --scene heap or crush"};
     if (raw.noSleeping) return Error{"--no-sleeping is for simulated bodies: use it with --scene heap or crush"};
     return {};

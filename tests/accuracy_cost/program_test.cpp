@@ -45,6 +45,23 @@ class AccuracyCostProgram : public ::testing::Test {
   test::TemporaryFolder temporary_;
 };
 
+TEST_F(AccuracyCostProgram, TakesOnlyMeshesFromAFolderEachNameOnce) {
+  ASSERT_TRUE(writeFileAtomically(path("meshes/README.md"), "Where they are from.\n"));
+  EXPECT_EQ(run("expand-selection", "out").exitCode, 0);
+  const std::string cube = contentOf(path("meshes/cube.obj"));
+  ASSERT_TRUE(writeFileAtomically(path("meshes/cube.a.obj"), cube));
+  fs::copy_file(path("meshes/cube.obj"), path("meshes/cube.OBJ"));
+  const ProgramResult twice = run("expand-selection", "twice");
+  EXPECT_EQ(twice.exitCode, 1);
+  EXPECT_NE(twice.errors.find("two meshes are called cube"), std::string::npos) << twice.errors;
+  fs::create_directories(path("empty"));
+  ASSERT_TRUE(writeFileAtomically(path("empty/README.md"), "Nothing here.\n"));
+  const ProgramResult none = test::runProgram(
+      "accuracy_cost", "run levels --models '" + path("empty").string() + "' -o '" + path("none").string() + "'");
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_NE(none.errors.find("empty holds no file of a mesh format"), std::string::npos) << none.errors;
+}
+
 TEST_F(AccuracyCostProgram, WritesTheSameTableTwiceAndForAnyThreads) {
   for (const char* experiment : {"sampling", "expand-selection", "interruption"}) {
     const ProgramResult one = run(experiment, "one", "--no-figures --threads 1");

@@ -103,6 +103,17 @@ TEST_F(AdviseProgram, ErrorsAndOperationsAreTheSameOnEveryRun) {
 }
 
 // What it says of a budget is what that budget does, in another program: of one that cuts, and of one that does not.
+TEST_F(AdviseProgram, LooksAtTheSameFramesInWhateverOrderTreesAreNamed) {
+  const auto frames = [&](const std::string& file, const std::string& depths) {
+    const ProgramResult result =
+        test::runProgram("cairn", "advise " + quoted("ring.obj") + " --methods octree --depths " + depths +
+                                      " --bodies 8 --frames 200 --repeats 1 --budget-us 5 --json " + quoted(file));
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    return read(file)["busy_frames"];
+  };
+  EXPECT_EQ(frames("up.json", "1,3"), frames("down.json", "3,1"));
+}
+
 TEST_F(AdviseProgram, ItsBudgetsDoWhatItSays) {
   const std::string common = " --bodies 8 --seed 1 ";
   const ProgramResult advised =

@@ -168,6 +168,13 @@ TEST_F(ProgramsWithATree, RefusesALevelTheTreeDoesNotHave) {
   expectOneSentence(result, "frame_budget", "the tree has no level 8: use 0 to ");
 }
 
+TEST_F(ProgramsWithATree, RefusesABudgetFromWhereAllPosesAreRecorded) {
+  const ProgramResult result =
+      runProgram("frame_budget", "--scene converge --tree '" + tree_.string() + "' --budget-from 5 --budget-ops 9");
+  EXPECT_NE(result.exitCode, 0);
+  expectOneSentence(result, "frame_budget", "--budget-from is for what begins in the air");
+}
+
 TEST_F(ProgramsWithATree, FrameBudgetWritesAnObjectForOneShapeAndAnArrayForSeveral) {
   const std::string common =
       "--scene heap --tree " + path("rock.cairn") + " --bodies 4 --steps 30 --budget-ops 2000 --seed 3 ";

@@ -94,15 +94,17 @@ Result<TriangleMesh> made(const std::string& name, const ModelSource& source,
   return Error{fmt::format("there is no model '{}'; choose of {}", name, fmt::join(modelNames(), ", "))};
 }
 
-/// Regular files of the folder, by name.
+/// Files of the folder that are meshes by their extension, by name: a set of models has a text beside them.
 Result<std::vector<fs::path>> filesIn(const fs::path& folder) {
   std::error_code failure;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, failure))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.is_regular_file() && builder::isMeshFile(entry.path())) files.push_back(entry.path());
   if (failure) return Error{fmt::format("{}: {}", folder.string(), failure.message())};
   std::ranges::sort(files);
-  if (files.empty()) return Error{fmt::format("{} holds no mesh", folder.string())};
+  if (files.empty())
+    return Error{fmt::format(
+        "{} holds no file of a mesh format; name a folder of OBJ, OFF, PLY, STL or glTF by --models", folder.string())};
   return files;
 }
 
@@ -114,7 +116,7 @@ Result<std::vector<Model>> modelsOf(const std::vector<fs::path>& files) {
     const std::string name = file.stem().string();
     if (name.find_first_of(",\"\n") != std::string::npos)
       return Error{fmt::format("{}: the name of a model has no comma, quote or line break; rename it", file.string())};
-    if (!models.empty() && models.back().name == name)
+    if (std::ranges::find(models, name, &Model::name) != models.end())
       return Error{fmt::format("two meshes are called {}; rename one", name)};
     models.push_back({name, std::move(mesh).value()});
   }

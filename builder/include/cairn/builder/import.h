@@ -14,6 +14,9 @@ struct ImportCounts {
   std::size_t degenerateTriangles = 0;  ///< triangles without area
 };
 
+/// Whether a file's name has the extension of a format that `importMesh` reads. The file is not looked at.
+bool isMeshFile(const std::filesystem::path& path);
+
 /// Reads a mesh file of any format assimp knows: all its meshes, placed by their nodes, polygons triangulated, vertices
 /// at exactly equal positions welded (so STL soups close), vertices no triangle uses left out. Coordinates of OBJ, OFF,
 /// PLY and text STL are the doubles nearest to what the file says; those of other formats, and of the rarer forms of
