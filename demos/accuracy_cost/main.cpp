@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "accuracy_cost/runs/run.h"
+#include "accuracy_cost/runs/seeds.h"
+#include "cairn/core/atomic_file.h"
 #include "options.h"
 #include "scenes/command/program.h"
 
@@ -32,28 +34,50 @@ void printReport(const RunReport& report) {
   std::fflush(stdout);
 }
 
-Status execute(const RunCommand& command) {
+/// One experiment with the command's own seed, into its own folder.
+Result<RunReport> make(const RunCommand& command, const Experiment& experiment, const std::string& label) {
   std::error_code failure;
   std::filesystem::create_directories(command.folder, failure);
   if (failure) return Error{fmt::format("cannot make the folder {}: {}", command.folder.string(), failure.message())};
+  scenes::ProgressLine line(label);
+  auto report = runExperiment(
+      {&experiment, command.settings, command.models, command.folder, command.figures, commandOf(command, experiment)},
+      line.callback());
+  if (report && !report.value().leftOut.empty())
+    fmt::print(stderr, "accuracy_cost: {}: without {}: {} is not there (package libcgal-demo).\n", experiment.name,
+               fmt::join(report.value().leftOut, ", "), command.models.archive.string());
+  return report;
+}
+
+/// An experiment with every seed; what it found is added to `all`.
+Status makeWithSeeds(const RunCommand& command, const Experiment& experiment, const std::string& label,
+                     nlohmann::ordered_json& all) {
+  std::vector<nlohmann::ordered_json> documents;
+  for (std::uint32_t i = 0; i < command.seeds; ++i) {
+    RunCommand one = command;
+    one.settings.seed += i;
+    if (command.seeds > 1) one.folder /= fmt::format("seed-{}", one.settings.seed);
+    const auto report = make(one, experiment, label);
+    if (!report) return report.error();
+    documents.push_back(report.value().document);
+    if (!command.json) printReport(report.value());
+  }
+  for (const auto& document : documents) all.push_back(document);
+  if (command.seeds == 1) return {};
+  const auto together = overSeeds(documents);
+  if (!command.json) fmt::print("{}", seedsText(together));
+  return writeFileAtomically(command.folder / fmt::format("{}-seeds.json", experiment.name), together.dump(1) + "\n");
+}
+
+Status execute(const RunCommand& command) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   command.threads == 0 ? cores : command.threads);
   auto all = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < command.experiments.size(); ++i) {
     const Experiment& experiment = *command.experiments[i];
-    scenes::ProgressLine line(fmt::format("[{}/{}] {}", i + 1, command.experiments.size(), experiment.name));
-    const auto report = runExperiment({&experiment, command.settings, command.models, command.folder, command.figures,
-                                       commandOf(command, experiment)},
-                                      line.callback());
-    if (!report) return report.error();
-    if (!report.value().leftOut.empty())
-      fmt::print(stderr, "accuracy_cost: {}: without {}: {} is not there (package libcgal-demo).\n", experiment.name,
-                 fmt::join(report.value().leftOut, ", "), command.models.archive.string());
-    if (command.json)
-      all.push_back(report.value().document);
-    else
-      printReport(report.value());
+    const std::string label = fmt::format("[{}/{}] {}", i + 1, command.experiments.size(), experiment.name);
+    if (Status made = makeWithSeeds(command, experiment, label, all); !made) return made;
   }
   if (command.json) fmt::print("{}\n", all.dump(1));
   return {};

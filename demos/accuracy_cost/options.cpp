@@ -21,7 +21,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  accuracy_cost list\n"
     "  accuracy_cost run all --quick -o out/accuracy\n"
-    "  accuracy_cost run sampling --models my/meshes -o out/accuracy";
+    "  accuracy_cost run sampling --models my/meshes -o out/accuracy\n"
+    "  accuracy_cost run levels --quick --seeds 4 -o out/seeds";
 
 struct Texts {
   std::string experiment, seed = "1";
@@ -44,6 +45,11 @@ CLI::App* addRun(CLI::App& app, RunCommand& run, Texts& texts) {
   command->add_option("--seed", texts.seed, "of whatever is random")
       ->check(scenes::refuseNoWholeNumber)
       ->capture_default_str();
+  command
+      ->add_option("--seeds", run.seeds,
+                   "make it with so many seeds, counted on from --seed, each in a folder of its own, and tell for "
+                   "how many each claim holds (EXPERIMENT-seeds.json)")
+      ->check(CLI::Range(1U, 100U));
   command->add_option("--threads", run.threads, "0: one per core; tables do not depend on it")
       ->check(CLI::Range(0U, 1024U));
   command->add_flag("!--no-figures", run.figures, "draw nothing (gnuplot is not needed then)");

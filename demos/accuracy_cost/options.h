@@ -17,6 +17,7 @@ struct RunCommand {
   std::filesystem::path folder;
   ModelSource models;
   Settings settings;
+  std::uint32_t seeds = 1;    ///< how many, counted on from the settings' own
   std::uint32_t threads = 0;  ///< 0: one per core
   bool figures = true, json = false;
 };

@@ -62,6 +62,21 @@ TEST_F(AccuracyCostProgram, TakesOnlyMeshesFromAFolderEachNameOnce) {
   EXPECT_NE(none.errors.find("empty holds no file of a mesh format"), std::string::npos) << none.errors;
 }
 
+TEST_F(AccuracyCostProgram, TellsForHowManySeedsEachClaimHolds) {
+  const ProgramResult result = run("sampling", "out", "--no-figures --seed 3 --seeds 2");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  EXPECT_NE(result.output.find("sampling, of 2 seeds:"), std::string::npos);
+  const json together = json::parse(contentOf(path("out/sampling-seeds.json")));
+  EXPECT_EQ(together["seeds"], json::array({3, 4}));
+  std::vector<int> holds(together["claims"].size());
+  for (const char* seed : {"3", "4"}) {
+    const json alone = json::parse(contentOf(path("out/seed-" + std::string(seed) + "/sampling.json")));
+    ASSERT_EQ(alone["claims"].size(), holds.size());
+    for (std::size_t i = 0; i < holds.size(); ++i) holds[i] += alone["claims"][i]["holds"].get<bool>() ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < holds.size(); ++i) EXPECT_EQ(together["claims"][i]["holds_for_seeds"], holds[i]);
+}
+
 TEST_F(AccuracyCostProgram, WritesTheSameTableTwiceAndForAnyThreads) {
   for (const char* experiment : {"sampling", "expand-selection", "interruption"}) {
     const ProgramResult one = run(experiment, "one", "--no-figures --threads 1");
