@@ -15,6 +15,8 @@ class Point:
     claim: str = ""  # text of the experiment's claim that decides it
     judge: object = None  # else: rows of its table -> (holds, what was found), or nothing
     rule: str = ""
+    models: tuple = ()  # those `judge` is about; none: all of the experiment's
+    of_every: bool = False  # `judge` is of each of them: one is enough to refute it
     own: bool = False  # about what the thesis has not; it does not count towards the verdict
     holds: object = None  # True, False, or None where it was not measured
     found: str = ""
@@ -74,8 +76,7 @@ def own_interrupted(rows):
 
 
 def own_second_level(rows):
-    """Our methods' second level against Hubbard's third, by the rule of the experiment's claim about merge. Holds neither way
-    where one of the two scans was not measured."""
+    """Our methods' second level against Hubbard's third, by the rule of the experiment's claim about merge."""
     worst = {(r["model"], r["construction"], r["level"]): _number(r, "sampled_max_fraction") for r in rows}
     found, holds = [], []
     for model in [m for m in dict.fromkeys(r["model"] for r in rows) if m in SCANS]:
@@ -89,11 +90,7 @@ def own_second_level(rows):
         holds.append(ours[construction] <= ABOUT_THE_SAME * third)
     if not holds:
         return None
-    text = f"worst error of our level 2 over that of Hubbard's level 3: {', '.join(found)}"
-    lacking = [name for name in SCANS if all(name != model for model, _, _ in worst)]
-    if lacking and all(holds):
-        return None, _in_part(lacking, text)
-    return all(holds), text
+    return all(holds), f"worst error of our level 2 over that of Hubbard's level 3: {', '.join(found)}"
 
 
 def early_gain(rows):
@@ -140,7 +137,7 @@ def all_conclusions():
                    "of magnitude less spheres. [...] By allowing the algorithm to tolerate a small increase in error, the number of "
                    "spheres in the approximation can be significantly reduced.",
                    [Point("Merge's level 2 is about as tight as Hubbard's level 3 (bunny, dragon)", "levels", "merge's second level is about as tight as Hubbard's third for bunny and dragon"),
-                    Point("So is level 2 of our own methods (bunny, dragon)", "levels", judge=own_second_level, own=True,
+                    Point("So is level 2 of our own methods (bunny, dragon)", "levels", judge=own_second_level, models=SCANS, of_every=True, own=True,
                           rule=f"for each of the two the better of ours has at most {ABOUT_THE_SAME} times the worst error"),
                     Point("At 5 % more error up to two fifths of the spheres go", "balance", "as many as two fifths of the spheres are thrown away at 105 %, the error being pretty much the same"),
                     Point("The error stays pretty much the same", "balance", "at 105 % the approximations contain pretty much the same error as unoptimised ones")]),
@@ -154,7 +151,7 @@ def all_conclusions():
                    "when interruption occurs early on.",
                    [Point("As little as 20 % of Hubbard's error", "interruption", "optimised medial-axis trees have as little as 20 % of the error of Hubbard's when interrupted"),
                     Point("Half of Hubbard's worst error on scans (7.2)", "interruption", "combined comes down to 50 % of Hubbard's worst error for bunny and dragon"),
-                    Point("Our own adaptive trees likewise", "interruption", judge=own_interrupted, own=True, rule="at most 50 % for every model"),
+                    Point("Our own adaptive trees likewise", "interruption", judge=own_interrupted, of_every=True, own=True, rule="at most 50 % for every model"),
                     Point("Grid as little as 20 % of the octree's", "interruption", "grid has as little as 20 % of the octree's error when interrupted"),
                     Point("Grid and hybrid quickly down to 10 % of it, for all models (7.2)", "interruption",
                           "grid and hybrid quickly drop to 10 % of the octree's worst error for all models"),
@@ -172,13 +169,11 @@ def _settle(point, experiment):
         return
     if point.judge:
         answer = point.judge(experiment["rows"])
-        models = {row["model"] for row in experiment["rows"]}
-        lacking = [m for m in experiment["document"].get("default_models", []) if m not in models]
-        if answer and lacking and point.judge is not own_second_level and answer[0] is not None:
-            refuted = point.judge is own_interrupted and not answer[0]  # of every model: one is enough
-            if not refuted:
-                point.in_part, point.undecided = answer[0], not answer[0]
-                answer = None, _in_part(lacking, answer[1])
+        measured = {row["model"] for row in experiment["rows"]}
+        lacking = [m for m in point.models or experiment["document"].get("default_models", []) if m not in measured]
+        if answer and lacking and (answer[0] or not point.of_every):
+            point.in_part, point.undecided = answer[0], not answer[0]
+            answer = None, _in_part(lacking, answer[1])
         if answer is None:
             point.why = "its table has not what it takes (--quick measures less)"
         else:

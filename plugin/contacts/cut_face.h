@@ -9,6 +9,7 @@
 
 namespace cairn::bullet {
 
+/// Of a face that is cut or looked for (`FacingCorners`).
 inline constexpr std::size_t kMaxFaceCorners = 8;
 
 /// A convex face of few corners (or an edge, or a point), of which planes cut away what lies behind them, one after the

@@ -15,8 +15,10 @@ class MeetingPlace {
  public:
   static constexpr std::size_t kMost = 4;
 
-  /// `normal`: unit, away from the second region. `first`, `second`: what either turns to the other, as they meet;
-  /// neither is empty. Where they lie beside each other the second's point that is nearest to the first counts.
+  /// `normal`: unit, away from the second region. `first`, `second`: the corners of what either turns to the other, in
+  /// their order around it (`FacingCorners`), as they meet, all in one frame and unit; neither is empty. Where they lie
+  /// beside each other the second's point that is nearest to the first counts. Work: a cut of the second for each side
+  /// of the first.
   void find(const Vec3& normal, std::span<const Vec3> first, std::span<const Vec3> second);
 
   /// On the second region; one at least.

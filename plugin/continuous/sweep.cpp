@@ -73,9 +73,9 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
   markLater();
+  const bool isIn = !sunkFloors_.empty();
   if (pair.isFast) deflect(pair, budget);
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
-  const bool isIn = !sunkFloors_.empty();
   if ((isSunk || (isIn && anchor_)) && slowSteps_ < kMostSlowSteps) return;
   anchor_.reset();
   // Where it was set down in something it has never been in front of that.

@@ -150,10 +150,11 @@ class Sweep {
   bool isEdgeOf(const Floor& floor, const Segment& start, const Meeting& meeting);
   const Meeting* nextMeeting();
   void answer(const Vec3& normal);
+  void collectFaces(bool ofTree, const Segment& start, const NodePair& nodes);
   bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
   float heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const;
   bool isLevel(const Floor& floor, const Segment& start, const NodePair& nodes) const;
-  float sunkBelow(const Floor& floor, const Segment& start, const NodePair& nodes) const;
+  bool isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float reach) const;
   bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
   void meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting);
 

@@ -68,7 +68,7 @@ void Sweep::answer(const Vec3& normal) {
     if (dot(m.normal, normal) > kFloorCosine) m.isAsked = true;
 }
 
-bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) {
+void Sweep::collectFaces(bool ofTree, const Segment& start, const NodePair& nodes) {
   normals_.clear();
   if (ofTree) {
     start.tree.appendFaces(nodes.a, normals_);
@@ -76,6 +76,10 @@ bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, con
     target_->appendNormals(nodes.b, transpose(start.otherAxes) * start.tree.sphere(nodes.a).center, normals_);
     normals_.turn(start.otherAxes);
   }
+}
+
+bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) {
+  collectFaces(ofTree, start, nodes);
   for (std::size_t i = 0; i < normals_.all().size(); ++i)
     if (normals_.isFace(i) && dot(normals_.all()[i], normal) > kFloorCosine) return true;
   return false;
@@ -88,19 +92,18 @@ bool Sweep::isLevel(const Floor& floor, const Segment& start, const NodePair& no
   return std::abs(beside) <= kFloorFraction * radius;
 }
 
-// How far a part of the body on the floor is below it as the step begins, beyond what is still in front.
-float Sweep::sunkBelow(const Floor& floor, const Segment& start, const NodePair& nodes) const {
+// Whether a part of the body on the floor is above it as the step begins, or no deeper than what slides is.
+bool Sweep::isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float reach) const {
   const float radius = floor.isTrees ? target_->radius(nodes.b) : start.tree.sphere(nodes.a).radius;
-  return -gapAlong(floor.normal, nodes, start.tree, start.otherAxes) - kSunkFraction * radius;
+  return gapAlong(floor.normal, nodes, start.tree, start.otherAxes) >= -std::max(reach, kSunkFraction * radius);
 }
 
 // Whether what it meets later is another region of that floor, which it was above as the step began.
 bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float reach) {
   if (!m.isContact || m.at <= floor.at) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
-  if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m.nodes)) return false;
-  return gapAlong(floor.normal, m.nodes, start.tree, start.otherAxes) >= -reach ||
-         sunkBelow(floor, start, m.nodes) <= 0;
+  return isFace(floor.isTrees, start, m.nodes, floor.normal) && isLevel(floor, start, m.nodes) &&
+         isInFront(floor, start, m.nodes, reach);
 }
 
 // What lies in a floor already, set down or pressed into it, is held by ordinary contacts. Its edges are no obstacles,
@@ -113,12 +116,11 @@ void Sweep::noteSunk(const Segment& start, const NodePair& nodes) {
 void Sweep::noteSunkInto(bool isTrees, const Segment& start, const NodePair& nodes) {
   // Of the body on the floor; the other's is where its frame begins.
   const Vec3 middle = isTrees ? Vec3() : start.tree.sphere(kRootNode).center;
-  isFace(isTrees, start, nodes, Vec3());  // collects them
-  const SeparatingNormals faces = normals_;
-  for (std::size_t i = 0; i < faces.all().size(); ++i) {
+  collectFaces(isTrees, start, nodes);
+  for (std::size_t i = 0; i < normals_.all().size(); ++i) {
     if (sunkFloors_.size() == kMostFloors) return;
-    if (!faces.isFace(i)) continue;
-    const Vec3& normal = faces.all()[i];
+    if (!normals_.isFace(i)) continue;
+    const Vec3& normal = normals_.all()[i];
     const Floor floor{nodes, normal, -1, isTrees, heightOf(isTrees, start, nodes, normal)};
     const float above = dot(normal, middle) - floor.height;
     if ((isTrees ? -above : above) <= 0) continue;
@@ -140,7 +142,7 @@ void Sweep::keepOffSunkFloors(const SweptPair& pair, const Segment& start) {
   for (const Floor& floor : sunkFloors_) {
     for (Meeting& m : meetings_) {
       if (!m.isContact || m.at < 0 || !isEdgeOf(floor, start, m)) continue;
-      if (sunkBelow(floor, start, m.nodes) <= 0) {
+      if (isInFront(floor, start, m.nodes, pair.reach)) {
         meetFloor(floor, pair, m);
       } else {
         m.isContact = false;

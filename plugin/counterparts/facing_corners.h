@@ -30,6 +30,7 @@ class FacingCorners {
     if (count_ == 2) takeFarthestPair(tilted);
   }
 
+  /// All corners, in the frame of the supports.
   void move(const Vec3& by) {
     for (std::size_t i = 0; i < count_; ++i) corners_[i] += by;
   }

@@ -11,6 +11,7 @@
 #include "bullet_world.h"
 #include "cairn/builder/build.h"
 #include "test_solids.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::box_shots_test {
 namespace {
@@ -64,14 +65,7 @@ Bounce throwBoxes(const std::shared_ptr<btCollisionShape>& ground) {
 
 TEST(BoxShots, TiltedOnesKeepTheirEnergyAndGoLessAsideThanOnBulletsMesh) {
   const Bounce onTree = throwBoxes(plateOfTree());
-  const std::shared_ptr<btTriangleMesh> mesh = std::make_shared<btTriangleMesh>();
-  const Solid solid = plate();
-  const auto corner = [&](std::uint32_t i) {
-    const Vec3d& v = solid.vertices[i];
-    return btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z));
-  };
-  for (const auto& t : solid.triangles) mesh->addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
-  const Bounce onMesh = throwBoxes(std::make_shared<btBvhTriangleMeshShape>(mesh.get(), true));
+  const Bounce onMesh = throwBoxes(bvhMesh(plate()));
   std::cout << "tilted boxes go aside at " << onTree.aside << " of their speed, on Bullet's mesh " << onMesh.aside
             << "; keep " << onTree.energy << " of their energy, there " << onMesh.energy << "\n";
   EXPECT_EQ(onTree.through, 0) << "seed " << kSeed;

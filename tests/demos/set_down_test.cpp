@@ -12,6 +12,7 @@
 #include "bullet_world.h"
 #include "cairn/builder/build.h"
 #include "test_solids.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::set_down_test {
 namespace {
@@ -34,21 +35,6 @@ std::shared_ptr<btCollisionShape> treeOf(const Solid& solid) {
   return treeShape(std::make_shared<const SphereTree>(std::move(built).value()));
 }
 
-// Of Bullet's, with its triangles.
-struct MeshShape {
-  btTriangleMesh triangles;
-  std::shared_ptr<btCollisionShape> shape;
-
-  explicit MeshShape(const Solid& solid) {
-    const auto corner = [&](std::uint32_t i) {
-      const Vec3d& v = solid.vertices[i];
-      return btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z));
-    };
-    for (const auto& t : solid.triangles) triangles.addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
-    shape = std::make_shared<btBvhTriangleMeshShape>(&triangles, true);
-  }
-};
-
 struct Kept {
   double speed = 0, energy = 0;  // means, parts of what they had
   double mostEnergy = 0;
@@ -62,69 +48,73 @@ double energyOf(const btRigidBody& body) {
   return energy;
 }
 
-void add(Kept& kept, const btRigidBody& body, double speed, double energy) {
-  kept.speed += body.getLinearVelocity().x() / speed / kCount;
-  kept.energy += energyOf(body) / energy / kCount;
-  kept.mostEnergy = std::max(kept.mostEnergy, energyOf(body) / energy);
-}
-
-// Turned at random, the lowest corner so far below the floor, at 8 m/s sideways and 6 down.
-Kept setDown(const std::shared_ptr<btCollisionShape>& ground, double dip, btScalar restitution) {
+// Boxes of a tree on a smooth ground, each put there by `place`, moved by `start`, and followed for some steps; `place`
+// and `start` draw from the same random numbers.
+template <class Place, class Start>
+Kept follow(const std::shared_ptr<btCollisionShape>& ground, btScalar restitution, int steps, const Place& place,
+            const Start& start) {
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<float> unit(-1, 1);
+  const auto draw = [&] { return btScalar(unit(random)); };
   const std::shared_ptr<btCollisionShape> shape = treeOf(box());
   Kept kept;
   for (int i = 0; i < kCount; ++i) {
     BulletWorld<> w;
-    w.world.setGravity(btVector3(0, 0, 0));
-    w.add(ground, 0, btVector3(0, 0, -btScalar(kThickness) / 2)).setRestitution(1);
-    const float a = unit(random), b = unit(random), c = unit(random), d = unit(random);
+    btRigidBody& floor = w.add(ground, 0, btVector3(0, 0, -btScalar(kThickness) / 2));
+    floor.setRestitution(1);
+    const btTransform at = place(draw);
+    btRigidBody& body = w.add(shape, 1, at.getOrigin(), at.getRotation());
+    body.setFriction(0);
+    body.setCcdMotionThreshold(btScalar(0.1));
+    start(w, body, draw);
+    body.setRestitution(restitution);
+    const double speed = body.getLinearVelocity().x(), energy = energyOf(body);
+    w.step(steps);
+    kept.speed += body.getLinearVelocity().x() / speed / kCount;
+    kept.energy += energyOf(body) / energy / kCount;
+    kept.mostEnergy = std::max(kept.mostEnergy, energyOf(body) / energy);
+  }
+  return kept;
+}
+
+// Turned at random, the lowest corner so far below the floor, at 8 m/s sideways and 6 down, weightless.
+Kept setDown(const std::shared_ptr<btCollisionShape>& ground, double dip, btScalar restitution) {
+  const auto place = [&](const auto& draw) {
+    const btScalar a = draw(), b = draw(), c = draw(), d = draw();
     const btQuaternion turn = btQuaternion(a, b, c, d).normalized();
     btScalar lowest = 0;
     for (const Vec3d& v : box().vertices)
       lowest = std::min(lowest, quatRotate(turn, btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z))).z());
-    btRigidBody& body = w.add(shape, 1, btVector3(0, 0, -lowest - btScalar(dip)), turn);
-    body.setFriction(0);
-    body.setRestitution(restitution);
+    return btTransform(turn, btVector3(0, 0, -lowest - btScalar(dip)));
+  };
+  const auto start = [](BulletWorld<>&, btRigidBody& body, const auto&) {
+    body.setGravity(btVector3(0, 0, 0));
     body.setLinearVelocity(btVector3(8, 0, -6));
-    body.setCcdMotionThreshold(btScalar(0.1));
-    const double energy = energyOf(body);
-    w.step(12);
-    add(kept, body, 8, energy);
-  }
-  return kept;
+  };
+  return follow(ground, restitution, 12, place, start);
 }
 
 // At rest on the floor, then struck sideways, down and into a spin.
 Kept kick(const std::shared_ptr<btCollisionShape>& ground) {
-  std::mt19937 random(kSeed);
-  std::uniform_real_distribution<float> unit(-1, 1);
-  const std::shared_ptr<btCollisionShape> shape = treeOf(box());
-  Kept kept;
-  for (int i = 0; i < kCount; ++i) {
-    BulletWorld<> w;
-    w.add(ground, 0, btVector3(8, 0, -btScalar(kThickness) / 2)).setFriction(0);
-    btRigidBody& body = w.add(shape, 1, btVector3(0, 0, 0.25F), btQuaternion(btVector3(0, 0, 1), 3 * unit(random)));
-    body.setFriction(0);
-    body.setCcdMotionThreshold(btScalar(0.1));
+  const auto place = [](const auto& draw) {
+    return btTransform(btQuaternion(btVector3(0, 0, 1), 3 * draw()), btVector3(-8, 0, btScalar(0.25)));
+  };
+  const auto start = [](BulletWorld<>& w, btRigidBody& body, const auto& draw) {
     w.step(60);
     body.activate(true);
-    const float a = unit(random), b = unit(random), c = unit(random);
+    const btScalar a = draw(), b = draw(), c = draw();
     body.setLinearVelocity(btVector3(20, 0, -2));
     body.setAngularVelocity(btVector3(a, b, c) * 15);
-    const double energy = energyOf(body);
-    w.step(30);
-    add(kept, body, 20, energy);
-  }
-  return kept;
+  };
+  return follow(ground, 0, 30, place, start);
 }
 
 // 0.31 and 2.2 times the energy before floors were known that a body lies in.
 TEST(SetDown, InAFloorSlidesOnAndGainsNothing) {
-  const MeshShape mesh(plate());
+  const std::shared_ptr<btCollisionShape> mesh = bvhMesh(plate());
   for (const double dip : {0.01, 0.05, 0.15})
     for (const btScalar restitution : {btScalar(0), btScalar(1)}) {
-      const Kept kept = setDown(mesh.shape, dip, restitution);
+      const Kept kept = setDown(mesh, dip, restitution);
       std::cout << "boxes " << dip << " m in a mesh, restitution " << restitution << ": keep " << kept.speed
                 << " of their speed, " << kept.energy << " of their energy, at most " << kept.mostEnergy << "\n";
       EXPECT_GT(kept.speed, 0.95) << "seed " << kSeed;
@@ -133,8 +123,7 @@ TEST(SetDown, InAFloorSlidesOnAndGainsNothing) {
 }
 
 TEST(SetDown, KickedSlidesOn) {
-  const MeshShape mesh(plate());
-  const Kept onMesh = kick(mesh.shape), onTree = kick(treeOf(plate()));
+  const Kept onMesh = kick(bvhMesh(plate())), onTree = kick(treeOf(plate()));
   std::cout << "kicked boxes keep " << onMesh.speed << " of their speed on a mesh, " << onTree.speed << " on a tree\n";
   EXPECT_GT(onMesh.speed, 0.92) << "seed " << kSeed;
   EXPECT_GT(onTree.speed, 0.85) << "seed " << kSeed;

@@ -106,14 +106,15 @@ class Conclusions(unittest.TestCase):
             for model, error in errors:
                 rows += [{"model": model, "construction": "hubbard", "level": "3", "sampled_max_fraction": "0.1"},
                          {"model": model, "construction": "cairn combined", "level": "2", "sampled_max_fraction": str(error)}]
-            return conclusions.own_second_level(rows)
-        self.assertTrue(judged(("bunny", 0.124), ("dragon", 0.1))[0])
-        self.assertFalse(judged(("bunny", 0.126), ("dragon", 0.1))[0], "one of the two is not enough")
-        self.assertTrue(judged(("bunny", 0.1), ("dragon", 0.1), ("cube", 1))[0], "of bunny and dragon alone")
-        self.assertIsNone(judged(("bunny", 0.1), ("cube", 1))[0], "of both, or it is not known")
-        self.assertIn("not measured on dragon", judged(("bunny", 0.1))[1])
-        self.assertFalse(judged(("bunny", 0.2))[0], "one is enough to refute it")
-        self.assertIsNone(judged(("cube", 0.1)))
+            settled = conclusions.judged({"levels": {"document": {"default_models": ["bunny", "dragon", "cow"]}, "rows": rows}})[2]
+            return next(p for p in settled.points if p.judge is conclusions.own_second_level)
+        self.assertTrue(judged(("bunny", 0.124), ("dragon", 0.1)).holds, "the cow is not what it is about")
+        self.assertFalse(judged(("bunny", 0.126), ("dragon", 0.1)).holds, "one of the two is not enough")
+        self.assertTrue(judged(("bunny", 0.1), ("dragon", 0.1), ("cube", 1)).holds, "of bunny and dragon alone")
+        self.assertIsNone(judged(("bunny", 0.1), ("cube", 1)).holds, "of both, or it is not known")
+        self.assertIn("not measured on dragon", judged(("bunny", 0.1)).why)
+        self.assertIs(judged(("bunny", 0.2)).holds, False, "one is enough to refute it")
+        self.assertIsNone(judged(("cube", 0.1)).holds)
         texts = (SOURCE / "demos/accuracy_cost/experiments/levels.cpp").read_text(encoding="utf-8")
         self.assertIn(f"kAboutTheSame = {conclusions.ABOUT_THE_SAME};", texts)
 
