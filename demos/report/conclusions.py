@@ -5,6 +5,16 @@ from dataclasses import dataclass, field
 
 REPRODUCED, IN_PART, NOT, UNKNOWN = "reproduced", "reproduced in part", "not reproduced", "not measured"
 UNDECIDED = "not decided"  # by what was measured; the rest could turn it
+HOLDS, HOLDS_IN_PART, HOLDS_NOT = "holds", "holds in part", "does not hold"  # in part: on what was measured, which is not all it is about
+
+
+def told(standings, noun):
+    """How points or claims stand, in words."""
+    words = {HOLDS: "{n} hold{s}", HOLDS_IN_PART: "{n} hold{s} on what was measured", HOLDS_NOT: "{n} do{es} not hold", UNDECIDED: "{n} {is} not decided",
+             UNKNOWN: "{n} {is} not measured"}
+    counts = [(standings.count(standing), word) for standing, word in words.items() if standing in standings]
+    said = ", ".join(word.format(n=n, s="s" if n == 1 else "", es="es" if n == 1 else "", **{"is": "is" if n == 1 else "are"}) for n, word in counts)
+    return f"of {len(standings)} {noun}{'' if len(standings) == 1 else 's'} {said}"
 
 
 @dataclass
@@ -18,11 +28,8 @@ class Point:
     models: tuple = ()  # those `judge` is about; none: all of the experiment's
     of_every: bool = False  # `judge` is of each of them: one is enough to refute it
     own: bool = False  # about what the thesis has not; it does not count towards the verdict
-    holds: object = None  # True, False, or None where it was not measured
-    found: str = ""
-    why: str = ""
-    in_part: bool = False  # holds on what was measured, which is not all it is about
-    undecided: bool = False  # does not hold there, but the rest could turn it
+    standing: str = UNKNOWN
+    found: str = ""  # or, of what was not measured, why not
 
 
 @dataclass
@@ -32,9 +39,9 @@ class Conclusion:
     thesis: str  # the thesis's own words
     points: list = field(default_factory=list)
     verdict: str = UNKNOWN
-    counted: int = 0  # points of the thesis
-    held: int = 0
-    unmeasured: int = 0
+
+    def told(self):
+        return told([p.standing for p in self.points if not p.own], "point")
 
 
 # As in the experiments: the scans the thesis draws conclusions from, and what counts as "about the same" error.
@@ -65,7 +72,7 @@ def _told(best):
 
 
 def _in_part(lacking, found):
-    return f"not measured on {' and '.join(lacking)}, which it names (--quick and missing archives leave models out); on the rest: {found}"
+    return f"not measured on {' and '.join(lacking)}, which it names (--quick and missing archives leave models out); measured: {found}"
 
 
 def own_interrupted(rows):
@@ -163,32 +170,51 @@ def all_conclusions():
 
 
 def _settle(point, experiment):
-    """Whether a point holds, by the experiment it names."""
+    """How a point stands, by the experiment it names."""
     if experiment is None:
-        point.why = f"the experiment {point.experiment} is not in this report"
+        point.found = f"the experiment {point.experiment} is not in this report"
+    elif point.judge:
+        _settle_by_table(point, experiment)
+    else:
+        _settle_by_claim(point, experiment["document"].get("claims", []))
+
+
+def _settle_by_table(point, experiment):
+    answer = point.judge(experiment["rows"])
+    if answer is None:
+        point.found = "its table has not what it takes (--quick measures less)"
         return
-    if point.judge:
-        answer = point.judge(experiment["rows"])
-        measured = {row["model"] for row in experiment["rows"]}
-        lacking = [m for m in point.models or experiment["document"].get("default_models", []) if m not in measured]
-        if answer and lacking and (answer[0] or not point.of_every):
-            point.in_part, point.undecided = answer[0], not answer[0]
-            answer = None, _in_part(lacking, answer[1])
-        if answer is None:
-            point.why = "its table has not what it takes (--quick measures less)"
-        else:
-            point.holds, text = answer
-            point.found, point.why = (text, "") if point.holds is not None else ("", text)
+    holds, point.found = answer
+    if holds is None:
         return
-    for claim in experiment["document"].get("claims", []):
+    measured = {row["model"] for row in experiment["rows"]}
+    lacking = [m for m in point.models or experiment["document"].get("default_models", []) if m not in measured]
+    if lacking and (holds or not point.of_every):
+        point.standing = HOLDS_IN_PART if holds else UNDECIDED
+        point.found = _in_part(lacking, point.found)
+    else:
+        point.standing = HOLDS if holds else HOLDS_NOT
+
+
+def _settle_by_claim(point, claims):
+    for claim in claims:
         if claim["thesis"] == point.claim:
-            point.holds, point.found, point.rule = claim["holds"], claim["found"], claim["rule"]
-            point.in_part, point.undecided = claim["standing"] == "holds in part", claim["standing"] == "not decided"
-            if point.in_part or point.undecided:  # of all models cannot be said what is known of some
-                point.holds = None
-                point.why = f"{claim['standing']}: {claim['lacking_text']}; on the rest: {claim['found']}"
+            point.standing, point.found, point.rule = claim["standing"], claim["found"], claim["rule"]
+            if point.standing in (HOLDS_IN_PART, UNDECIDED):
+                point.found = f"{claim['lacking_text']}; measured: {claim['found']}"
             return
-    point.why = f"the experiment {point.experiment} has not measured it (--quick measures less)"
+    point.found = f"the experiment {point.experiment} has not measured it (--quick measures less)"
+
+
+def _verdict(standings):
+    """Of a conclusion, by how its points stand."""
+    if all(s == HOLDS for s in standings):
+        return REPRODUCED
+    if HOLDS in standings or HOLDS_IN_PART in standings:
+        return IN_PART
+    if all(s == UNKNOWN for s in standings):
+        return UNKNOWN
+    return NOT if all(s == HOLDS_NOT for s in standings) else UNDECIDED
 
 
 def judged(experiments):
@@ -197,17 +223,5 @@ def judged(experiments):
     for conclusion in result:
         for point in conclusion.points:
             _settle(point, experiments.get(point.experiment))
-        counted = [p.holds for p in conclusion.points if not p.own]
-        measured = [holds for holds in counted if holds is not None]
-        conclusion.counted, conclusion.held = len(counted), sum(measured)
-        conclusion.unmeasured = len(counted) - len(measured)
-        thesis = [p for p in conclusion.points if not p.own]
-        if measured and all(measured) and not conclusion.unmeasured:
-            conclusion.verdict = REPRODUCED
-        elif any(measured) or any(p.in_part for p in thesis):
-            conclusion.verdict = IN_PART
-        elif any(p.undecided for p in thesis) or (measured and conclusion.unmeasured):
-            conclusion.verdict = UNDECIDED
-        elif measured:
-            conclusion.verdict = NOT
+        conclusion.verdict = _verdict([p.standing for p in conclusion.points if not p.own])
     return result

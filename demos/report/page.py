@@ -19,18 +19,14 @@ DOCUMENT_KEYS = ("experiment", "title", "thesis_section", "thesis_says", "we_fou
 KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".csv": "text/csv", ".json": "application/json"}
 # A shape beside each word, so that colour is never alone.
 SHAPES = {conclusions.REPRODUCED: ("yes", "●"), conclusions.IN_PART: ("part", "◐"), conclusions.NOT: ("no", "○"),
-          conclusions.UNKNOWN: ("none", "–"), conclusions.UNDECIDED: ("none", "–"), "holds": ("yes", "●"), "holds in part": ("part", "◐"), "does not hold": ("no", "○"),
+          conclusions.UNKNOWN: ("none", "–"), conclusions.UNDECIDED: ("none", "–"),
+          conclusions.HOLDS: ("yes", "●"), conclusions.HOLDS_IN_PART: ("part", "◐"), conclusions.HOLDS_NOT: ("no", "○"),
           "as good as stock": ("part", "◐"), "misses": ("no", "○")}
 
 
 def data_uri(path):
     encoded = base64.b64encode(path.read_bytes()).decode("ascii")
     return Markup(f"data:{KINDS[path.suffix]};base64,{encoded}")
-
-
-def claim_verdict(claim):
-    """What is shown beside a claim: what is known of it, where not all it is about was measured."""
-    return claim["standing"]
 
 
 def shape_of(verdict):
@@ -126,7 +122,7 @@ def render(run, data):
     environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:]
     environment.filters["shape"] = shape_of
     environment.filters["number"] = tables.number
-    environment.filters["claim_verdict"] = claim_verdict
+    environment.filters["claims_told"] = lambda claims: conclusions.told([claim["standing"] for claim in claims], "claim")
     style = Markup((here / "report.css").read_text(encoding="utf-8"))
     return environment.get_template("report.html.j2").render(style=style, **content_of(run, data))
 

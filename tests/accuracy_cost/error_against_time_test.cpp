@@ -68,13 +68,14 @@ struct Row {
   double error, time, low, high;
 };
 
-Table contestOf(const std::vector<Row>& rows, int beyondCertificate = 0) {
+Table contestOf(const std::vector<Row>& rows, int beyondCertificate = 0, int pairs = 100) {
   Table table({"model", "scene", "series", "depth", "budget_operations", "time_us", "side", "error_mean_fraction",
-               "error_p99_fraction", "meeting_pairs", "shape", "missed_pairs", "missed_depth_max_fraction",
-               "missed_beyond_certificate", "time_over_tree", "time_over_tree_low", "time_over_tree_high"});
+               "error_p99_fraction", "error_pairs", "meeting_pairs", "shape", "missed_pairs",
+               "missed_depth_max_fraction", "missed_beyond_certificate", "time_over_tree", "time_over_tree_low",
+               "time_over_tree_high"});
   for (const Row& r : rows)
-    table.add("cube", "heap", r.series, "3", "", r.time, r.side, r.error, r.error, 10, "tree", beyondCertificate, 0.01,
-              beyondCertificate, r.time, r.low, r.high);
+    table.add("cube", "heap", r.series, "3", "", r.time, r.side, r.error, r.error, pairs, 10, "tree", beyondCertificate,
+              0.01, beyondCertificate, r.time, r.low, r.high);
   return table;
 }
 
@@ -99,6 +100,15 @@ TEST(ErrorAgainstTimeClaims, TurnWithTheData) {
   EXPECT_FALSE(judgeErrorAgainstTime(contestOf({kOurs, exact}))[0].holds) << "none of ours errs as little";
   const Row crude{"crude", "rival", 0.06, 0.1, 0.1, 0.1};
   EXPECT_TRUE(judgeErrorAgainstTime(contestOf({kOurs, slower, crude}))[0].holds) << "beyond 5 % nothing counts";
+}
+
+TEST(ErrorAgainstTimeClaims, SayWhereAQuantileIsTheGreatestError) {
+  const Row slower{"slow", "rival", 0.01, 3, 2.9, 3.1};
+  const auto many = judgeErrorAgainstTime(contestOf({kOurs, slower})),
+             few = judgeErrorAgainstTime(contestOf({kOurs, slower}, 0, 99));
+  EXPECT_EQ(many[1].found.find("greatest error"), std::string::npos) << many[1].found;
+  EXPECT_NE(few[1].found.find("of 2 of 2 points"), std::string::npos) << few[1].found;
+  EXPECT_EQ(few[0].found.find("greatest error"), std::string::npos) << "the mean is the mean: " << few[0].found;
 }
 
 TEST(ErrorAgainstTimeClaims, NoticeAMissedPair) {

@@ -60,7 +60,7 @@ class Conclusions(unittest.TestCase):
         self.assertEqual(self.verdict(True, False, True).verdict, "reproduced in part")
         self.assertEqual(self.verdict(False, False, False).verdict, "not reproduced")
         self.assertEqual(self.verdict(None, None, None).verdict, "not measured")
-        self.assertEqual(self.verdict(True, None, True).unmeasured, 1)
+        self.assertEqual(self.verdict(True, None, True).told(), "of 3 points 2 hold, 1 is not measured")
         self.assertEqual(self.verdict(True, None, True).verdict, "reproduced in part", "what was not measured was not found again")
         self.assertEqual(self.verdict(None, False, None).verdict, "not decided", "what was not measured could hold")
 
@@ -70,9 +70,9 @@ class Conclusions(unittest.TestCase):
         claims = [{"thesis": p.claim, "rule": "r", "found": "f", "holds": True, "standing": "holds"} for p in third.points if p.claim]
         claims[0] |= {"standing": "holds in part", "lacking_text": "only 1 of 2 models measured (without dragon)"}
         settled = conclusions.judged({name: {"document": {"claims": claims}, "rows": []} for name in ("levels", "balance")})[2]
-        self.assertEqual((settled.verdict, settled.unmeasured), ("reproduced in part", 1))
-        self.assertIsNone(settled.points[0].holds)
-        self.assertIn("without dragon", settled.points[0].why)
+        self.assertEqual((settled.verdict, settled.told()), ("reproduced in part", "of 3 points 2 hold, 1 holds on what was measured"))
+        self.assertEqual(settled.points[0].standing, "holds in part")
+        self.assertIn("without dragon", settled.points[0].found)
         claims[0] |= {"holds": False, "standing": "not decided"}
         alone = conclusions.judged({"levels": {"document": {"claims": claims[:1]}, "rows": []}})[2]
         self.assertEqual(alone.verdict, "not decided")
@@ -108,13 +108,13 @@ class Conclusions(unittest.TestCase):
                          {"model": model, "construction": "cairn combined", "level": "2", "sampled_max_fraction": str(error)}]
             settled = conclusions.judged({"levels": {"document": {"default_models": ["bunny", "dragon", "cow"]}, "rows": rows}})[2]
             return next(p for p in settled.points if p.judge is conclusions.own_second_level)
-        self.assertTrue(judged(("bunny", 0.124), ("dragon", 0.1)).holds, "the cow is not what it is about")
-        self.assertFalse(judged(("bunny", 0.126), ("dragon", 0.1)).holds, "one of the two is not enough")
-        self.assertTrue(judged(("bunny", 0.1), ("dragon", 0.1), ("cube", 1)).holds, "of bunny and dragon alone")
-        self.assertIsNone(judged(("bunny", 0.1), ("cube", 1)).holds, "of both, or it is not known")
-        self.assertIn("not measured on dragon", judged(("bunny", 0.1)).why)
-        self.assertIs(judged(("bunny", 0.2)).holds, False, "one is enough to refute it")
-        self.assertIsNone(judged(("cube", 0.1)).holds)
+        self.assertEqual(judged(("bunny", 0.124), ("dragon", 0.1)).standing, "holds", "the cow is not what it is about")
+        self.assertEqual(judged(("bunny", 0.126), ("dragon", 0.1)).standing, "does not hold", "one of the two is not enough")
+        self.assertEqual(judged(("bunny", 0.1), ("dragon", 0.1), ("cube", 1)).standing, "holds", "of bunny and dragon alone")
+        self.assertEqual(judged(("bunny", 0.1), ("cube", 1)).standing, "holds in part", "of both, or it is not known")
+        self.assertIn("not measured on dragon", judged(("bunny", 0.1)).found)
+        self.assertEqual(judged(("bunny", 0.2)).standing, "does not hold", "one is enough to refute it")
+        self.assertEqual(judged(("cube", 0.1)).standing, "not measured")
         texts = (SOURCE / "demos/accuracy_cost/experiments/levels.cpp").read_text(encoding="utf-8")
         self.assertIn(f"kAboutTheSame = {conclusions.ABOUT_THE_SAME};", texts)
 

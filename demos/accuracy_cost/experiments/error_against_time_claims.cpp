@@ -86,6 +86,18 @@ std::string noiseText(const Table& table) {
       100 * widths[widths.size() / 2], 100 * widths.back());
 }
 
+/// Where the 99 % quantile is the greatest error, because fewer than a hundred pairs have one.
+std::string fewPairsText(const Table& table) {
+  std::size_t few = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (table.number(row, "error_pairs") < 100) ++few;
+  return few == 0 ? std::string()
+                  : fmt::format(
+                        "; of {} of {} points, which have fewer than 100 pairs (column error_pairs), it is the "
+                        "greatest error",
+                        few, table.rows());
+}
+
 void addFront(const Table& table, const std::string& column, const char* which, std::vector<Claim>& claims) {
   Fronts fronts;
   for (const std::string& model : table.texts("model"))
@@ -99,6 +111,7 @@ void addFront(const Table& table, const std::string& column, const char* which, 
   if (fronts.greatestFactor > 0)
     found += fmt::format("; at no more error than a rival's ours takes 1/{:.3g} to 1/{:.3g} of its time",
                          fronts.leastFactor, fronts.greatestFactor);
+  if (column == "error_p99_fraction") found += fewPairsText(table);
   found += noiseText(table);
   claims.push_back(
       {fmt::format("no rival is below and left of ours for any {} error of a pair between {} and {} % of size", which,
