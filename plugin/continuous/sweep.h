@@ -128,6 +128,8 @@ class Sweep {
   void makeMeetingsBelow(NodeId leaf, std::uint32_t count);
   bool isSettled(TreeParts::Part part, float at) const;
   bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
+  // From the other side's farthest point along a unit direction of the frame to the tree's farthest against it.
+  Vec3 apartAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
   // How far apart two regions are along a unit direction of the frame; negative if they are not.
   float gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
   struct Approach;

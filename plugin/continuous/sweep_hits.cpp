@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "continuous/side_by_side.h"
 #include "continuous/sweep.h"
 #include "counterparts/facing_corners.h"
 #include "placement/bullet_math.h"
@@ -19,9 +20,12 @@ constexpr float kLeastBeside = 0.1F;
 
 }  // namespace
 
+Vec3 Sweep::apartAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const {
+  return tree.support(nodes.a, -normal) - supportOf(*target_, nodes.b, otherAxes, normal);
+}
+
 float Sweep::gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const {
-  const Vec3 apart = tree.support(nodes.a, -normal) - supportOf(*target_, nodes.b, otherAxes, normal);
-  return dot(normal, apart) - target_->margin() - margin_;
+  return dot(normal, apartAlong(normal, nodes, tree, otherAxes)) - target_->margin() - margin_;
 }
 
 // Two regions that come together within a segment.
@@ -40,6 +44,20 @@ struct Sweep::Approach {
   float closing(const Vec3& normal) const { return -dot(normal, node.way); }
   bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
   bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
+  // Beside each other all the way, along a direction that is no face's: past an edge or a corner. `normal`: any.
+  bool isPassing(const Vec3& normal) const {
+    const auto start = [&](const Vec3& n) { return sweep.apartAlong(n, nodes, segment.tree, segment.otherAxes); };
+    const auto end = [&](const Vec3& n) {
+      return sweep.apartAlong(n, nodes, segment.treeAtEnd, segment.otherAxesAtEnd);
+    };
+    const auto nearer = [&](const Vec3& n) {
+      const Vec3 atStart = start(n), atEnd = end(n);
+      return dot(n, atStart) < dot(n, atEnd) ? atStart : atEnd;
+    };
+    return SideBySide(normalized(node.way))
+        .direction(start(normal), sweep.target_->margin() + sweep.margin_, nearer)
+        .has_value();
+  }
   Hit hit(const Vec3& normal) const {
     const float now = gap(normal), closes = now - gapAtEnd(normal);
     return {closes > 0 ? std::clamp(now / closes, entry, 1.0F) : entry, normal, closes};
@@ -80,6 +98,7 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
     const Hit hit = approach.hit(normal);
     if (!latest || hit.at > latest->at) latest = hit;
   }
+  if (latest && approach.isPassing(latest->normal)) return std::nullopt;
   if (latest) return flattest(approach, *latest, ofOther);
   if (segment.from == 0 && candidate.entry == 0) noteSunk(segment, candidate.pair);
   return std::nullopt;
