@@ -41,7 +41,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh accuracy-cost [OPTIONS] the experiments of the thesis's chapter 7 again, as tables, figures and verdicts in out/accuracy-cost
                              (all of them, hours; --quick minutes; docs/accuracy-cost.md)
   ./cairn.sh hard-cases [CASE...] [OPTIONS] the hard cases of builder and plugin as a table: criterion, measured, Bullet's best
-                             own shape, verdict (--quick: seconds each; --list; --json FILE)
+                             own shape, verdict (--quick: seconds each; --list; --json FILE; --strict)
   ./cairn.sh report [--quick] [-o DIR]
                              all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
                              tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)

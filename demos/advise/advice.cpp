@@ -10,7 +10,7 @@ namespace {
 
 /// Lower is better.
 auto rankOf(const Rung& rung) {
-  return std::tuple(rung.meanError, rung.worstError, rung.budget);
+  return std::tuple(rung.meanError, rung.worstError, rung.p99Us);
 }
 
 std::string treeText(const Candidate& candidate) {
@@ -21,6 +21,14 @@ std::string treeText(const Candidate& candidate) {
 // "400 operations", or "no budget".
 std::string budgetText(const Rung& rung) {
   return rung.budget > 0 ? fmt::format("{} operations", rung.budget) : std::string("no budget");
+}
+
+// What a budget that cuts nothing would cost, for whoever wants steps bounded.
+std::string boundText(const Candidate& candidate) {
+  for (const Rung& rung : candidate.rungs)
+    if (rung.budget > 0 && !rung.cuts)
+      return fmt::format(" (one of {} cut nothing either, and takes {:.0f} us)", rung.budget, rung.p99Us);
+  return "";
 }
 
 }  // namespace
@@ -73,13 +81,13 @@ std::string adviceText(const std::vector<Candidate>& candidates, double budgetUs
         budgetUs, treeText(candidate), budgetText(rung), rung.p99Us);
   const std::string set = rung.budget > 0 ? fmt::format("set the budget to {} operations a step{}", rung.budget,
                                                         rung.cuts ? "" : " (which cut nothing)")
-                                          : std::string("set no budget of operations");
+                                          : "set no budget of operations" + boundText(candidate);
   return fmt::format(
       "Build with `cairn build {} {} -o FILE`, {}; expect {:.0f} us at most in 99 of 100 steps here ({:.0f} to {:.0f} "
       "from start to start), and a certified error of {:.3g} % of the size in the mean, {:.3g} % at worst "
-      "({:.3g} % in the start where it is least).",
+      "({:.3g} % in the start where it is least). Other starts may take {}more.",
       mesh, treeText(candidate), set, rung.p99Us, rung.p99LowUs, rung.p99HighUs, 100 * rung.meanError,
-      100 * rung.worstError, 100 * rung.mildestError);
+      100 * rung.worstError, 100 * rung.mildestError, rung.budget > 0 ? "and err " : "");
 }
 
 }  // namespace cairn::advise

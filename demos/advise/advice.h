@@ -16,17 +16,17 @@ namespace cairn::advise {
 /// steps in which bodies touch; errors over those in which there are contacts, on a small budget also of bodies that
 /// are still apart: what any other program that plays the same steps on the same budget is told.
 struct Rung {
-  std::uint64_t budget = 0;            ///< operations; 0: none was set, because on none that was tried all was resolved
-  bool cuts = true;                    ///< false: nothing was left unresolved
-  double meanOperations = 0;           ///< a step
-  double medianUs = 0, p99Us = 0;      ///< of the whole narrow phase, CPU time a step, over all steps of all playings
-  double p99LowUs = 0, p99HighUs = 0;  ///< of the start that was quickest, and of the slowest
+  std::uint64_t budget = 0;              ///< operations; 0: none was set
+  bool cuts = true;                      ///< false: nothing was left unresolved
+  double meanOperations = 0;             ///< a step
+  double medianUs = 0, p99Us = 0;        ///< of the whole narrow phase, CPU time a step, over all steps of all playings
+  double p99LowUs = 0, p99HighUs = 0;    ///< of the start that was quickest, and of the slowest
   double meanError = 0, worstError = 0;  ///< mean over the steps of the pairs' mean; worst pair of any step
   double mildestError = 0;               ///< worst pair of the start whose worst is least
   double unresolvedPairs = 0;            ///< share of all pairs
 };
 
-/// A tree and what it does, from the smallest budget to one that cuts nothing.
+/// A tree and what it does, from the smallest budget to one that cuts nothing (where one was found) and to none.
 struct Candidate {
   builder::Method method = builder::Method::combined;
   std::uint32_t branching = 8, depth = 3;
@@ -47,7 +47,7 @@ struct Choice {
 bool fits(const Rung& rung, double budgetUs);
 
 /// The rung of one candidate with the lowest mean error of those that fit, then the lowest worst error, then the
-/// smallest budget; nothing when none fits.
+/// quickest; nothing when none fits.
 std::optional<std::size_t> bestRung(const Candidate& candidate, double budgetUs);
 
 /// Likewise over all candidates; of equals the one with the fewest spheres.

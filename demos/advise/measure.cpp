@@ -95,8 +95,8 @@ class Race {
        const builder::ProgressCallback& progress)
       : recording_(recording), contenders_(contenders), trial_(trial), progress_(progress) {}
 
-  /// Every budget of every tree that cuts something, then one that does not: once, or with nothing to sieve by as often
-  /// as all are.
+  /// Every budget of every tree that cuts something, one that does not, and none: once, or with nothing to sieve by as
+  /// often as all are.
   Status playAll() {
     for (Contender& contender : contenders_)
       if (Status played = playFirst(contender); !played) return played;
@@ -159,8 +159,9 @@ class Race {
     frames_ = std::move(together);
   }
 
-  /// Adds the least budget found that leaves nothing unresolved: more than no budget uses, because under one pairs are
-  /// looked at in another order. Where none is found, `whole`, which has none.
+  /// Adds the least budget found that leaves nothing unresolved, if any: more than no budget uses, because under one
+  /// pairs are looked at in another order. Then `whole`, which has none: keeping a budget costs time, also one that
+  /// cuts nothing.
   Status playUncut(Contender& contender, Take whole) {
     std::uint64_t budget = std::max<std::uint64_t>(whole.mostOperations(), 1);
     for (int i = 0; i < kUncutTrials; ++i, budget += (budget + 3) / 4) {
@@ -168,7 +169,7 @@ class Race {
       if (Status played = play(take, contender); !played) return played;
       if (take.cuts()) continue;
       contender.takes.push_back(std::move(take));
-      return {};
+      break;
     }
     contender.takes.push_back(std::move(whole));
     return {};

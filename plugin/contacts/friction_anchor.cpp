@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace cairn::bullet {
 

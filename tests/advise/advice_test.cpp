@@ -33,14 +33,16 @@ TEST(Advice, TakesTheLowestMeanErrorThatFits) {
   EXPECT_EQ(bestChoice(twoTrees(), 9), std::nullopt);
 }
 
-TEST(Advice, OfEqualMeansTakesTheLowerWorstThenTheSmallerBudgetThenTheSmallerTree) {
+TEST(Advice, OfEqualMeansTakesTheLowerWorstThenTheQuickerThenTheSmallerTree) {
   std::vector<Candidate> trees = twoTrees();
   trees[0].rungs = {rung(300, 5, 0.1, 0.3)};
   trees[1].rungs = {rung(400, 5, 0.1, 0.2)};
   EXPECT_EQ(bestChoice(trees, 10), (Choice{1, 0}));
   trees[0].rungs[0].worstError = 0.2;
   EXPECT_EQ(bestChoice(trees, 10), (Choice{0, 0}));
-  trees[0].rungs[0].budget = 400;
+  trees[1].rungs[0].p99Us = 4;
+  EXPECT_EQ(bestChoice(trees, 10), (Choice{1, 0}));
+  trees[0].rungs[0].p99Us = 4;
   EXPECT_EQ(bestChoice(trees, 10), (Choice{0, 0}));
   std::swap(trees[0].spheres, trees[1].spheres);
   EXPECT_EQ(bestChoice(trees, 10), (Choice{1, 0}));
@@ -55,7 +57,11 @@ TEST(Advice, NamesWhatToBuildSetAndExpect) {
   EXPECT_NE(adviceText(twoTrees(), 40, "rock.obj").find("cut nothing"), std::string::npos);
   std::vector<Candidate> trees = twoTrees();
   trees[1].rungs.back().budget = 0;
-  EXPECT_NE(adviceText(trees, 40, "rock.obj").find("set no budget"), std::string::npos);
+  EXPECT_NE(adviceText(trees, 40, "rock.obj").find("set no budget of operations;"), std::string::npos);
+  trees[1].rungs.insert(trees[1].rungs.end() - 1, rung(500, 45, 0.1, 0.2));
+  trees[1].rungs[1].cuts = false;
+  EXPECT_NE(adviceText(trees, 40, "rock.obj").find("one of 500 cut nothing either, and takes 45 us"),
+            std::string::npos);
 }
 
 TEST(Advice, NamesTheCheapestWhereNothingFits) {

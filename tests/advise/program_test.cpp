@@ -63,8 +63,11 @@ TEST_F(AdviseProgram, RecommendsWhatItsTableSays) {
   const json& chosen = document["recommendation"];
   EXPECT_EQ(chosen["certified_error_mean_fraction"], least);
   EXPECT_NE(result.output.find(document["advice"].get<std::string>()), std::string::npos);
-  EXPECT_NE(document["advice"].get<std::string>().find(
-                "set the budget to " + std::to_string(chosen["budget_operations"].get<std::uint64_t>())),
+  const bool isBound = !chosen["budget_operations"].is_null();
+  const std::string budget =
+      isBound ? std::to_string(chosen["budget_operations"].get<std::uint64_t>()) : std::string("none");
+  EXPECT_NE(document["advice"].get<std::string>().find(isBound ? "set the budget to " + budget
+                                                               : std::string("set no budget of operations")),
             std::string::npos);
 
   std::istringstream lines(result.output);
@@ -75,9 +78,7 @@ TEST_F(AdviseProgram, RecommendsWhatItsTableSays) {
     if (!isRow || line.rfind("->", 0) != 0) continue;
     ++arrows;
     EXPECT_NE(line.find(chosen["method"].get<std::string>()), std::string::npos) << line;
-    EXPECT_NE(line.find(" " + std::to_string(chosen["budget_operations"].get<std::uint64_t>()) + " "),
-              std::string::npos)
-        << line;
+    EXPECT_NE(line.find(" " + budget + " "), std::string::npos) << line;
   }
   EXPECT_EQ(rows, budgets);
   EXPECT_EQ(arrows, 1U);
@@ -102,7 +103,6 @@ TEST_F(AdviseProgram, ErrorsAndOperationsAreTheSameOnEveryRun) {
   EXPECT_EQ(one["trees"], two["trees"]);
 }
 
-// What it says of a budget is what that budget does, in another program: of one that cuts, and of one that does not.
 TEST_F(AdviseProgram, LooksAtTheSameFramesInWhateverOrderTreesAreNamed) {
   const auto frames = [&](const std::string& file, const std::string& depths) {
     const ProgramResult result =
@@ -114,6 +114,8 @@ TEST_F(AdviseProgram, LooksAtTheSameFramesInWhateverOrderTreesAreNamed) {
   EXPECT_EQ(frames("up.json", "1,3"), frames("down.json", "3,1"));
 }
 
+// What it says of a budget is what that budget does, in another program: of one that cuts, of one that does not, and of
+// none.
 TEST_F(AdviseProgram, ItsBudgetsDoWhatItSays) {
   const std::string common = " --bodies 8 --seed 1 ";
   const ProgramResult advised =
@@ -122,17 +124,20 @@ TEST_F(AdviseProgram, ItsBudgetsDoWhatItSays) {
                                     quoted("advice.json"));
   ASSERT_EQ(advised.exitCode, 0) << advised.errors;
   const json document = read("advice.json"), rungs = document["trees"][0]["budgets"];
-  ASSERT_GT(rungs.size(), 1U);
-  EXPECT_TRUE(rungs.front()["cuts"]);
-  EXPECT_FALSE(rungs.back()["cuts"]);
-  EXPECT_EQ(document["recommendation"]["budget_operations"], rungs.back()["budget_operations"]);
-  for (const json& rung : {rungs.front(), rungs.back()}) {
-    ASSERT_FALSE(rung["budget_operations"].is_null());
+  ASSERT_GT(rungs.size(), 2U);
+  const json &least = rungs.front(), &uncut = rungs[rungs.size() - 2], &none = rungs.back();
+  EXPECT_TRUE(least["cuts"]);
+  EXPECT_FALSE(uncut["cuts"]);
+  EXPECT_TRUE(none["budget_operations"].is_null());
+  EXPECT_EQ(document["recommendation"]["certified_error_mean_fraction"], none["certified_error_mean_fraction"]);
+  EXPECT_FALSE(document["recommendation"]["cuts"]);
+  for (const json& rung : {least, uncut, none}) {
+    const std::string budget =
+        rung["budget_operations"].is_null() ? "none" : std::to_string(rung["budget_operations"].get<std::uint64_t>());
     const ProgramResult played =
         test::runProgram("frame_budget", "--scene converge --runs 3 --steps 200 --method combined --depth 2 --mesh " +
-                                             quoted("ring.obj") + common + "--budget-ops " +
-                                             std::to_string(rung["budget_operations"].get<std::uint64_t>()) +
-                                             " --json " + quoted("played.json"));
+                                             quoted("ring.obj") + common + "--budget-ops " + budget + " --json " +
+                                             quoted("played.json"));
     ASSERT_EQ(played.exitCode, 0) << played.errors;
     const json found = read("played.json");
     EXPECT_EQ(found["unresolved_pairs_fraction"], rung["unresolved_pairs_fraction"]);

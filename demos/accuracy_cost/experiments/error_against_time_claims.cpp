@@ -145,18 +145,19 @@ void addMissed(const Table& table, std::vector<Claim>& claims) {
       distinct += meeting;
     }
   if (shown == 0) return;
-  claims.push_back({"a tree misses no pair of bodies that are deeper in each other than it certifies, on any budget",
-                    "of all pairs the exact check finds to meet none without a contact is deeper than the worst "
-                    "certified error of its frame",
-                    fmt::format("{} pairs meet in the frames checked; shown to trees of {:.3g} levels and budgets, {} "
-                                "times in all, they are missed {} times, the deepest by {:.2g} % of size, {} times "
-                                "deeper than certified",
-                                distinct, shown / distinct, shown, missed, 100 * deepest, beyond),
-                    beyond == 0,
-                    {},
-                    {.reach = Reach::every},
-                    beyond,
-                    true});
+  claims.push_back(
+      {"no pair of bodies that a tree misses is deeper than the worst error certified in its frame, on any budget",
+       "of all pairs the exact check finds to meet none without a contact is deeper than the worst "
+       "certified error of its frame",
+       fmt::format("{} pairs meet in the frames checked; shown to trees of {:.3g} levels and budgets, {} "
+                   "times in all, they are missed {} times, the deepest by {:.2g} % of size, {} times "
+                   "deeper than certified",
+                   distinct, shown / distinct, shown, missed, 100 * deepest, beyond),
+       beyond == 0,
+       {},
+       {.reach = Reach::every},
+       beyond,
+       true});
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "certificate_cases.h"
 #include "certificates/probe_tree.h"
 #include "certificates/small_solids.h"
+#include "certificates/wide_matrix.h"
+#include "certificates/worst_places.h"
 #include "oracle/chain_of_balls.h"
 #include "placement/tree_pose.h"
 
@@ -21,17 +23,6 @@
 //          ''
 namespace cairn::hard {
 namespace {
-
-struct WideMatrix {
-  Wide rows[3];
-  explicit WideMatrix(const Mat3d& m) : rows{Wide(m.rows[0]), Wide(m.rows[1]), Wide(m.rows[2])} {}
-  Wide operator*(const Wide& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
-  /// The x for which `*this * x = v`: floats are no exact rotation, so the transpose would not do.
-  Wide solved(const Wide& v) const {
-    const long double volume = dot(rows[0], cross(rows[1], rows[2]));
-    return (cross(rows[1], rows[2]) * v.x + cross(rows[2], rows[0]) * v.y + cross(rows[0], rows[1]) * v.z) / volume;
-  }
-};
 
 struct Found {
   std::uint64_t points = 0, outsideTree = 0, unseen = 0;
@@ -157,11 +148,15 @@ Outcome runSinglePrecision(Effort effort) {
         for (std::uint64_t round = 0; round < rounds; ++round) found += traverseOnce(solid, *shape, away, engine);
     }
   }
+  const WorstPlaces worst = climbToWorstPlaces(quick ? 2 : 20, engine);
   const std::string points = "of " + std::to_string(found.points), balls = "of " + std::to_string(found.ballPoints);
   return {{{"surface points in no chain of balls", double(found.outsideTree), 0, Bound::atMost, points, "", 0},
            {"surface points the traversal loses", double(found.unseen), 0, Bound::atMost, points, "", 0},
            {"points of balls beyond the stated error", double(found.tooFar), 0, Bound::atMost, balls, "", 0},
-           {"nearest to the stated error, over it, less 1", found.nearest, 0, Bound::atMost, "", "", 0}},
+           {"nearest to the stated error, over it, less 1", found.nearest, 0, Bound::atMost, "", "", 0},
+           {"common points lost where rounding adds up worst", double(worst.lost), 0, Bound::atMost,
+            "of " + std::to_string(worst.places), "", 0},
+           {"of the slack used there", worst.used, 1, Bound::atMost, "", "", 0}},
           ""};
 }
 
@@ -172,7 +167,8 @@ HardCase singlePrecision() {
       "C1", "certificates in single precision",
       "of 1e7 points of triangles and balls, of bodies 1e-3, 1 and 1e3 times as large, at the origin and 10 km from "
       "it, none is lost by a traversal in float or farther out than it states; no tolerance: points are known to "
-      "2^-62, and the float a traversal is asked with is a ball that holds its point",
+      "2^-62, and the float a traversal is asked with is a ball that holds its point; nor is one that two bodies, or "
+      "children of compounds in compounds, share at the places that a search for the worst rounding ends at",
       runSinglePrecision};
 }
 

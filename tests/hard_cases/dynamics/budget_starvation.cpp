@@ -134,8 +134,7 @@ constexpr double kErrorResolution = 0.01;
 
 constexpr const char* kWhy =
     "On a budget an answer counts until its bodies have moved by 3 % of their size: what was apart then may be in "
-    "contact a "
-    "step or two before it is asked about again.";
+    "contact a step or two before it is asked about again.";
 
 Outcome runBudgetStarvation(Effort effort) {
   const bool isWhole = effort == Effort::whole;
@@ -169,7 +168,7 @@ Outcome runBudgetStarvation(Effort effort) {
                               (passes == 1 ? "first step" : "tenth step"),
                           worstRise(piles, bodies, passes, worst), kErrorResolution, Bound::atMost, "% of size", "",
                           0});
-  return {measures, isWhole ? kWhy : ""};
+  return {measures, kWhy};
 }
 
 }  // namespace

@@ -65,8 +65,11 @@ std::uint32_t supportLaneScalar(const SupportBlock& block, const Vec3& direction
 /// Name of the instruction set `overlap` uses on this machine ("AVX2", ...).
 const char* simdTargetName();
 
-/// Relative slack that makes an overlap test conservative: moving a centre (three products, three sums a coordinate)
-/// and the test itself round by less than 16 units of 2^-24 of the lengths involved; 2^-20 covers both.
-inline constexpr float kOverlapSlack = 1.0F / (1 << 20);
+/// Relative slack that makes an overlap test conservative, in the lengths involved: moving a centre (three products,
+/// three sums a coordinate) and the test itself round by some units of 2^-24 of them, and the transpose of a float
+/// matrix is not its inverse, by up to seven units for each product of rotations that it comes of (a body's own, and
+/// one more for each compound around the tree). 2^-19 are 32 units; a search for the worst found 15 for a body, 25 for
+/// a tree in a compound in a compound in a compound.
+inline constexpr float kOverlapSlack = 1.0F / (1 << 19);
 
 }  // namespace cairn

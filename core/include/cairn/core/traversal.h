@@ -39,8 +39,8 @@ class Traversal {
   /// Fully resolved pairs, in the order they were found.
   std::span<const NodePair> leafPairs() const { return leafPairs_.pairs(); }
 
-  /// Certified bound, in world length, on how far apart the two surfaces of a pair can be although the pair is
-  /// reported.
+  /// Certified bound, in world length, on how far apart the solids below the two nodes of a pair can be although the
+  /// pair is reported. Of surfaces it says that only where neither body lies wholly inside the other.
   virtual float pairError(const NodePair& pair) const = 0;
   /// Worst `pairError` of these pairs, 0 for none. To be overridden only to be faster.
   virtual float worstOf(std::span<const NodePair> pairs) const;
