@@ -11,6 +11,14 @@ namespace {
 // Normals more than 120 degrees apart hold against opposite motions.
 constexpr float kOpposedCosine = 0.5F;
 
+// Those that are touched now, deepest first; contacts ahead, whose directions are known, come after them.
+std::span<Contact> ofNow(std::span<Contact> cluster) {
+  const auto end = std::partition(cluster.begin(), cluster.end(), [](const Contact& c) { return !c.isAhead; });
+  const auto now = cluster.first(static_cast<std::size_t>(end - cluster.begin()));
+  if (now.size() < cluster.size()) std::sort(now.begin(), now.end(), deeper);
+  return now;
+}
+
 }  // namespace
 
 // What the meshes said has its directions already; contacts ahead have directions of their own.
@@ -28,11 +36,11 @@ void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch
   scratch.strays.clear();
   const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
   for (int k = 0; k < kMaxClusters; ++k) {
-    const std::span<Contact> cluster = contacts.cluster(k);
+    const std::span<Contact> cluster = contacts.cluster(k), now = ofNow(cluster);
     Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    common = cluster.empty() ? Vec3() : counterpart.flatten(cluster, lasts, scratch.strays);
+    common = now.empty() ? Vec3() : counterpart.flatten(now, lasts, scratch.strays);
     // Along the common normal some turn out to be farther apart than what is wanted.
-    if (lengthSq(common) > 0) contacts.resort(k, reach);
+    if (lengthSq(common) > 0 || now.size() < cluster.size()) contacts.resort(k, reach);
   }
   clusterStrays(counterpart, reach, lasts, scratch);
   joinSameNormals(contacts);
