@@ -91,11 +91,9 @@ std::string fewPairsText(const Table& table) {
   std::size_t few = 0;
   for (std::size_t row = 0; row < table.rows(); ++row)
     if (table.number(row, "error_pairs") < 100) ++few;
-  return few == 0 ? std::string()
-                  : fmt::format(
-                        "; of {} of {} points, which have fewer than 100 pairs (column error_pairs), it is the "
-                        "greatest error",
-                        few, table.rows());
+  if (few == 0) return {};
+  return fmt::format("; {} of {} points have fewer than 100 pairs (column error_pairs): there it is the greatest error",
+                     few, table.rows());
 }
 
 void addFront(const Table& table, const std::string& column, const char* which, std::vector<Claim>& claims) {
