@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "continuous/side_by_side.h"
 
-#include <algorithm>
-
 namespace cairn::bullet {
 
 bool SideBySide::add(const Vec3& point) {

@@ -11,8 +11,8 @@ namespace cairn::bullet {
 
 /// Whether two convex things, one of which moves straight on, pass beside each other: seen along the way they do not
 /// overlap. A search for the difference's point that is nearest to the origin (Gilbert, Johnson, Keerthi 1988) in the
-/// plane at right angles to the way, ended by the first direction along which they are apart. Work: `kMaxRounds`
-/// questions at most.
+/// plane at right angles to the way, ended by the first direction along which they are apart. All vectors are in one
+/// frame and unit. Work: `kMaxRounds` questions at most; nothing fails.
 class SideBySide {
  public:
   static constexpr int kMaxRounds = 12;
