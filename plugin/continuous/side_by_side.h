@@ -46,9 +46,9 @@ class SideBySide {
   float turn(const Vec3& a, const Vec3& b) const { return dot(along_, cross(a, b)); }
   // False for a corner that is known already: there is nothing nearer.
   bool add(const Vec3& point);
-  // Zero if the origin lies among the corners; else keeps those that it is nearest to.
+  bool surroundsOrigin() const;
+  // Zero if the origin lies among the corners; else keeps the side that it is nearest to.
   Vec3 nearestToOrigin();
-  Vec3 nearestOfSide();
 
   Vec3 along_;
   std::array<Vec3, 3> corners_;

@@ -6,9 +6,8 @@
 #include <iostream>
 #include <random>
 
-#include "builder_meshes.h"
+#include "built_shape.h"
 #include "bullet_world.h"
-#include "cairn/builder/build.h"
 #include "test_solids.h"
 
 namespace cairn::test::ball_shots_test {
@@ -17,13 +16,9 @@ namespace {
 constexpr std::uint32_t kSeed = 20027;
 constexpr double kThickness = 0.05, kHalfThickness = kThickness / 2;
 
-std::shared_ptr<btCollisionShape> plate() {
-  static const std::shared_ptr<const SphereTree> tree = [] {
-    Result<SphereTree> built = builder::buildTree(meshOf(cuboid({2, 2, kThickness}, 8)), builder::BuildOptions());
-    if (!built) throw std::runtime_error(built.error().message);
-    return std::make_shared<const SphereTree>(std::move(built).value());
-  }();
-  return treeShape(tree);
+const std::shared_ptr<btCollisionShape>& plate() {
+  static const std::shared_ptr<btCollisionShape> shape = builtShape(cuboid({2, 2, kThickness}, 8));
+  return shape;
 }
 
 struct Balls {

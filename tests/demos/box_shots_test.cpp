@@ -7,9 +7,8 @@
 #include <iostream>
 #include <random>
 
-#include "builder_meshes.h"
+#include "built_shape.h"
 #include "bullet_world.h"
-#include "cairn/builder/build.h"
 #include "test_solids.h"
 #include "triangle_grounds.h"
 
@@ -28,12 +27,6 @@ struct Bounce {
 
 Solid plate() {
   return cuboid({4, 4, kThickness}, 8);
-}
-
-std::shared_ptr<btCollisionShape> plateOfTree() {
-  Result<SphereTree> built = builder::buildTree(meshOf(plate()), builder::BuildOptions());
-  if (!built) throw std::runtime_error(built.error().message);
-  return treeShape(std::make_shared<const SphereTree>(std::move(built).value()));
 }
 
 Bounce throwBoxes(const std::shared_ptr<btCollisionShape>& ground) {
@@ -64,7 +57,7 @@ Bounce throwBoxes(const std::shared_ptr<btCollisionShape>& ground) {
 }
 
 TEST(BoxShots, TiltedOnesKeepTheirEnergyAndGoLessAsideThanOnBulletsMesh) {
-  const Bounce onTree = throwBoxes(plateOfTree());
+  const Bounce onTree = throwBoxes(builtShape(plate()));
   const Bounce onMesh = throwBoxes(bvhMesh(plate()));
   std::cout << "tilted boxes go aside at " << onTree.aside << " of their speed, on Bullet's mesh " << onMesh.aside
             << "; keep " << onTree.energy << " of their energy, there " << onMesh.energy << "\n";

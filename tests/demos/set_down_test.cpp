@@ -8,9 +8,8 @@
 #include <iostream>
 #include <random>
 
-#include "builder_meshes.h"
+#include "built_shape.h"
 #include "bullet_world.h"
-#include "cairn/builder/build.h"
 #include "test_solids.h"
 #include "triangle_grounds.h"
 
@@ -27,12 +26,6 @@ const Solid& box() {
 }
 Solid plate() {
   return cuboid({24, 12, kThickness}, 16);
-}
-
-std::shared_ptr<btCollisionShape> treeOf(const Solid& solid) {
-  Result<SphereTree> built = builder::buildTree(meshOf(solid), builder::BuildOptions());
-  if (!built) throw std::runtime_error(built.error().message);
-  return treeShape(std::make_shared<const SphereTree>(std::move(built).value()));
 }
 
 struct Kept {
@@ -56,7 +49,7 @@ Kept follow(const std::shared_ptr<btCollisionShape>& ground, btScalar restitutio
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<float> unit(-1, 1);
   const auto draw = [&] { return btScalar(unit(random)); };
-  const std::shared_ptr<btCollisionShape> shape = treeOf(box());
+  const std::shared_ptr<btCollisionShape> shape = builtShape(box());
   Kept kept;
   for (int i = 0; i < kCount; ++i) {
     BulletWorld<> w;
@@ -123,7 +116,7 @@ TEST(SetDown, InAFloorSlidesOnAndGainsNothing) {
 }
 
 TEST(SetDown, KickedSlidesOn) {
-  const Kept onMesh = kick(bvhMesh(plate())), onTree = kick(treeOf(plate()));
+  const Kept onMesh = kick(bvhMesh(plate())), onTree = kick(builtShape(plate()));
   std::cout << "kicked boxes keep " << onMesh.speed << " of their speed on a mesh, " << onTree.speed << " on a tree\n";
   EXPECT_GT(onMesh.speed, 0.92) << "seed " << kSeed;
   EXPECT_GT(onTree.speed, 0.85) << "seed " << kSeed;

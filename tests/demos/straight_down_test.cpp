@@ -8,9 +8,8 @@
 #include <iostream>
 #include <random>
 
-#include "builder_meshes.h"
+#include "built_shape.h"
 #include "bullet_world.h"
-#include "cairn/builder/build.h"
 #include "test_solids.h"
 
 namespace cairn::test::straight_down_test {
@@ -19,12 +18,6 @@ namespace {
 constexpr std::uint32_t kSeed = 20056;
 constexpr int kCount = 40, kSteps = 30;
 constexpr btScalar kSpeed = 12;
-
-std::shared_ptr<const SphereTree> treeOf(const Solid& solid) {
-  Result<SphereTree> built = builder::buildTree(meshOf(solid), builder::BuildOptions());
-  if (!built) throw std::runtime_error(built.error().message);
-  return std::make_shared<const SphereTree>(std::move(built).value());
-}
 
 struct Aside {
   double mean = 0, most = 0;  // parts of the speed
@@ -66,9 +59,9 @@ TEST(StraightDown, NothingIsSentAsideByATree) {
   } grounds[] = {{"a block of one cell", cuboid({20, 10, 1}, 1), btScalar(0.5)},
                  {"a block of cells of a metre", cuboid({12, 12, 1}, 12), btScalar(0.5)}};
   for (const auto& ground : grounds) {
-    const auto groundShape = treeShape(treeOf(ground.solid));
+    const auto groundShape = builtShape(ground.solid);
     for (const auto& [name, solid] : {std::pair{"torus", torus(0.5, 0.15, 24)}, {"ball", ball(0.5, 3)}}) {
-      const Aside aside = drop(groundShape, ground.height, treeShape(treeOf(solid)));
+      const Aside aside = drop(groundShape, ground.height, builtShape(solid));
       std::cout << "a " << name << " on " << ground.name << " goes aside at " << aside.mean << " of its speed, "
                 << aside.most << " at most\n";
       EXPECT_EQ(aside.through, 0) << "seed " << kSeed;

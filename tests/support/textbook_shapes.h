@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
-#include <utility>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "builder_meshes.h"
-#include "cairn/builder/build.h"
+#include "built_shape.h"
 #include "textbook.h"
 
 namespace cairn::test {
-
-inline std::shared_ptr<btCollisionShape> builtShape(const Solid& solid, std::uint32_t depth) {
-  builder::BuildOptions options;
-  options.depth = depth;
-  auto tree = builder::buildTree(meshOf(solid), options);
-  if (!tree) throw std::runtime_error(tree.error().message);
-  return treeShape(std::make_shared<const SphereTree>(std::move(tree).value()));
-}
 
 inline std::shared_ptr<btCollisionShape> hullShape(const Solid& solid) {
   auto hull = std::make_shared<btConvexHullShape>();

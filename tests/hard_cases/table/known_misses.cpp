@@ -2,9 +2,9 @@
 #include "known_misses.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
-#include <optional>
-#include <span>
 
 #include "verdict.h"
 
@@ -41,25 +41,26 @@ constexpr KnownMiss kKnown[] = {
     {"L1", "drift, median, friction in two directions", 0.36, 8.8},
 };
 
-std::optional<double> worstKnown(const std::string& id, const std::string& measure, Effort effort) {
-  const auto found =
-      std::ranges::find_if(kKnown, [&](const KnownMiss& each) { return each.id == id && each.measure == measure; });
-  if (found == std::end(kKnown)) return std::nullopt;
-  const double worst = effort == Effort::quick ? found->quick : found->whole;
-  return worst == worst ? std::optional(worst) : std::nullopt;
+double worstKnown(const KnownMiss& miss, Effort effort) {
+  return effort == Effort::quick ? miss.quick : miss.whole;
 }
 
 }  // namespace
 
-bool isKnownMiss(const std::string& id, const std::string& measure, Effort effort) {
-  return worstKnown(id, measure, effort).has_value();
+std::vector<std::string> knownMisses(const std::string& id, Effort effort) {
+  std::vector<std::string> measures;
+  for (const KnownMiss& each : kKnown)
+    if (each.id == id && !std::isnan(worstKnown(each, effort))) measures.emplace_back(each.measure);
+  return measures;
 }
 
 bool isNews(const std::string& id, const Measure& measure, Effort effort) {
   if (verdictOn(measure) != Verdict::misses) return false;
-  const std::optional<double> worst = worstKnown(id, measure.name, effort);
-  if (!worst) return true;
-  return !(measure.bound == Bound::atMost ? measure.value <= *worst : measure.value >= *worst);
+  const auto known = std::ranges::find_if(
+      kKnown, [&](const KnownMiss& each) { return each.id == id && each.measure == measure.name; });
+  if (known == std::end(kKnown)) return true;
+  const double worst = worstKnown(*known, effort);  // not a number where it held so far: any miss is news
+  return !(measure.bound == Bound::atMost ? measure.value <= worst : measure.value >= worst);
 }
 
 }  // namespace cairn::hard

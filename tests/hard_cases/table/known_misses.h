@@ -2,13 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hard_case.h"
 
 namespace cairn::hard {
 
-/// Whether docs/hard-cases.md tells that this measure of the case misses when so much of it is run.
-bool isKnownMiss(const std::string& id, const std::string& measure, Effort effort);
+/// The measures of a case of which docs/hard-cases.md tells that they miss when so much of it is run.
+std::vector<std::string> knownMisses(const std::string& id, Effort effort);
 
 /// Whether the measure misses and is not known to, or by more than is known: something has become worse.
 bool isNews(const std::string& id, const Measure& measure, Effort effort);
