@@ -351,7 +351,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     keepNormals(scratch.contacts);
   else
     flatten(counterpart, reach, scratch);
-  dropOpposed(ahead, reach, scratch);
+  dropOverruled(ahead, reach, scratch);
   if (!counterpart.givesWay()) return;
   for (Contact& contact : contacts)
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);

@@ -139,7 +139,7 @@ class PairContacts {
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
-  static void dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
+  static void dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
   bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,

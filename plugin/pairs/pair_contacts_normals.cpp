@@ -19,6 +19,16 @@ std::span<Contact> ofNow(std::span<Contact> cluster) {
   return now;
 }
 
+// Along another direction, that what has passed the contact ahead is deeper in than it would have to go back.
+bool isLongerWayOut(const Contact& now, const Contact& ahead) {
+  const float passed = ahead.distance();
+  return passed < 0 && now.gap < passed && dot(now.normal, ahead.normal) < kSameNormalCosine;
+}
+
+bool isOpposed(const Contact& now, const Contact& ahead) {
+  return dot(now.normal, ahead.normal) < -kOpposedCosine;
+}
+
 }  // namespace
 
 // What the meshes said has its directions already; contacts ahead have directions of their own.
@@ -81,13 +91,14 @@ void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
 }
 
 // What runs into something, or has passed it, is held on the side it came from: what touches on the other means
-// nothing.
-void PairContacts::dropOpposed(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
+// nothing, nor does what would bring it out by a longer way. Leaves as wide as the body and far wider than the slab
+// they are of overlap along the lines of centres by half the body: it was thrown along the slab, and out below.
+void PairContacts::dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
   if (ahead.empty()) return;
   for (int k = 0; k < kMaxClusters; ++k) {
     for (Contact& c : scratch.contacts.cluster(k)) {
-      const auto opposes = [&](const Contact& one) { return dot(c.normal, one.normal) < -kOpposedCosine; };
-      if (!c.isAhead && std::ranges::any_of(ahead, opposes)) c.gap = reach;
+      const auto overrules = [&](const Contact& one) { return isOpposed(c, one) || isLongerWayOut(c, one); };
+      if (!c.isAhead && std::ranges::any_of(ahead, overrules)) c.gap = reach;
     }
     scratch.contacts.resort(k, reach);
   }

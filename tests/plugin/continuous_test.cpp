@@ -106,12 +106,12 @@ class Shots : public testing::TestWithParam<Wall> {
   }
 };
 
-// A slab of a tree whose leaves are fifty times as wide as it is thick lets some through (2 of 1000 in single, 5 in
-// double precision, where all go through without): their centre lines say little of where its surface is.
+// A slab of a tree whose leaves are fifty times as wide as it is thick lets some through (3 of 1000 in single, 5 in
+// double precision, where two in five go through without): their centre lines say little of where its surface is.
 // What has come to a stop with its middle in a field's plate is pushed out on the side that is nearer.
 int mostThrough(Wall wall) {
   if (wall == Wall::field) return 2;
-  return wall == Wall::tree ? 10 : 0;
+  return wall == Wall::tree ? 6 : 0;
 }
 
 TEST_P(Shots, NoneOfAThousandGoesThrough) {
