@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Zlib
 #include "contacts/manifold_writer.h"
 
+#include <limits>
+#include <utility>
+
 #include "contacts/friction_anchor.h"
 #include "contacts/restitution.h"
 #include "contacts/solving_order.h"
@@ -31,6 +34,24 @@ const Contact& chosen(std::span<const Contact> cluster, const ContactChoice& cho
 ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
   if (treeIsBody0) return {p.m_partId0, p.m_index0, p.m_partId1, p.m_index1};
   return {p.m_partId1, p.m_index1, p.m_partId0, p.m_index0};
+}
+
+// The distance of a point until it is told again.
+constexpr btScalar kUntold = std::numeric_limits<btScalar>::infinity();
+
+using Anchors = std::array<FrictionAnchor, kMaxPoints>;
+
+// Contacts that round to one place replace one old point twice; the other is where it was a step ago. Returns how many
+// of the first `continued` are left, which stay the first.
+int dropUntold(btPersistentManifold& manifold, int continued, Anchors& anchors) {
+  for (int i = continued - 1; i >= 0; --i) {
+    if (manifold.getContactPoint(i).m_distance1 != kUntold) continue;
+    --continued;
+    std::swap(manifold.getContactPoint(i), manifold.getContactPoint(continued));
+    std::swap(anchors[static_cast<std::size_t>(i)], anchors[static_cast<std::size_t>(continued)]);
+    manifold.removeContactPoint(continued);
+  }
+  return continued;
 }
 
 }  // namespace
@@ -102,9 +123,9 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     matching.choiceOf[static_cast<std::size_t>(i)] = matching.choiceOf[static_cast<std::size_t>(last)];
     matching.choiceOf[static_cast<std::size_t>(last)] = -1;
   }
-  const int continued = manifold.getNumContacts();
+  int continued = manifold.getNumContacts();
   const bool mayBeAnchored = FrictionAnchor::isAskedFor(manifold);
-  std::array<FrictionAnchor, kMaxPoints> anchors;
+  Anchors anchors;
   for (int i = 0; i < continued; ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     if (mayBeAnchored) {
@@ -112,9 +133,11 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
       FrictionAnchor::release(point);
     }
     point.m_localPointA = matching.local[static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)])];
+    point.m_distance1 = kUntold;
     ++point.m_lifeTime;
   }
   for (int k = 0; k < choice.count; ++k) add(manifold, chosen(cluster, choice, k));
+  continued = dropUntold(manifold, continued, anchors);
   for (int i = 0; mayBeAnchored && i < continued; ++i)
     anchors[static_cast<std::size_t>(i)].restore(manifold, manifold.getContactPoint(i));
   if (gContactProcessedCallback)
