@@ -39,6 +39,18 @@ ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
 // The distance of a point until it is told again.
 constexpr btScalar kUntold = std::numeric_limits<btScalar>::infinity();
 
+// A flag of all points but the one that Bullet is being told: a callback may change whatever that has. No flag of
+// Bullet's own.
+constexpr int kNotThis = 1 << 30;
+
+// Of a point that a callback changed: Bullet's shapes have theirs brought up to date after it, so that where it is on
+// the bodies and its normal count, not where it is in the world nor how far apart its ends are.
+void refresh(const btPersistentManifold& manifold, btManifoldPoint& point) {
+  point.m_positionWorldOnA = manifold.getBody0()->getWorldTransform()(point.m_localPointA);
+  point.m_positionWorldOnB = manifold.getBody1()->getWorldTransform()(point.m_localPointB);
+  point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+}
+
 using Anchors = std::array<FrictionAnchor, kMaxPoints>;
 
 // Contacts that round to one place replace one old point twice; the other is where it was a step ago. Returns how many
@@ -167,11 +179,15 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
   // point on body 0 as touching.
   const btVector3 told = origin_ + toBullet(contact.isAhead ? onBody0 : onBody1);
   const btScalar distance = contact.isAhead ? btScalar(0) : btScalar(contact.gap);
+  for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_contactPointFlags |= kNotThis;
   result_.addContactPoint(toBullet(normal), told, distance);
   result_.setPersistentManifold(before);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.m_positionWorldOnB != told || point.m_distance1 != distance) continue;
+    const bool isThis = (point.m_contactPointFlags & kNotThis) == 0;
+    point.m_contactPointFlags &= ~kNotThis;
+    if (!isThis) continue;
+    if (point.m_positionWorldOnB != told || point.m_distance1 != distance) refresh(manifold, point);
     if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
     tellSolver(point, contact);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <utility>
 
 #include "distance_fields.h"
 #include "front_ends.h"
@@ -276,6 +277,54 @@ TEST(Continuous, NothingLeavesACorner) {
     outside += p[p.minAxis()] < 0 ? 1 : 0;
   }
   EXPECT_EQ(outside, 0) << "seed " << kSeed;
+}
+
+btScalar gShift = 0;  // of what a callback tells of a point it is shown
+
+bool shiftDistance(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
+                   int, int) {
+  point.m_distance1 += gShift;
+  return false;
+}
+
+bool shiftPlace(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
+                int) {
+  point.m_positionWorldOnB += point.m_normalWorldOnB * gShift;
+  return false;
+}
+
+// Height of a cube that came down onto a floor, after two seconds, and the greatest after the first steps.
+std::pair<btScalar, btScalar> fallOntoFloor(ContactAddedCallback callback, btScalar speed) {
+  gContactAddedCallback = callback;
+  BulletWorld<> w;
+  w.add(std::make_shared<btBoxShape>(btVector3(9, 9, 1)), 0, btVector3(0, 0, -1));
+  btRigidBody& body =
+      w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.501) + 2 * speed / 60));
+  body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  body.setLinearVelocity(btVector3(0, 0, -speed));
+  body.setCcdMotionThreshold(speed > 0 ? btScalar(0.05) : btScalar(0));
+  body.setActivationState(DISABLE_DEACTIVATION);
+  btScalar highest = 0;
+  for (int i = 0; i < 120; ++i) {
+    w.step();
+    if (i > 5) highest = std::max(highest, body.getWorldTransform().getOrigin().z());
+  }
+  gContactAddedCallback = nullptr;
+  return {body.getWorldTransform().getOrigin().z(), highest};
+}
+
+// Bullet's shapes have their points brought up to date after they were shown: what a callback did to the place in the
+// world or the distance is undone. One ahead used to be taken for one that touches, and held the body in mid-air.
+TEST(Continuous, WhatACallbackDoesToPlaceOrDistanceIsUndone) {
+  for (const ContactAddedCallback callback : {&shiftDistance, &shiftPlace})
+    for (const btScalar shift : {btScalar(-0.01), btScalar(0.01)})
+      for (const btScalar speed : {btScalar(0), btScalar(30), btScalar(100)}) {
+        const auto [plain, highestPlain] = fallOntoFloor(nullptr, speed);
+        gShift = shift;
+        const auto [end, highest] = fallOntoFloor(callback, speed);
+        EXPECT_NEAR(end, plain, 1e-3) << speed << " m/s, shifted by " << shift;
+        EXPECT_NEAR(highest, highestPlain, 1e-3) << speed << " m/s, shifted by " << shift;
+      }
 }
 
 template <class FrontEndType>
