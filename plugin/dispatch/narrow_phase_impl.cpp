@@ -169,11 +169,9 @@ void NarrowPhase::Impl::endStep() {
   if (!isCollecting_) return;
   isCollecting_ = false;
   isAnswering_ = true;
-  statistics_ = {};
-  statistics_.pairs = apartPairs_.exchange(0);
-  statistics_.brokenPairs = brokenPairs_.exchange(0) + settleLeftOvers(false);
-  errorSum_ = seenSum_ = 0;
-  reportingPairs_ = 0;
+  tally_ = {};
+  tally_.statistics.pairs = apartPairs_.exchange(0);
+  tally_.statistics.brokenPairs = brokenPairs_.exchange(0) + settleLeftOvers(false);
 
   orderPairs();
   planStep();
@@ -189,14 +187,12 @@ void NarrowPhase::Impl::endStep() {
   endAnswering();
   learnFromStep();
 
-  statistics_.operations = left_.used();
-  if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
-  if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
+  tally_.statistics.operations = left_.used();
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
   if (planned_) overrun_.learn(elapsed.count(), *planned_);
   frame_.spend(left_.used(), elapsed.count());
   const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
-  statistics_.microseconds = spent.count();
+  tally_.statistics.microseconds = spent.count();
 }
 
 void NarrowPhase::Impl::learnFromStep() {
@@ -205,7 +201,7 @@ void NarrowPhase::Impl::learnFromStep() {
   holdingPace_.endStep();
   latePace_.endStep();
   holdingPace_.raiseTo(latePace_);
-  isScarce_ = statistics_.unresolvedPairs > 0;
+  isScarce_ = tally_.statistics.unresolvedPairs > 0;
   ++step_;
 }
 
@@ -255,7 +251,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
       isScarce_ && !plan_.isScarce() && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, isThrifty, left_, scratch_))
     return dismiss(index);
-  ++statistics_.pairs;
+  ++tally_.statistics.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.
   if (!mayBeInterrupted()) pair.refine(left_);
@@ -314,19 +310,12 @@ void NarrowPhase::Impl::nameNewPairs() {
   for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
 }
 
-void NarrowPhase::Impl::count(const PairReport& report, const ScheduledPair& pair) {
+// What was counted.
+PairReport NarrowPhase::Impl::count(PairReport report, const ScheduledPair& pair) {
   const auto size = static_cast<double>(pair.size);
-  const double seen = viewer_ ? seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size) : 0;
-  statistics_.unresolvedPairs += report.isUnresolved ? 1 : 0;
-  statistics_.contacts += report.contacts;
-  statistics_.exactContacts += report.exactContacts;
-  statistics_.manifolds += report.manifolds;
-  statistics_.worstErrorFraction = std::max(statistics_.worstErrorFraction, report.errorFraction);
-  statistics_.worstSeenError = std::max(statistics_.worstSeenError, seen);
-  if (report.contacts == 0) return;
-  errorSum_ += report.errorFraction;
-  seenSum_ += seen;
-  ++reportingPairs_;
+  if (viewer_) report.seenError = seenError(sightOf(*viewer_, pair.center, size / 2), report.errorFraction * size);
+  tally_.add(report);
+  return report;
 }
 
 }  // namespace cairn::bullet

@@ -15,6 +15,7 @@
 #include "dispatch/open_step.h"
 #include "dispatch/overrun.h"
 #include "dispatch/step_plan.h"
+#include "dispatch/step_tally.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/world_hook.h"
 #include "pairs/emission_pace.h"
@@ -43,7 +44,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void setFinest(Finest finest) { finest_ = finest; }
   void setPriority(std::unique_ptr<Priority> priority);
   Status setViewer(const std::optional<Viewer>& viewer);
-  const StepStatistics& lastStep() const { return statistics_; }
+  const StepStatistics& lastStep();
 
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
@@ -103,7 +104,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void reserveForDeadlines();
   void endAnswering();
   void dismiss(std::size_t index);
-  void count(const PairReport& report, const ScheduledPair& pair);
+  PairReport count(PairReport report, const ScheduledPair& pair);
 
   // Open steps (open_step_answers.cpp).
   bool answerInOpenStep(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
@@ -112,6 +113,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
                     btManifoldResult& result);
   void beginOpenStep();
   void endOpenStep();
+  StepTally withOutstanding() const;
   void dropUnansweredPairs();
   bool refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void bookRefinement(const Budget& used, Budget::Clock::time_point began);
@@ -143,9 +145,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   bool hasRoomForDeadlines_ = false;
   std::optional<Viewer> viewer_;
   Scheduler scheduler_;
-  StepStatistics statistics_;
-  double errorSum_ = 0, seenSum_ = 0;
-  std::uint32_t reportingPairs_ = 0;
+  StepTally tally_;
 
   // Two turns, contacts included about three microseconds.
   static constexpr std::uint64_t kLeastOperations = 160;
@@ -200,6 +200,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::uint64_t nextId_ = 0;
   ContactScratch scratch_;
   OpenStep open_;
+  StepTally told_;       // what was last told of an open step
   StepBudget openLeft_;  // for refinement in the open step at hand, triangles included
   Promise openHeld_;     // of it, for pairs that have still to come: their contacts, and newcomers
   std::optional<WorldHook> hook_;

@@ -102,7 +102,7 @@ void NarrowPhase::Impl::holdPair(std::size_t index, bool isLate) {
   btManifoldResult result(&pair.body0(), &pair.body1());
   const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
   count(report, pair.seenHeld());
-  if (!pair.isBegun()) ++statistics_.pairs;
+  if (!pair.isBegun()) ++tally_.statistics.pairs;
   dismiss(index);
 }
 

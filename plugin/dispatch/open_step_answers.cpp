@@ -61,10 +61,11 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   }
   if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_);
   open_.answered(pair, wasExpected || pair.isSettled());
+  pair.setLastReport({});
   if (pair.isSettled()) {
-    ++statistics_.pairs;
+    ++tally_.statistics.pairs;
     if (pair.isBrokenPair()) countBroken();
-    statistics_.brokenPairs += brokenPairs_.exchange(0);
+    tally_.statistics.brokenPairs += brokenPairs_.exchange(0);
     return true;
   }
   if (!isPrepared && !refineNewcomer(pair, body0, body1)) return true;
@@ -75,18 +76,16 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   const Promise own = pair.promised();
   openHeld_.operations -= own.operations;
   openHeld_.nanoseconds -= own.nanoseconds;
-  ++statistics_.pairs;
+  ++tally_.statistics.pairs;
   if (!pair.isBetterHeld()) {
     const ScheduledPair seen = pair.scheduled();
-    count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen);
+    pair.setLastReport(count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen));
   } else {
     budget.chargeAnyway(StepPlan::kHoldingCost);
     pair.withdrawPromise(budget);  // or the next step would hold it back again
     const PairReport report = pair.hold(dispatcher_, result, timeStep_, false);
-    count(report, pair.seenHeld());
+    pair.setLastReport(count(report, pair.seenHeld()));
   }
-  if (reportingPairs_ > 0) statistics_.meanErrorFraction = errorSum_ / reportingPairs_;
-  if (reportingPairs_ > 0) statistics_.meanSeenError = seenSum_ / reportingPairs_;
   if (finest_ == Finest::triangles)
     bookRefinement(budget, began);
   else
@@ -98,9 +97,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   endOpenStep();
   dropUnansweredPairs();
   learnFromStep();
-  statistics_ = {};
-  errorSum_ = seenSum_ = 0;
-  reportingPairs_ = 0;
+  tally_ = {};
   openLeft_ = stepLimit();
   settleLeftOvers(true);  // those Bullet asks about are counted when it does
 
@@ -118,7 +115,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   const auto planned = Budget::Clock::now();
   const std::uint64_t operationsBefore = left_.used();
   beginPairs();
-  statistics_.pairs = 0;
+  tally_.statistics.pairs = 0;
   refinePairs();
   learnUpdates(operationsBefore, planned);
   left_.redeem(std::exchange(holding_, {}));
@@ -136,7 +133,26 @@ void NarrowPhase::Impl::beginOpenStep() {
 void NarrowPhase::Impl::endOpenStep() {
   if (open_.hasEnded()) return;
   open_.end();
-  frame_.spend(statistics_.operations, statistics_.microseconds);
+  frame_.spend(tally_.statistics.operations, tally_.statistics.microseconds);
+}
+
+const StepStatistics& NarrowPhase::Impl::lastStep() {
+  if (stepEnd_ == StepEnd::told) return tally_.statistics;
+  told_ = withOutstanding();
+  return told_.statistics;
+}
+
+// Bullet's order may begin with a pair that looked like the last of the step before: it was answered there, and comes
+// again when this one is over. Until then what it said stands.
+StepTally NarrowPhase::Impl::withOutstanding() const {
+  StepTally tally = tally_;
+  for (const TreePair* const pair : collected_) {
+    if (!pair) continue;
+    ++tally.statistics.pairs;
+    if (pair->isBrokenPair()) ++tally.statistics.brokenPairs;
+    if (!pair->isSettled()) tally.add(pair->lastReport());
+  }
+  return tally;
 }
 
 void NarrowPhase::Impl::dropUnansweredPairs() {
@@ -173,8 +189,8 @@ void NarrowPhase::Impl::bookRefinement(const Budget& used, Budget::Clock::time_p
 }
 
 void NarrowPhase::Impl::book(const Budget& used, Budget::Clock::time_point began) {
-  statistics_.operations += used.used();
-  statistics_.microseconds += microsecondsSince(began);
+  tally_.statistics.operations += used.used();
+  tally_.statistics.microseconds += microsecondsSince(began);
 }
 
 }  // namespace cairn::bullet

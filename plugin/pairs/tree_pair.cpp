@@ -70,6 +70,7 @@ void TreePair::reset() {
   collectedAt_ = kNotCollected;
   knownAt_ = kUnknown;
   answeredIn_ = 0;
+  lastReport_ = {};
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,

@@ -34,6 +34,7 @@ struct PairReport {
   std::uint32_t manifolds = 0;
   bool isUnresolved = false;
   double errorFraction = 0;  ///< worst certified error of its contacts and its front, of the smaller body's size
+  double seenError = 0;      ///< the same as an angle in radians at which the viewer sees it; 0 without one
   Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
 };
 
@@ -189,6 +190,9 @@ class alignas(64) TreePair {
   void setKnownAt(std::size_t index) { knownAt_ = index; }
   std::uint64_t answeredIn() const { return answeredIn_; }
   void setAnsweredIn(std::uint64_t step) { answeredIn_ = step; }
+  /// What it said when an open step last answered it: stands until it is answered again.
+  const PairReport& lastReport() const { return lastReport_; }
+  void setLastReport(const PairReport& report) { lastReport_ = report; }
 
   static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
   static constexpr std::size_t kNotCollected = ~std::size_t{0};
@@ -336,7 +340,8 @@ class alignas(64) TreePair {
   std::span<const Contact> ahead_;  // of this step
 
   std::size_t knownAt_ = kUnknown;
-  std::uint64_t answeredIn_ = 0;        // open steps count from 1
+  std::uint64_t answeredIn_ = 0;  // open steps count from 1
+  PairReport lastReport_;
   std::array<BodySnapshot, 2> bodies_;  // last, because they hardly ever need all their room
 };
 

@@ -106,6 +106,40 @@ TYPED_TEST(FrontEnd_Budget, OfMicrosecondsHoldsThePile) {
   pile.expectNobodyLost();
 }
 
+// Where nothing moves and nobody tells when a step ends, a pair that was made anew and comes first looks like the last
+// of the step before.
+TYPED_TEST(FrontEnd_Budget, IsToldOfAPairMadeAnewThatComesFirst) {
+  BulletWorld<TypeParam> w;
+  w.addGround();
+  const auto tree = plainTree(ball(0.5, 6));
+  std::vector<btRigidBody*> bodies;
+  for (int i = 0; i < 3; ++i) {
+    const auto shape = treeShape(tree);
+    const auto scale = btScalar(i == 0 ? 10 : 1);
+    shape->setLocalScaling(btVector3(scale, scale, scale));
+    bodies.push_back(&w.add(shape, 1, btVector3(btScalar(20 * i), 0, btScalar(0.49) * scale)));
+  }
+  btOverlappingPairCache& pairs = *w.world.getPairCache();
+  const auto* const first = static_cast<btCollisionObject*>(
+      (w.world.performDiscreteCollisionDetection(), pairs.getOverlappingPairArray()[0].m_pProxy1->m_clientObject));
+  ASSERT_EQ(first, bodies[0]) << "the pair to be made anew is not the first: the test shows nothing";
+  const auto looked = [&] {
+    w.world.performDiscreteCollisionDetection();
+    int contacts = 0;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i)
+      contacts += w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    EXPECT_EQ(w.dispatcher.lastStep().pairs, 3U);
+    EXPECT_EQ(w.dispatcher.lastStep().contacts, static_cast<std::uint32_t>(contacts));
+    return w.dispatcher.lastStep().worstErrorFraction;
+  };
+  const double worst = looked();
+  EXPECT_GT(worst, 0);
+  for (int i = 0; i < 3; ++i) {
+    if (i == 0) pairs.cleanProxyFromPairs(bodies[0]->getBroadphaseHandle(), &w.dispatcher);
+    EXPECT_EQ(looked(), worst) << "pass " << i;
+  }
+}
+
 TYPED_TEST(FrontEnd_Budget, ReachesEveryPair) {
   Pile<TypeParam> pile({});
   pile.w.step(120);

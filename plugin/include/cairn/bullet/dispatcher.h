@@ -42,6 +42,7 @@ class Dispatcher : public Base {
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }
   /// See `NarrowPhase::setViewer`.
   Status setViewer(const std::optional<Viewer>& viewer) { return narrowPhase_.setViewer(viewer); }
+  /// See `NarrowPhase::lastStep`.
   const StepStatistics& lastStep() const { return narrowPhase_.lastStep(); }
 
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,

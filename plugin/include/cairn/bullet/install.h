@@ -45,11 +45,11 @@ Result<NarrowPhase> install(btCollisionWorld& world);
 /// before any known one count as the last step's. Bodies moved by contact callbacks in mid-step begin another step.
 /// Pairs of ghost objects are answered at once and in full, even those of the world's own pass.
 ///
-/// `lastStep()` is the step at hand so far, and stays what it is in steps without any sphere-tree; its `microseconds`
-/// are elapsed time in the narrow phase alone. Pairs that Bullet knew before keep Bullet's algorithms (clean them
-/// from the pair cache); those it knows when the narrow phase dies are answered at once and in full until it drops
-/// them. Do not share the dispatcher between worlds (they would share the steps), and let no algorithm made by hand
-/// with `findAlgorithm` outlive its bodies.
+/// `lastStep()` is the step at hand so far, pairs that are still expected with what they answered last, and stays what
+/// it is in steps without any sphere-tree; its `microseconds` are elapsed time in the narrow phase alone. Pairs that
+/// Bullet knew before keep Bullet's algorithms (clean them from the pair cache); those it knows when the narrow phase
+/// dies are answered at once and in full until it drops them. Do not share the dispatcher between worlds (they would
+/// share the steps), and let no algorithm made by hand with `findAlgorithm` outlive its bodies.
 ///
 /// An error when sphere-trees are registered already, or for a `btCollisionDispatcherMt`.
 Result<NarrowPhase> install(btCollisionDispatcher& dispatcher);
