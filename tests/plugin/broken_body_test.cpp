@@ -180,7 +180,7 @@ void watchingNearCallback(btBroadphasePair& pair, btCollisionDispatcher& dispatc
 // One in thousands shows it.
 TYPED_TEST(BrokenBody, OfSeveralTreesHarmsNoneWhoeverWatches) {
   if (std::is_same_v<TypeParam, InstalledOnDispatcher>)
-    GTEST_SKIP() << "knows of steps by plain results alone: a limit that docs/status.md names";
+    GTEST_SKIP() << "knows of steps by plain results alone: a limit that docs/limits.md names";
   for (unsigned seed = 1000; seed < 1100 && !this->HasFatalFailure(); ++seed)
     breakDumbbellUnderOthers<TypeParam>(seed, watchingNearCallback);
 }
