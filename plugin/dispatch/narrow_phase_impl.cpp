@@ -2,6 +2,7 @@
 #include "dispatch/narrow_phase_impl.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
 #include <algorithm>
 #include <cassert>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "cairn/core/round_robin.h"
+#include "dispatch/manifold_order.h"
 #include "memory/written_room.h"
 
 namespace cairn::bullet {
@@ -29,7 +31,10 @@ Status check(const StepBudget& budget, const std::string& what) {
 }  // namespace
 
 NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd)
-    : dispatcher_(dispatcher), stepEnd_(stepEnd), priority_(std::make_unique<RoundRobin>()) {
+    : dispatcher_(dispatcher),
+      stepEnd_(stepEnd),
+      hasThreads_(dynamic_cast<btCollisionDispatcherMt*>(&dispatcher) != nullptr),
+      priority_(std::make_unique<RoundRobin>()) {
   registration_.emplace(dispatcher, *this);
 }
 
@@ -184,6 +189,7 @@ void NarrowPhase::Impl::endStep() {
   finishBegunPairs();
   learnUpdates(operationsBefore, began);
   holdPairs();
+  if (hasThreads_) orderManifolds(dispatcher_);
   endAnswering();
   learnFromStep();
 

@@ -121,6 +121,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
 
   btCollisionDispatcher& dispatcher_;
   const StepEnd stepEnd_;
+  const bool hasThreads_;  // Bullet's own pairs are answered by several
   bool isRetired_ = false;
   bool isAnswering_ = false;  // users' callbacks may be called
   StepBudget budget_;
