@@ -74,6 +74,13 @@ bool ExactContacts::look(const PlacedTree& a, const PlacedTree& b, const NodePai
   return chargeFor(budget, kOverlapTestCost * gap_.pairCount());
 }
 
+// Regions part most easily along the direction they overlap least in: one that tells them deeper in each other than the
+// leaves' does is wrong. A leaf that holds both sides of a body has a middle normal that points anywhere, and the far
+// sides of two bodies face each other too, through both.
+bool ExactContacts::isDeeper(std::span<const GapPoint> points, float gap) {
+  return std::ranges::any_of(points, [&](const GapPoint& p) { return p.gap < gap; });
+}
+
 bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float margins, float reach, const Contact& rough,
                             Budget& budget, std::vector<Contact>& contacts) {
   const Vec3 normals[] = {rough.normal, b.facing(rough.pair.b), -a.facing(rough.pair.a)};
@@ -83,11 +90,13 @@ bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float marg
     // Only where nothing is near does it matter whether anything is far.
     if (points.empty() && !chargeFor(budget, kOverlapTestCost * gap_.pairCount())) return false;
     if (points.empty() && !gap_.anyOverlap()) continue;
+    const float deepest = rough.gap - reach + margins;
+    if (&normal != normals && isDeeper(points, deepest)) continue;
     choose(points, reach);
     if (const std::optional<Vec3> face = faceUnder(normal)) {
       if (!look(a, b, rough.pair, *face, reach + margins, budget)) return false;
       const std::span<const GapPoint> onFace = gap_.run(reach + margins, kAsDeep * reach);
-      if (!onFace.empty()) {
+      if (!onFace.empty() && !isDeeper(onFace, deepest)) {
         choose(onFace, reach);
         appendChosen(*face, margins, rough, contacts);
         return true;

@@ -17,8 +17,8 @@ namespace cairn::bullet {
 ///
 /// The direction stays that of the leaves' contact, which is what holds bodies still; the gap along it becomes that of
 /// the triangles, and the places those where it is smallest. A pair of leaves whose triangles do not cover each other
-/// in that direction is asked along the middles of the regions' normals instead, and if they do not there either, how
-/// near its triangles come to each other at all.
+/// in that direction is asked along the middles of the regions' normals instead, unless that tells them deeper in each
+/// other than the leaves do, and if they do not there either, how near its triangles come to each other at all.
 class ExactContacts {
  public:
   /// Points for one pair of leaves: the deepest, and others as deep, far from each other.
@@ -35,6 +35,7 @@ class ExactContacts {
             Budget& budget);
   bool appendNearest(const PlacedTree& a, const PlacedTree& b, float margins, float reach, const Contact& rough,
                      Budget& budget, std::vector<Contact>& contacts);
+  static bool isDeeper(std::span<const GapPoint> points, float gap);
   std::optional<Vec3> faceUnder(const Vec3& normal) const;
   void appendChosen(const Vec3& normal, float margins, const Contact& rough, std::vector<Contact>& contacts) const;
   void choose(std::span<const GapPoint> points, float reach);
