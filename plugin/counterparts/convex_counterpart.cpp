@@ -130,6 +130,24 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
     appendContact(leaf, touch, tree_.toPair() * point, index++, contacts);
 }
 
+// Of each child of the root the point that lies lowest where its middle sees the shape.
+std::uint32_t ConvexCounterpart::appendCoarse(std::vector<Contact>& contacts) {
+  const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
+  const std::uint32_t count = tree_.tree().childCount(kRootNode);
+  for (NodeId child = first; child < first + count; ++child) {
+    const Sphere sphere = tree_.sphere(child);
+    const NearestPoint middle = nearest(sphere.center);
+    if (middle.distance - sphere.radius - margin_ >= reach_) continue;
+    const Vec3 lowest = tree_.support(child, -middle.normal);
+    const NearestPoint onShape = nearest(lowest);
+    const float gap = onShape.distance - margin_;
+    if (gap >= reach_) continue;
+    append(child, onShape.normal, lowest - onShape.normal * (margin_ + 0.5F * gap), gap, -1, contacts);
+    contacts.back().ofSpheres = true;
+  }
+  return count;
+}
+
 ConvexCounterpart::Touch ConvexCounterpart::touchAlong(NodeId leaf, const Plane& plane) const {
   const Vec3 lowest = tree_.extreme(leaf, -plane.normal);
   return {plane, dot(plane.normal, lowest) - plane.offset, lowest};

@@ -38,6 +38,7 @@ class ConvexCounterpart final : public Counterpart {
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
+  std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:

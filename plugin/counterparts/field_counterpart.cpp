@@ -187,6 +187,22 @@ Contact FieldCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
+// Of each child of the root the lowest of its own points.
+std::uint32_t FieldCounterpart::appendCoarse(std::vector<Contact>& contacts) {
+  const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
+  const std::uint32_t count = tree_.tree().childCount(kRootNode);
+  const std::size_t before = contacts.size();
+  for (NodeId child = first; child < first + count; ++child) {
+    const Sphere ball = tree_.sphere(child);
+    const std::optional<Place> middle = placeAt(ball.center);
+    if (middle && middle->field.least - ball.radius - margin_ >= reach_) continue;
+    if (const std::optional<Place> place = lowestSupport(child, middle))
+      appendContact(child, place->point, *place, -1, contacts);
+  }
+  for (Contact& contact : std::span(contacts).subspan(before)) contact.ofSpheres = true;
+  return count;
+}
+
 std::uint32_t FieldCounterpart::appendWhole(std::vector<Contact>& contacts) {
   if (placeAt(tree_.sphere(kRootNode).center)) return Counterpart::appendWhole(contacts);
   return 1;

@@ -41,6 +41,7 @@ class FieldCounterpart final : public Counterpart {
   Contact boundingContact(const NodePair& pair) override;
   /// Nothing where the field says nothing of the tree.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
+  std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:

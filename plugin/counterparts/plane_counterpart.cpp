@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -79,6 +80,18 @@ void PlaneCounterpart::appendContacts(std::span<const NodePair> pairs, std::vect
     for (const Vec3& point : tree_.supportPoints(pair.a))
       appendContact(pair, tree_.toPair() * point, index++, contacts);
   }
+}
+
+// The regions of the root's children, as if they were leaves.
+std::uint32_t PlaneCounterpart::appendCoarse(std::vector<Contact>& contacts) {
+  const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
+  const std::uint32_t count = tree_.tree().childCount(kRootNode);
+  std::array<NodePair, kFamilyWidth> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) pairs[i] = {first + i, kRootNode};
+  const std::size_t before = contacts.size();
+  appendContacts(std::span(pairs).first(count), contacts);
+  for (Contact& contact : std::span(contacts).subspan(before)) contact.ofSpheres = true;
+  return count;
 }
 
 bool PlaneCounterpart::hasFewVertices() const {

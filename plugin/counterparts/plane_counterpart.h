@@ -40,6 +40,7 @@ class PlaneCounterpart final : public Counterpart {
   std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
+  std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
  private:

@@ -14,6 +14,8 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr float kApproachFraction = 0.008F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
+// And while there are none: by then bodies that were apart may be as deep in each other.
+constexpr float kSilentFraction = 0.015F;
 
 }  // namespace
 
@@ -225,6 +227,7 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
     scratch.contacts.list().push_back(guards[i]);
   }
   guards_.assign(now.begin(), now.begin() + count);
+  budget.chargeAnyway(kContactCost * counterpart.appendCoarse(scratch.contacts.list()));
 }
 
 // The same guard in the last step. Of whole bodies it is the one that faced the same way, whatever is nearest now: one
@@ -269,12 +272,13 @@ bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
   return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
 }
 
-bool PairContacts::isAnsweredWithin(float moved, float smallerSize) const {
-  return isAnswered_ && answer_.approach + moved <= kHeldFraction * smallerSize;
+bool PairContacts::isAnsweredWithin(float moved, float smallerSize, bool hasPoints) const {
+  const float most = hasPoints && answerHadContacts_ ? kHeldFraction : kSilentFraction;
+  return isAnswered_ && answer_.approach + moved <= most * smallerSize;
 }
 
-bool PairContacts::holds(float moved, float smallerSize) const {
-  if (isAnsweredWithin(moved, smallerSize)) return true;
+bool PairContacts::holds(float moved, float smallerSize, bool hasPoints) const {
+  if (isAnsweredWithin(moved, smallerSize, hasPoints)) return true;
   return !guards_.empty() && traversal_.approach + moved <= kHeldFraction * smallerSize;
 }
 

@@ -86,12 +86,13 @@ class PairContacts {
   float gapOfInterest() const { return kept_.gapOfInterest(); }
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
-  // have moved against each other since the last `begin`, at most.
+  // have moved against each other since the last `begin`, at most. `hasPoints`: whether contacts of it are left that
+  // follow.
 
   /// Whether what was last said still keeps them from each other: an answer, or guards.
-  bool holds(float moved, float smallerSize) const;
+  bool holds(float moved, float smallerSize, bool hasPoints) const;
   /// Whether it is an answer.
-  bool isAnsweredWithin(float moved, float smallerSize) const;
+  bool isAnsweredWithin(float moved, float smallerSize, bool hasPoints) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
   Contact holdWhole(Contact whole);
   /// The bodies stand elsewhere: guards begin anew.

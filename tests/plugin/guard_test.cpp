@@ -134,6 +134,7 @@ TEST(Guards_OfBallsInsideBothBodies, PushThemApart) {
   EXPECT_NEAR(apartWithoutBudget(false), 0.5, 0.01);
 }
 
+// So do the points that its children reach lowest with, whether the balls inside are known or not.
 TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
   for (const bool knows : {true, false}) {
     BulletWorld<> w;
@@ -141,8 +142,7 @@ TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
     EXPECT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
     const btRigidBody& body = w.add(treeShape(solidBall(0.5, knows)), 1, btVector3(0, 0, btScalar(0.1)));
     w.step(240);
-    EXPECT_EQ(body.getWorldTransform().getOrigin().z() > btScalar(0.4), knows);
-    EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.08);
+    EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.4) << knows;
   }
 }
 
