@@ -103,6 +103,9 @@ void SphereTreeShape::setMargin(btScalar margin) {
 void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {
   const btTransform worldFromTree = t * bodyFromTree_;
   const btScalar grow = getMargin() + kSpeculativeFraction * size_;
+  // Bullet computes with the fourth floats as well.
+  aabbMin.setW(0);
+  aabbMax.setW(0);
   for (int axis = 0; axis < 3; ++axis) {
     const ExtremePoints::Interval interval = extremes_->along(toVec3(worldFromTree.getBasis()[axis]));
     aabbMin[axis] = worldFromTree.getOrigin()[axis] + btScalar(interval.lower) * scale_ - grow;

@@ -54,6 +54,16 @@ TEST(SphereTreeShape_Aabb, GrowsByTheMargin) {
   EXPECT_NEAR((wideUpper - upper).z(), 0.25, 1e-5);
 }
 
+// Bullet's own shapes leave none of a vector's four floats unset, and its world computes with all of them.
+TEST(SphereTreeShape_Aabb, SetsAllFourFloats) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1)));
+  btVector3 lower, upper;
+  for (btVector3* corner : {&lower, &upper}) corner->setW(std::numeric_limits<btScalar>::quiet_NaN());
+  shape->getAabb(btTransform::getIdentity(), lower, upper);
+  EXPECT_EQ(lower.w(), 0);
+  EXPECT_EQ(upper.w(), 0);
+}
+
 TEST(SphereTreeShape_Inertia, IsTheCuboidsInBothFrames) {
   const Vec3d size{0.4, 1.0, 0.6};
   const auto tree = plainTree(cuboid(size, 2));
