@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -33,6 +34,20 @@ Status checkScale(const btVector3& scaling) {
 // Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is: beyond, squares
 // of such lengths are none or endless.
 constexpr float kLeastSize = 1e-21F, kLargestSize = 1e19F;
+
+// In units of the shape's size. A float's unit of a larger margin is the whole mesh, and contacts at its surface have
+// nothing to do with it any more; far beyond that, Bullet's solver makes what touches it no number.
+constexpr float kMostMargin = 1 / FLT_EPSILON;
+
+Status checkMargin(btScalar margin, btScalar size) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%g", double(margin));
+  const std::string which = std::string("a sphere-tree shape cannot have a margin of ") + text.data();
+  if (!(margin >= 0) || !std::isfinite(margin)) return Error{which + ": give a length of 0 or more, in metres"};
+  if (static_cast<float>(margin) <= kMostMargin * static_cast<float>(size)) return {};
+  std::snprintf(text.data(), text.size(), "%g", double(size));
+  return Error{which + ": its mesh is " + text.data() + " m large, give at most 8e6 times that"};
+}
 
 Status checkSize(float diagonal, btScalar scale) {
   const float size = diagonal * static_cast<float>(scale);
@@ -95,9 +110,11 @@ void SphereTreeShape::setLocalScaling(const btVector3& scaling) {
 }
 
 void SphereTreeShape::setMargin(btScalar margin) {
-  if (margin >= 0 && std::isfinite(margin)) return btConcaveShape::setMargin(margin);
-  std::fprintf(stderr, "margin of a sphere-tree shape: %g is no length of 0 or more, use one in metres\n",
-               double(margin));
+  if (Status status = checkMargin(margin, size_); !status) {
+    std::fprintf(stderr, "%s\n", status.error().message.c_str());
+    return;
+  }
+  btConcaveShape::setMargin(margin);
 }
 
 void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {

@@ -142,6 +142,31 @@ TEST(SphereTreeShape_Margin, OfNoLengthIsRefusedInOneSentenceAndChangesNothing) 
   }
 }
 
+// At 1e10 times the size what it touched became no number.
+TEST(SphereTreeShape_Margin, ThatDwarfsTheMeshIsRefusedAndNeighboursStayNumbers) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 3))), other = treeShape(plainTree(cuboid({1, 1, 1}, 3)));
+  const btScalar most = shape->size() * btScalar(1 << 23);
+  BulletWorld<> w;
+  w.addGround();
+  w.add(shape, 1, btVector3(0, 0, btScalar(0.5)));
+  const btRigidBody& neighbour = w.add(other, 1, btVector3(0, 0, btScalar(1.5)));
+  w.step(20);
+  for (const btScalar margin : {most * btScalar(1.01), btScalar(1e10), btScalar(1e19), btScalar(1e30)}) {
+    testing::internal::CaptureStderr();
+    shape->setMargin(margin);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(shape->getMargin(), 0);
+    w.step(20);
+    ASSERT_TRUE(isSane(neighbour)) << margin;
+  }
+  testing::internal::CaptureStderr();
+  shape->setMargin(most * btScalar(0.99));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  w.step(60);
+  EXPECT_TRUE(isSane(neighbour));
+}
+
 TEST(SphereTreeShape_Name, IsThatOfTheKind) {
   EXPECT_STREQ(treeShape(plainTree(cuboid({1, 1, 1}, 1)))->getName(), "CairnSphereTree");
 }

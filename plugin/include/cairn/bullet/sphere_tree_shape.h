@@ -96,7 +96,8 @@ class SphereTreeShape final : public btConcaveShape {
   /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it. A compound scaled
   /// unevenly hands that on to its children: it moves its trees' places and leaves their size.
   void setLocalScaling(const btVector3& scaling) override;
-  /// A margin that is negative, endless or no number is refused in the same way, and leaves the shape as it was.
+  /// A margin that is negative, no number, or more than 2^23 times the size (a float's unit of it would be the whole
+  /// mesh) is refused in the same way, and leaves the shape as it was.
   void setMargin(btScalar margin) override;
   const btVector3& getLocalScaling() const override { return localScaling_; }
 
