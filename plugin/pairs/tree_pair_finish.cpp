@@ -54,17 +54,20 @@ void TreePair::writeCluster(int k, std::span<Contact> members, btDispatcher& dis
   const HeldContacts held = writer.held(*m);
   const ContactChoice choice = chooseContacts(members, held.span(), kSeparationFactor * speculative_, speculative_);
   writer.write(*m, members, choice);
-
+  // What the solver gets: Bullet takes two that come to one place for one.
+  const auto points = static_cast<std::uint32_t>(m->getNumContacts());
+  std::uint32_t exact = 0;
   for (int i = 0; i < choice.count; ++i) {
     const Contact& chosen = members[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])];
     contacts_.remember(chosen);
     const float ofPair = counterpart_->traversal().pairError(chosen.pair);
     const float error = chosen.isExact ? std::min(chosen.exactError, ofPair) : ofPair;
     report.errorFraction = std::max(report.errorFraction, double(error) / double(smallerSize_));
-    report.exactContacts += chosen.isExact ? 1 : 0;
+    exact += chosen.isExact ? 1 : 0;
   }
-  report.contacts += static_cast<std::uint32_t>(choice.count);
-  report.manifolds += choice.count > 0 ? 1 : 0;
+  report.contacts += points;
+  report.exactContacts += std::min(exact, points);
+  report.manifolds += points > 0 ? 1 : 0;
 }
 
 // What stopped a body is no guess at what holds it now.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Zlib
+// What a step says it did.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bullet_world.h"
+
+namespace cairn::test::step_statistics_test {
+namespace {
+
+constexpr std::uint32_t kSeed = 5;
+
+bool isTree(const btCollisionObject& object) {
+  return bullet::asSphereTree(object.getCollisionShape()) != nullptr;
+}
+
+// Of manifolds with a tree.
+std::uint32_t pointsHeld(btDispatcher& dispatcher) {
+  std::uint32_t points = 0;
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& m = *dispatcher.getManifoldByIndexInternal(i);
+    if (isTree(*m.getBody0()) || isTree(*m.getBody1())) points += static_cast<std::uint32_t>(m.getNumContacts());
+  }
+  return points;
+}
+
+// Bullet takes two points of different leaves that come to lie in one place for one.
+TEST(StepStatistics, CountThePointsThatTheManifoldsHold) {
+  std::mt19937 random(kSeed);
+  const auto at = [&](double lower, double upper) {
+    return btScalar(std::uniform_real_distribution<double>(lower, upper)(random));
+  };
+  const auto cube = plainTree(cuboid({1, 1, 1}, 3)), round = plainTree(ball(0.5, 5));
+  const btScalar half = btScalar(0.5);
+  BulletWorld<> w;
+  w.addGround();
+  for (int step = 0; step < 300; ++step) {
+    if (step % 8 == 0 && step < 200) {
+      std::shared_ptr<btCollisionShape> shape = std::make_shared<btBoxShape>(btVector3(half, half, half));
+      if (step % 24 < 16) shape = treeShape(step % 24 == 0 ? cube : round);
+      const btVector3 place(at(-2, 2), at(-2, 2), at(0.5, 4));
+      // Bullet does not ask about pairs that sleep.
+      w.add(std::move(shape), 1, place).setActivationState(DISABLE_DEACTIVATION);
+    }
+    w.step();
+    ASSERT_EQ(w.dispatcher.lastStep().contacts, pointsHeld(w.dispatcher)) << "seed " << kSeed << ", step " << step;
+  }
+}
+
+}  // namespace
+}  // namespace cairn::test::step_statistics_test
