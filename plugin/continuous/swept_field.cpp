@@ -12,8 +12,6 @@ namespace {
 constexpr int kMaxSteps = 16;
 // So near, as a fraction of the ball's radius, is near enough.
 constexpr float kNearFraction = 0.01F;
-// Farther than anything is.
-constexpr float kFar = 1e18F;
 }  // namespace
 
 void SweptField::take(const btCollisionShape& shape, const btVector3& /*lower*/, const btVector3& /*upper*/) {
@@ -40,7 +38,7 @@ std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*eleme
 
 // Nothing is told of any other direction.
 Vec3 SweptField::support(std::uint32_t /*element*/, const Vec3& direction) const {
-  return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kFar;
+  return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kEndless;
 }
 
 void SweptField::appendNormals(std::uint32_t /*element*/, const Vec3& center, SeparatingNormals& normals) {

@@ -27,10 +27,10 @@ std::optional<float> SweptPlane::entry(const Sphere& ball, std::uint32_t /*eleme
   return height / closing;
 }
 
-// Nothing lies farther along any other direction that is asked for, as only the normal is offered.
+// Along any other direction it has no end: whatever is asked about it is not apart from the tree.
 Vec3 SweptPlane::support(std::uint32_t /*element*/, const Vec3& direction) const {
   const float cosine = dot(normal_, direction);
-  return cosine > 0.999F ? normal_ * offset_ : direction * std::numeric_limits<float>::infinity();
+  return cosine > 0.999F ? normal_ * offset_ : direction * kEndless;
 }
 
 void SweptPlane::appendNormals(std::uint32_t /*element*/, const Vec3& /*center*/, SeparatingNormals& normals) {

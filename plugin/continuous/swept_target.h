@@ -10,6 +10,9 @@
 
 namespace cairn::bullet {
 
+/// How far what has no end reaches: farther than anything is that has one. Differences of two such are still numbers.
+inline constexpr float kEndless = 1e38F;
+
 /// What a moving sphere-tree may run into: elements, of which those of a tree have children. All lengths and points are
 /// in the frame of the target's body, world unit. Nothing here can fail; elements are those taken last.
 class SweptTarget {
