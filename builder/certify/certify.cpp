@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
 
 #include "certify/cover_proof.h"
 #include "certify/protrusion.h"
@@ -14,32 +17,61 @@
 namespace cairn::builder {
 namespace {
 
-NodeCertificate certifyNode(const SphereTree& tree, const NodeData& node, const SignedDistance& solid,
-                            const ProtrusionTolerance& tolerance) {
-  const Vec3d center = tree.origin() + Vec3d(node.center);
-  const CertifiedProtrusion found = certifiedProtrusion(solid, center, node.radius, tolerance);
-  NodeCertificate c;
+/// Of each node, the first with the same ball: what is known of that is known of it. Chains of nodes with one child
+/// repeat a ball, and a file from anywhere may repeat one as large as the mesh, which takes longest, for every node.
+std::vector<std::size_t> firstOfSameBall(std::span<const NodeData> nodes) {
+  const auto ball = [&](std::size_t i) {
+    const NodeData& n = nodes[i];
+    return std::tuple(n.center.x, n.center.y, n.center.z, n.radius);
+  };
+  std::vector<std::size_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order,
+                    [&](std::size_t i, std::size_t j) { return std::tuple(ball(i), i) < std::tuple(ball(j), j); });
+  std::vector<std::size_t> first(nodes.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool isRepeated = k > 0 && ball(order[k]) == ball(order[k - 1]);
+    first[order[k]] = isRepeated ? first[order[k - 1]] : order[k];
+  }
+  return first;
+}
+
+void encloseProtrusion(const Vec3d& center, double radius, const SignedDistance& solid,
+                       const ProtrusionTolerance& tolerance, NodeCertificate& c) {
+  const CertifiedProtrusion found = certifiedProtrusion(solid, center, radius, tolerance);
   c.protrusionUpper = found.upper;
   c.protrusionLower = found.lower;
   c.witness = found.witness;
   c.depth = found.depth;
-  c.errorHolds = node.error >= found.lower;
-  c.errorProven = node.error >= found.upper;
-  c.innerHolds = node.innerRadius == 0 || node.innerRadius <= found.depth + solid.roundingBound(center);
-  return c;
+}
+
+/// What the node says of its ball against what was found of it.
+void judge(const NodeData& node, double rounding, NodeCertificate& c) {
+  c.errorHolds = node.error >= c.protrusionLower;
+  c.errorProven = node.error >= c.protrusionUpper;
+  c.innerHolds = node.innerRadius == 0 || node.innerRadius <= c.depth + rounding;
 }
 
 /// In slices, so that a cancelled call ends soon. False when cancelled.
 bool certifyNodes(const SphereTree& tree, const SignedDistance& solid, const ProgressCallback& progress,
-                  std::vector<NodeCertificate>& nodes) {
+                  std::vector<NodeCertificate>& certificates) {
   constexpr std::size_t kSlice = 256;
   const ProtrusionTolerance tolerance = defaultProtrusionTolerance(solid);
-  nodes.resize(tree.nodeCount());
-  for (std::size_t first = 0; first < nodes.size(); first += kSlice) {
-    const double done = static_cast<double>(first) / static_cast<double>(nodes.size());
+  const std::vector<NodeData>& nodes = tree.data().nodes;
+  const std::vector<std::size_t> first = firstOfSameBall(nodes);
+  const auto centerOf = [&](std::size_t i) { return tree.origin() + Vec3d(nodes[i].center); };
+  certificates.resize(nodes.size());
+  for (std::size_t begin = 0; begin < nodes.size(); begin += kSlice) {
+    const double done = static_cast<double>(begin) / static_cast<double>(nodes.size());
     if (progress && !progress("certifying spheres", 0.5 + 0.5 * done)) return false;
-    tbb::parallel_for(first, std::min(first + kSlice, nodes.size()),
-                      [&](std::size_t i) { nodes[i] = certifyNode(tree, tree.data().nodes[i], solid, tolerance); });
+    const std::size_t end = std::min(begin + kSlice, nodes.size());
+    tbb::parallel_for(begin, end, [&](std::size_t i) {
+      if (first[i] == i) encloseProtrusion(centerOf(i), nodes[i].radius, solid, tolerance, certificates[i]);
+    });
+    for (std::size_t i = begin; i < end; ++i) {
+      if (first[i] != i) certificates[i] = certificates[first[i]];
+      judge(nodes[i], solid.roundingBound(centerOf(i)), certificates[i]);
+    }
   }
   return true;
 }

@@ -236,6 +236,37 @@ TEST(Certify, RefutesAnErrorThatIsTooSmall) {
   EXPECT_EQ(failures[0].find("node 3: its error is"), 0U) << failures[0];
 }
 
+// Balls that are the same are searched once: a tree of nothing else, each larger than the mesh, took 200 times as long
+// as an honest one.
+TEST(Certify, JudgesNodesOfOneBallByWhatEachSays) {
+  const TriangleMesh mesh = test::lumpyBall(5, 8);
+  const SphereTree same = tampered(test::quickTree(mesh), [](SphereTreeData& d) {
+    const NodeData root = d.nodes[0];
+    for (NodeData& n : d.nodes) {
+      n.center = root.center;
+      n.radius = n.error = 2 * root.radius;
+      n.innerRadius = 0;
+    }
+  });
+  const SphereTree broken = tampered(same, [](SphereTreeData& d) {
+    d.nodes[0].error = d.nodes[3].error /= 4;
+    d.nodes[5].innerRadius = d.nodes[5].radius;
+  });
+  const SignedDistance solid(mesh);
+  const CertifiedProtrusion alone =
+      certifiedProtrusion(solid, broken.origin() + Vec3d(broken.data().nodes[0].center), broken.data().nodes[0].radius,
+                          defaultProtrusionTolerance(solid));
+  const Certificate certificate = certify(broken, mesh).value();
+  for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
+    const NodeCertificate& node = certificate.nodes[i];
+    EXPECT_EQ(node.protrusionUpper, alone.upper) << i;
+    EXPECT_EQ(node.protrusionLower, alone.lower) << i;
+    EXPECT_EQ(node.errorHolds, i != 0 && i != 3) << i;
+    EXPECT_EQ(node.errorProven, i != 0 && i != 3) << i;
+    EXPECT_EQ(node.innerHolds, i != 5) << i;
+  }
+}
+
 TEST(Certify, RefutesAnInnerRadiusThatIsTooLarge) {
   const TriangleMesh mesh = meshOf(test::ball(1, 8));
   const SphereTree tree = test::quickTree(mesh);
