@@ -50,7 +50,7 @@ class Sweep {
   void forget() { anchor_.reset(); }
 
  private:
-  // Of a part's radius: so deep it may be already and still be in front, as what slides is.
+  // Of the smaller part's radius: so deep it may be already and still be in front, as what slides is.
   static constexpr float kSunkFraction = 0.1F;
   // A part of the step in which the tree hardly turns against the other.
   struct Segment {

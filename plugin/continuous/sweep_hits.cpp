@@ -85,8 +85,9 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
 std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
   const MovedNode node = moved(segment, candidate.pair.a);
   if (lengthSq(node.way) == 0) return std::nullopt;
+  const float radius = std::min(node.ball.radius, target_->radius(candidate.pair.b));
   const Approach approach{*this, segment,         candidate.pair,
-                          node,  candidate.entry, std::max(pair.reach, kSunkFraction * node.ball.radius)};
+                          node,  candidate.entry, std::max(pair.reach, kSunkFraction * radius)};
   const std::size_t ofOther = collectNormals(approach);
   std::optional<Hit> latest;
   for (const Vec3& normal : normals_.all()) {
