@@ -130,8 +130,10 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
     appendContact(leaf, touch, tree_.toPair() * point, index++, contacts);
 }
 
-// Of each child of the root the point that lies lowest where its middle sees the shape.
+// Of each child of the root the point that lies lowest where its middle sees the shape. By GJK that would take longer
+// than what it stands in for.
 std::uint32_t ConvexCounterpart::appendCoarse(std::vector<Contact>& contacts) {
+  if (!surface_.isClosedForm()) return 0;
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
   const std::uint32_t count = tree_.tree().childCount(kRootNode);
   for (NodeId child = first; child < first + count; ++child) {

@@ -59,6 +59,10 @@ NearestPoint ConvexSurface::nearest(const Vec3& p) {
   }
 }
 
+bool ConvexSurface::isClosedForm() const {
+  return shape_->getShapeType() == BOX_SHAPE_PROXYTYPE || shape_->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
 Vec3 ConvexSurface::support(const Vec3& direction) const {
   return toVec3(shape_->localGetSupportingVertex(toBullet(direction)));
 }

@@ -32,6 +32,8 @@ class ConvexSurface {
   /// The shape must outlive its use here.
   void setShape(const btConvexShape& shape) { shape_ = &shape; }
   NearestPoint nearest(const Vec3& p);
+  /// Whether that is answered in closed form: tens of nanoseconds, where GJK takes a microsecond and EPA several.
+  bool isClosedForm() const;
   /// The same for the hull of at most `kMaxSupportPoints` points instead of a single one, always by GJK; nothing when
   /// that gives up.
   std::optional<NearestPoint> nearestToHull(std::span<const Vec3> points);

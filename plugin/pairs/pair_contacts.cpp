@@ -14,7 +14,7 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr float kApproachFraction = 0.008F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
-// And while there are none: by then bodies that were apart may be as deep in each other.
+// And while there are none before it is urgent: by then bodies that were apart may be as deep in each other.
 constexpr float kSilentFraction = 0.015F;
 
 }  // namespace
@@ -272,14 +272,20 @@ bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
   return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
 }
 
-bool PairContacts::isAnsweredWithin(float moved, float smallerSize, bool hasPoints) const {
-  const float most = hasPoints && answerHadContacts_ ? kHeldFraction : kSilentFraction;
-  return isAnswered_ && answer_.approach + moved <= most * smallerSize;
+bool PairContacts::isAnsweredWithin(float moved, float smallerSize) const {
+  return isAnswered_ && answer_.approach + moved <= kHeldFraction * smallerSize;
 }
 
-bool PairContacts::holds(float moved, float smallerSize, bool hasPoints) const {
-  if (isAnsweredWithin(moved, smallerSize, hasPoints)) return true;
+bool PairContacts::holds(float moved, float smallerSize) const {
+  return isAnsweredWithin(moved, smallerSize) || isGuardedWithin(moved, smallerSize);
+}
+
+bool PairContacts::isGuardedWithin(float moved, float smallerSize) const {
   return !guards_.empty() && traversal_.approach + moved <= kHeldFraction * smallerSize;
+}
+
+bool PairContacts::isSilenceOld(float moved, float smallerSize) const {
+  return answer_.approach + moved > kSilentFraction * smallerSize && !isGuardedWithin(moved, smallerSize);
 }
 
 Contact PairContacts::holdWhole(Contact whole) {

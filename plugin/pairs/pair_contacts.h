@@ -86,13 +86,15 @@ class PairContacts {
   float gapOfInterest() const { return kept_.gapOfInterest(); }
 
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
-  // have moved against each other since the last `begin`, at most. `hasPoints`: whether contacts of it are left that
-  // follow.
+  // have moved against each other since the last `begin`, at most.
 
   /// Whether what was last said still keeps them from each other: an answer, or guards.
-  bool holds(float moved, float smallerSize, bool hasPoints) const;
+  bool holds(float moved, float smallerSize) const;
   /// Whether it is an answer.
-  bool isAnsweredWithin(float moved, float smallerSize, bool hasPoints) const;
+  bool isAnsweredWithin(float moved, float smallerSize) const;
+  /// Of what holds without a contact: whether what was apart may be in each other by now, so that it is as urgent as
+  /// what says nothing.
+  bool isSilenceOld(float moved, float smallerSize) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
   Contact holdWhole(Contact whole);
   /// The bodies stand elsewhere: guards begin anew.
@@ -124,6 +126,7 @@ class PairContacts {
   void rememberDeepest(ContactScratch& scratch);
 
  private:
+  bool isGuardedWithin(float moved, float smallerSize) const;
   // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
   // it was first seen, and what it has sunk since.
   struct Guard {

@@ -88,8 +88,9 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations, bool isTimed) {
   if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
   seenNow_ = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
-  isHoldingStill_ = contacts_.holds(moved_, smallerSize_, saidContacts_ > 0);
-  const double error = isHoldingStill_ ? heldError_ + double(moved_ / smallerSize_) : kUnknownError;
+  isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
+  const bool isUrgent = !isHoldingStill_ || (saidContacts_ == 0 && contacts_.isSilenceOld(moved_, smallerSize_));
+  const double error = isUrgent ? kUnknownError : heldError_ + double(moved_ / smallerSize_);
   return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
           canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_};
 }
@@ -160,7 +161,7 @@ void TreePair::bringPoints(bool standsIn) {
   if (standsIn && moved_ > kMostFollowed * smallerSize_) dropFollowed();
   // What stands in on the ground replaces every point: nothing has to follow.
   if (!standsIn || !isOnGround())
-    carryPoints(standsIn || contacts_.isAnsweredWithin(moved_, smallerSize_, saidContacts_ > 0), standsIn);
+    carryPoints(standsIn || contacts_.isAnsweredWithin(moved_, smallerSize_), standsIn);
   else
     axes_ = objects_[1]->getWorldTransform().getBasis();
 }

@@ -101,6 +101,8 @@ void SphereTreeShape::setCastTarget(CastTarget target) {
 Status SphereTreeShape::setScale(const btVector3& scaling) {
   if (Status status = checkScale(scaling); !status) return status;
   if (Status status = checkSize(extremes_->diagonal(), scaling.x()); !status) return status;
+  const btScalar size = btScalar(extremes_->diagonal()) * scaling.x();
+  if (Status status = checkMargin(getMargin(), size); !status) return status;
   applyScale(scaling.x());
   return {};
 }

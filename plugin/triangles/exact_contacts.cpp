@@ -12,6 +12,8 @@ namespace {
 
 // Points this much (of the reach) above the deepest are as deep: a face on a face touches all over.
 constexpr float kAsDeep = 0.25F;
+// No deeper than so many reaches, two per cent of the size: what lies on something.
+constexpr float kTouchingReaches = 10;
 // Cosine of half a degree: a face that lies on a face.
 constexpr float kFaceOnFaceCosine = 0.999961923F;
 
@@ -76,7 +78,8 @@ bool ExactContacts::look(const PlacedTree& a, const PlacedTree& b, const NodePai
 
 // Regions part most easily along the direction they overlap least in: one that tells them deeper in each other than the
 // leaves' does is wrong. A leaf that holds both sides of a body has a middle normal that points anywhere, and the far
-// sides of two bodies face each other too, through both.
+// sides of two bodies face each other too, through both. Where they say that bodies are in each other, any direction
+// may be the way out: thin ones would stay.
 bool ExactContacts::isDeeper(std::span<const GapPoint> points, float gap) {
   return std::ranges::any_of(points, [&](const GapPoint& p) { return p.gap < gap; });
 }
@@ -90,13 +93,14 @@ bool ExactContacts::replace(const PlacedTree& a, const PlacedTree& b, float marg
     // Only where nothing is near does it matter whether anything is far.
     if (points.empty() && !chargeFor(budget, kOverlapTestCost * gap_.pairCount())) return false;
     if (points.empty() && !gap_.anyOverlap()) continue;
+    const bool isTouching = rough.gap > -kTouchingReaches * reach;
     const float deepest = rough.gap - reach + margins;
-    if (&normal != normals && isDeeper(points, deepest)) continue;
+    if (&normal != normals && isTouching && isDeeper(points, deepest)) continue;
     choose(points, reach);
     if (const std::optional<Vec3> face = faceUnder(normal)) {
       if (!look(a, b, rough.pair, *face, reach + margins, budget)) return false;
       const std::span<const GapPoint> onFace = gap_.run(reach + margins, kAsDeep * reach);
-      if (!onFace.empty() && !isDeeper(onFace, deepest)) {
+      if (!onFace.empty() && !(isTouching && isDeeper(onFace, deepest))) {
         choose(onFace, reach);
         appendChosen(*face, margins, rough, contacts);
         return true;

@@ -17,8 +17,9 @@ namespace cairn::bullet {
 ///
 /// The direction stays that of the leaves' contact, which is what holds bodies still; the gap along it becomes that of
 /// the triangles, and the places those where it is smallest. A pair of leaves whose triangles do not cover each other
-/// in that direction is asked along the middles of the regions' normals instead, unless that tells them deeper in each
-/// other than the leaves do, and if they do not there either, how near its triangles come to each other at all.
+/// in that direction is asked along the middles of the regions' normals instead, unless they touch and
+/// that tells them deeper in each other than the leaves do, and if they do not there either, how near its triangles
+/// come to each other at all.
 class ExactContacts {
  public:
   /// Points for one pair of leaves: the deepest, and others as deep, far from each other.

@@ -2,7 +2,6 @@
 // Past the leaves, where a leaf holds both sides of a body: no contact is told through it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <random>
 
 #include "bullet_world.h"
@@ -35,6 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Leaves, BoxOnItsTwin, testing::Values(2U, 4U, 8U, 16U))
 // |-------|/
 TEST_P(BoxOnItsTwin, IsNoDeeperThanItLies) {
   constexpr unsigned kSeed = 3;
+  constexpr int kPoses = 500;
   constexpr double kTilt = 0.01, kHeight = 0.5;
   BulletWorld<> w;
   // In the body's frame axes go from the least moment to the greatest, as in the mesh.
@@ -50,18 +50,23 @@ TEST_P(BoxOnItsTwin, IsNoDeeperThanItLies) {
   // A corner of a tilted box is lower than its middle by so much, and a point may be told ahead by the other.
   const double slack = kTilt * size / 2 + double(bullet::kSpeculativeFraction) * size;
   std::mt19937_64 engine(kSeed);
-  for (int pose = 0; pose < 500; ++pose) {
+  int wrong = 0;
+  for (int pose = 0; pose < kPoses; ++pose) {
     const double depth = uniform(engine, 0, 0.004 * size), aside = uniform(engine, -0.3, 0.3);
     const btQuaternion turn(btVector3(0, 0, 1), btScalar(uniform(engine, 0, 6.28)));
     const btQuaternion tilt(btVector3(1, 0, 0), btScalar(uniform(engine, -kTilt, kTilt)));
     up.setWorldTransform(
         btTransform(turn * tilt, btVector3(btScalar(aside), btScalar(-aside), btScalar(kHeight - depth))));
     const Deepest exact = told(bullet::Finest::triangles), rough = told(bullet::Finest::leaves);
-    // Leaves as crude as these err, some in their direction.
-    EXPECT_LE(double(exact.depth), std::max(depth, double(rough.depth)) + slack)
+    if (double(rough.depth) > depth + slack) {  // leaves as crude as these err, some in their direction
+      ++wrong;
+      continue;
+    }
+    EXPECT_LE(double(exact.depth), depth + slack)
         << "seed " << kSeed << ", pose " << pose << ", along " << exact.normal.x() << ' ' << exact.normal.y() << ' '
         << exact.normal.z();
   }
+  EXPECT_LT(wrong, kPoses / 10);
 }
 
 }  // namespace

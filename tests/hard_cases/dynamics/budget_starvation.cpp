@@ -159,9 +159,8 @@ constexpr double kUnasked = 3;
 constexpr double kMostSteps = 10;
 
 constexpr const char* kWhy =
-    "On a budget an answer counts until its bodies have moved by 3 % of their size, by 1.5 % where nothing touches: "
-    "what "
-    "was apart then may be as deep as that before it is asked about again, for some steps where it sinks slowly.";
+    "On a budget an answer counts until its bodies have moved by 3 % of their size: what was apart then may be as deep "
+    "as that before it is asked about again, for some steps where it sinks slowly.";
 
 // What falls, and how many of it.
 struct Scene {
