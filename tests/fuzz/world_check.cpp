@@ -12,9 +12,9 @@ constexpr std::size_t kMostTrianglePairs = 4000;
 constexpr int kMostTruths = 3;  // of a play: brute force takes milliseconds
 // Of a step: what one turn finds costs no more to measure (eight families of eight leaves, five operations each).
 constexpr std::uint64_t kOneTurn = 64 * 5;
-// Of an unresolved pair: 32 known pairs are tested again, 32 of the front and the 65 of whole bodies compared, and it
-// may be held.
-constexpr std::uint64_t kStandIn = 32 * 5 + 97 * 3 + 2;
+// Of an unresolved pair: 32 known pairs are tested again, 32 of the front and the 65 of whole bodies compared, eight
+// points of it measured, and it may be held.
+constexpr std::uint64_t kStandIn = 32 * 5 + 97 * 3 + 8 * 5 + 2;
 
 bool isFinite(const btVector3& v) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
