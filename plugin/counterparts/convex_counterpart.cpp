@@ -143,7 +143,7 @@ std::uint32_t ConvexCounterpart::appendCoarse(std::vector<Contact>& contacts) {
     const Vec3 lowest = tree_.support(child, -middle.normal);
     const NearestPoint onShape = nearest(lowest);
     const float gap = onShape.distance - margin_;
-    if (gap >= reach_) continue;
+    if (gap >= reach_ || dot(onShape.normal, middle.normal) < kCoarseCosine) continue;
     append(child, onShape.normal, lowest - onShape.normal * (margin_ + 0.5F * gap), gap, -1, contacts);
     contacts.back().ofSpheres = true;
   }

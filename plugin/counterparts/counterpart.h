@@ -65,6 +65,9 @@ class Counterpart {
   /// While nothing newer is known: appends contacts of a few points of the body, each true, whatever others would say.
   /// Spheres stand in for all of it, and let it turn in them as it likes. Returns the nodes asked. Default: none.
   virtual std::uint32_t appendCoarse(std::vector<Contact>& /*contacts*/) { return 0; }
+  /// Between what the middle of a node and its lowest point see of the other surface. Where these see different sides
+  /// of it, the point is deeper than the middle of something thin: it would push the body on, through it.
+  static constexpr float kCoarseCosine = 0.5F;
   /// The common normals that `flatten` gave last, zero where a cluster had none: to be told before anything is measured
   /// in a step. Default: nothing is flat.
   virtual void expect(std::span<const Vec3> /*normals*/) {}

@@ -187,6 +187,11 @@ Contact FieldCounterpart::boundingContact(const NodePair& pair) {
   return contact;
 }
 
+bool FieldCounterpart::seeOtherSides(const Place& middle, const Place& lowest) {
+  const Vec3 &ofMiddle = middle.field.gradient, &ofLowest = lowest.field.gradient;
+  return dot(ofMiddle, ofLowest) < kCoarseCosine * length(ofMiddle) * length(ofLowest);
+}
+
 // Of each child of the root the lowest of its own points.
 std::uint32_t FieldCounterpart::appendCoarse(std::vector<Contact>& contacts) {
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
@@ -196,8 +201,8 @@ std::uint32_t FieldCounterpart::appendCoarse(std::vector<Contact>& contacts) {
     const Sphere ball = tree_.sphere(child);
     const std::optional<Place> middle = placeAt(ball.center);
     if (middle && middle->field.least - ball.radius - margin_ >= reach_) continue;
-    if (const std::optional<Place> place = lowestSupport(child, middle))
-      appendContact(child, place->point, *place, -1, contacts);
+    const std::optional<Place> place = lowestSupport(child, middle);
+    if (place && !(middle && seeOtherSides(*middle, *place))) appendContact(child, place->point, *place, -1, contacts);
   }
   for (Contact& contact : std::span(contacts).subspan(before)) contact.ofSpheres = true;
   return count;

@@ -60,6 +60,7 @@ class FieldCounterpart final : public Counterpart {
   std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> lowestSupport(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> descend(NodeId leaf, const Place& from) const;
+  static bool seeOtherSides(const Place& middle, const Place& lowest);
   void appendCorners(NodeId leaf, const Place& lowest, std::vector<Contact>& contacts) const;
   void appendContact(NodeId leaf, const Vec3& onTree, const Place& measured, int pointIndex,
                      std::vector<Contact>& contacts) const;

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+#include <string>
+#include <tuple>
 
 #include "bullet_world.h"
 #include "counterpart_shapes.h"
+#include "random_tree.h"
 
 namespace cairn::test::coarse_points_test {
 namespace {
@@ -57,6 +61,54 @@ TEST_P(SlabsOnFewOperations, DoNotTurnIntoTheGround) {
   }
   RecordProperty("deepest_m", std::to_string(deepest));
   EXPECT_LT(deepest, (kHeld + 0.01) * double(treeShape(slab)->size())) << "of four falls, once they lie";
+}
+
+double energyPerMass(const btRigidBody& body) {
+  const btVector3 &speed = body.getLinearVelocity(), &inverse = body.getInvInertiaDiagLocal();
+  const btVector3 spin = body.getWorldTransform().getBasis().transpose() * body.getAngularVelocity();
+  double turning = 0;
+  for (int i = 0; i < 3; ++i) turning += double(spin[i] * spin[i] / inverse[i]);
+  return 0.5 * (double(speed.length2()) + turning * double(body.getInvMass())) +
+         9.81 * double(body.getWorldTransform().getOrigin().z());
+}
+
+// By the name of what it falls on, and on how many operations.
+class BallsOnThinFloors : public testing::TestWithParam<std::tuple<const char*, std::int64_t>> {};
+INSTANTIATE_TEST_SUITE_P(On, BallsOnThinFloors,
+                         testing::Combine(testing::Values("box", "field"), testing::Values(0, 10)));
+
+// Half its thickness deep, a point is nearer to the floor's other side: it must not be pushed on, or spun.
+TEST_P(BallsOnThinFloors, GainNoEnergy) {
+  constexpr int kFalls = 60, kSteps = 240;
+  constexpr double kHalf = 0.05, kGained = 1.5;  // J/kg; 0.6 at most, 9 with points that push on
+  const auto [kind, operations] = GetParam();
+  const auto round = plainTree(ball(0.35, 6));
+  std::shared_ptr<btCollisionShape> floor = std::make_shared<btBoxShape>(btVector3(4, 4, btScalar(kHalf)));
+  if (std::string(kind) == "field")
+    floor = fieldShape({{-4, -4, -1}, {4, 4, 1}, {32, 32, 80}}, boxDistance({3.5, 3.5, kHalf}));
+  double gained = 0;
+  for (int seed = 1; seed <= kFalls; ++seed) {
+    std::mt19937_64 engine(std::uint64_t(seed) * 77);
+    const auto any = [&] { return btScalar(uniform(engine, -1, 1)); };
+    BulletWorld<> w;
+    ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    w.add(floor, 0, btVector3(0, 0, btScalar(-kHalf)));
+    const btQuaternion turned(btVector3(any(), any(), any() + btScalar(1.01)), 3 * any());
+    btRigidBody& body = w.add(treeShape(round), 1, btVector3(0, 0, btScalar(1.3) + btScalar(0.3) * any()), turned);
+    body.setActivationState(DISABLE_DEACTIVATION);
+    body.setAngularVelocity(btVector3(any(), any(), any()) * 3);
+    double least = energyPerMass(body);
+    for (int i = 0; i < kSteps; ++i) {
+      w.step();
+      const btVector3& at = body.getWorldTransform().getOrigin();
+      if (std::max(std::abs(at.x()), std::abs(at.y())) > btScalar(2.5)) break;
+      const double energy = energyPerMass(body);
+      gained = std::max(gained, energy - least);
+      least = std::min(least, energy);
+    }
+  }
+  RecordProperty("gained_j_per_kg", std::to_string(gained));
+  EXPECT_LT(gained, kGained) << "of " << kFalls << " falls, seeds from 1";
 }
 
 }  // namespace
