@@ -115,8 +115,8 @@ void NarrowPhase::Impl::beginOpenStep() {
   const auto planned = Budget::Clock::now();
   const std::uint64_t operationsBefore = left_.used();
   beginPairs();
-  tally_.statistics.pairs = 0;
   refinePairs();
+  tally_.statistics.pairs = 0;  // they are counted as they come
   learnUpdates(operationsBefore, planned);
   left_.redeem(std::exchange(holding_, {}));
   bookRefinement(left_, began);
