@@ -97,13 +97,19 @@ void NarrowPhase::Impl::holdPairs() {
 
 void NarrowPhase::Impl::holdPair(std::size_t index, bool isLate) {
   TreePair& pair = *collected_[index];
-  pair.withdrawPromise(left_);
-  left_.chargeAnyway(StepPlan::kHoldingCost);
   btManifoldResult result(&pair.body0(), &pair.body1());
-  const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
-  count(report, pair.seenHeld());
+  hold(pair, result, left_, isLate);
   if (!pair.isBegun()) ++tally_.statistics.pairs;
   dismiss(index);
+}
+
+// What was promised for it is withdrawn, or the next step would hold it back again.
+PairReport NarrowPhase::Impl::hold(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
+  pair.withdrawPromise(budget);
+  if (pair.isBegun()) pair.measureFound(budget, scratch_);
+  budget.chargeAnyway(StepPlan::kHoldingCost);
+  const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
+  return count(report, pair.seenHeld());
 }
 
 // Whether so many pairs can only be held as the late are, if at all.

@@ -81,10 +81,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     const ScheduledPair seen = pair.scheduled();
     pair.setLastReport(count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen));
   } else {
-    budget.chargeAnyway(StepPlan::kHoldingCost);
-    pair.withdrawPromise(budget);  // or the next step would hold it back again
-    const PairReport report = pair.hold(dispatcher_, result, timeStep_, false);
-    pair.setLastReport(count(report, pair.seenHeld()));
+    pair.setLastReport(hold(pair, result, budget, false));
   }
   if (finest_ == Finest::triangles)
     bookRefinement(budget, began);

@@ -14,8 +14,6 @@ constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr float kApproachFraction = 0.008F;
 // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
 constexpr float kHeldFraction = 0.03F;
-// And while there are none before it is urgent: by then bodies that were apart may be as deep in each other.
-constexpr float kSilentFraction = 0.015F;
 
 }  // namespace
 
@@ -27,11 +25,13 @@ PairContacts::PairContacts() {
 
 void PairContacts::makeRoomForRetests() {
   retested_.reserve(kMaxKnown);
+  found_.makeRoom();
 }
 
 void PairContacts::reset() {
   known_.clear();
   retested_.clear();
+  found_.clear();
   guards_.clear();
   seeds_ = {};
   commonNormals_ = {};
@@ -41,6 +41,7 @@ void PairContacts::reset() {
   answer_ = {};
   traversal_ = {};
   started_ = false;
+  isResumed_ = false;
   isRetested_ = false;
   isKept_ = false;
   isFlat_ = false;
@@ -53,18 +54,19 @@ void PairContacts::settleApart(const Vec3& centers) {
   answer_ = {0, centers};
 }
 
-bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget,
-                         ContactScratch& scratch) {
-  isRetested_ = false;
+bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, const Beginning& beginning,
+                         Budget& budget, ContactScratch& scratch) {
+  isResumed_ = isRetested_ = false;
   counterpart.expect(commonNormals_);
-  isKept_ = keepAnswer(counterpart, motion, isThrifty);
+  isKept_ = keepAnswer(counterpart, motion, beginning.isThrifty);
   if (isKept_) return false;
   if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
     start(counterpart, motion);
     return true;
   }
+  isResumed_ = true;
   kept_.resume(motion.placement);
-  retest(counterpart, budget, scratch);
+  if (!beginning.isHeldOver) retest(counterpart, budget, scratch);
   return false;
 }
 
@@ -72,6 +74,7 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
   counterpart.start(known_, kept_.begin(counterpart, motion));
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   seenLeafPairs_ = 0;
+  found_.clear();
   started_ = true;
 }
 
@@ -103,6 +106,24 @@ std::span<const NodePair> PairContacts::unmeasured(const Counterpart& counterpar
   if (isKept_) return kept_.near();
   const bool anew = counterpart.traversal().done() && counterpart.measuresTogether();
   return counterpart.traversal().leafPairs().subspan(anew ? 0 : seenLeafPairs_);
+}
+
+void PairContacts::measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch) {
+  const std::span<const NodePair> pairs = counterpart.traversal().leafPairs().subspan(seenLeafPairs_);
+  if (pairs.empty()) return;
+  budget.chargeAnyway(kContactCost * pairs.size());
+  std::vector<Contact>& contacts = scratch.retested;
+  contacts.clear();
+  counterpart.appendContacts(pairs, contacts);
+  found_.add(contacts);
+  seenLeafPairs_ += pairs.size();
+}
+
+void PairContacts::appendFound(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts) {
+  if (found_.pairs().empty()) return;  // or what counterparts gather once they would gather in vain
+  budget.chargeAnyway(kContactCost * found_.pairs().size());
+  counterpart.appendContacts(found_.pairs(), contacts);
+  found_.clear();
 }
 
 void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
@@ -285,7 +306,7 @@ bool PairContacts::isGuardedWithin(float moved, float smallerSize) const {
 }
 
 bool PairContacts::isSilenceOld(float moved, float smallerSize) const {
-  return answer_.approach + moved > kSilentFraction * smallerSize && !isGuardedWithin(moved, smallerSize);
+  return answer_.approach + moved > kApproachFraction * smallerSize;
 }
 
 Contact PairContacts::holdWhole(Contact whole) {
@@ -334,11 +355,12 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
-  if (!isDone) retest(counterpart, budget, scratch);
+  if (!isDone || isResumed_) retest(counterpart, budget, scratch);
   isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
               appendOfMesh(counterpart, motion, budget, contacts);
   if (!isOfMesh_) {
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
+    appendFound(counterpart, budget, contacts);
     appendUnmeasured(counterpart, motion, budget, contacts);
   }
   if (isDone) {

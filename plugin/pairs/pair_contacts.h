@@ -10,6 +10,7 @@
 #include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 #include "counterparts/counterpart.h"
+#include "pairs/found_pairs.h"
 #include "pairs/kept_answer.h"
 
 namespace cairn::bullet {
@@ -59,10 +60,14 @@ class PairContacts {
   /// False where `stillApart` is, wherever the bodies are. Cheap.
   bool mayBeApart(float reach) const { return kept_.mayBeApart(reach); }
 
-  /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair re-tests what it knows
-  /// now, before anything is refined, and charges that to the budget. `isThrifty`: where an answer is kept, only what
-  /// was in contact is measured anew, not what may have come near since. True when it was started.
-  bool begin(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty, Budget& budget,
+  /// How a pair is begun.
+  struct Beginning {
+    bool isThrifty = false;   ///< a kept answer measures only what was in contact, not what may have come near since
+    bool isHeldOver = false;  ///< until it is done it says what it said last: see `measureFound`
+  };
+  /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair that is not held over
+  /// re-tests what it knows now, before anything is refined, and charges that to the budget. True when it was started.
+  bool begin(Counterpart& counterpart, const RelativeMotion& motion, const Beginning& beginning, Budget& budget,
              ContactScratch& scratch);
 
   /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
@@ -74,7 +79,11 @@ class PairContacts {
   /// the budget whatever is left of it. `ahead`: contacts that are joined to them, see `Contact::isAhead`.
   void finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion, float reach,
               std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch);
-  /// After that: whether the source mesh gave the contacts, and not leaves.
+  /// Instead of `finish`, for a pair that is held over: measures what its traversal found in this step, and remembers
+  /// the deepest of it. What measuring will cost is held back from refinement: were all of it left to the end, a pair
+  /// with more leaf pairs than a step can measure would never come to it.
+  void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
+  /// After `finish`: whether the source mesh gave the contacts, and not leaves.
   bool isOfMesh() const { return isOfMesh_; }
   // After that, where triangles had nothing to say to any of its contacts, or there are none.
 
@@ -92,8 +101,7 @@ class PairContacts {
   bool holds(float moved, float smallerSize) const;
   /// Whether it is an answer.
   bool isAnsweredWithin(float moved, float smallerSize) const;
-  /// Of what holds without a contact: whether what was apart may be in each other by now, so that it is as urgent as
-  /// what says nothing.
+  /// Whether it is too old to tell that nothing touches: what was apart then may be in each other by now.
   bool isSilenceOld(float moved, float smallerSize) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
   Contact holdWhole(Contact whole);
@@ -141,6 +149,7 @@ class PairContacts {
   void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
+  void appendFound(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
   static void dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
@@ -178,10 +187,12 @@ class PairContacts {
   bool isKept_ = false;
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
+  bool isResumed_ = false;
   bool isRetested_ = false;
   bool isOfMesh_ = false;
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
+  FoundPairs found_;
   std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
   ClusterSeeds seeds_{};
   std::array<Vec3, kMaxClusters> commonNormals_{};

@@ -160,7 +160,8 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   moved_ = unseenWay_ = 0;
   counterpart_->place(placement);
   lookAhead(placement, treeBody, otherBody, sweptTime, budget);
-  if (contacts_.begin(*counterpart_, motion_, isThrifty, budget, scratch)) spent_ = 0;
+  const PairContacts::Beginning beginning{isThrifty, saysItsLast()};
+  if (contacts_.begin(*counterpart_, motion_, beginning, budget, scratch)) spent_ = 0;
   return true;
 }
 

@@ -99,8 +99,8 @@ class alignas(64) TreePair {
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::begin`. False, and no contacts, when the shapes are
-  /// no longer a sphere-tree and something it can meet.
+  /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::Beginning`. False, and no contacts, when the shapes
+  /// are no longer a sphere-tree and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
              btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget, ContactScratch& scratch);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
@@ -138,7 +138,9 @@ class alignas(64) TreePair {
   bool isBegun() const { return isBegun_; }
   /// Whether what it said last serves better than what was resolved in this step: it is to be held, begun or not.
   /// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
-  bool isBetterHeld() const { return !isBegun_ || (roots_ && isHoldingStill_ && !isDone() && !isFast_); }
+  bool isBetterHeld() const { return !isBegun_ || (saysItsLast() && !isDone()); }
+  /// Before `hold`, of what was begun.
+  void measureFound(Budget& budget, ContactScratch& scratch) { contacts_.measureFound(*counterpart_, budget, scratch); }
 
   // See `fetchAhead`; none of these changes anything.
 
@@ -225,6 +227,8 @@ class alignas(64) TreePair {
   void countStepAsWaited();
   void lookForJump(btScalar timeStep);
   bool hasStandIn(bool isTimed) const;
+  // Begun or not, until it is done.
+  bool saysItsLast() const { return roots_ && isHoldingStill_ && !isFast_; }
   // What everything comes up from, however deep it is.
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);

@@ -88,8 +88,10 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations, bool isTimed) {
   if (!isSame || !isPlaced_) return {kUnknownError * (1 + waited_), usualOperations, canStandIn, true};
   seenNow_ = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   moved_ = static_cast<float>(seenNow_.displacementSince(motion_.placement));
-  isHoldingStill_ = contacts_.holds(moved_, smallerSize_);
-  const bool isUrgent = !isHoldingStill_ || (saidContacts_ == 0 && contacts_.isSilenceOld(moved_, smallerSize_));
+  const bool isOld = contacts_.isSilenceOld(moved_, smallerSize_);
+  isHoldingStill_ = contacts_.holds(moved_, smallerSize_) && !(saidContacts_ == 0 && isOld);
+  // Spheres that stand in for an old answer hold the bodies, and are no reason to wait longer for a new one.
+  const bool isUrgent = !isHoldingStill_ || (wholeAt_ >= 0 && isOld);
   const double error = isUrgent ? kUnknownError : heldError_ + double(moved_ / smallerSize_);
   return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
           canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_};

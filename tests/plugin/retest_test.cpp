@@ -55,7 +55,7 @@ void step(bullet::PairContacts& pair, TalkativeCounterpart& counterpart, bullet:
   motion.smallerSize = 1;
   motion.reach = 0.002F;
   Budget budget = Budget::operations(0);
-  pair.begin(counterpart, motion, false, budget, scratch);
+  pair.begin(counterpart, motion, {}, budget, scratch);
   pair.finish(counterpart, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
   for (std::uint32_t i = 0; i < bullet::PairContacts::kMaxKnownPairs; ++i)
     pair.remember(TalkativeCounterpart::contact({i, 0}, 0));

@@ -159,8 +159,9 @@ constexpr double kUnasked = 3;
 constexpr double kMostSteps = 10;
 
 constexpr const char* kWhy =
-    "On a budget an answer counts until its bodies have moved by 3 % of their size: what was apart then may be as deep "
-    "as that before it is asked about again, for some steps where it sinks slowly.";
+    "Slabs gain energy without a budget too; the mean error is of pairs that report something, and bodies in a wall "
+    "do, "
+    "with the error of their whole spheres.";
 
 // What falls, and how many of it.
 struct Scene {

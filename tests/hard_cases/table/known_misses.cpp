@@ -37,11 +37,7 @@ constexpr KnownMiss kKnown[] = {
     {"D11", "deepest penetration", 19.9, 34.6},
     {"D13", "a centimetre at rest, RMS", kHolds, 2.1},
     {"D15", "rolling acceleration at 3 to 20 degrees, spread", 2.7, 2.7},
-    {"D16", "rocks: steps in which the deepest pair had no contact", kHolds, 37},
-    {"D16", "rocks: steps in a row in which it had none, the most", kHolds, 31},
-    {"D16", "rocks: deepest once they lie", kHolds, 7.2},
     {"D16", "three slabs: energy gained after any loss", kHolds, 4.4},
-    {"D16", "three slabs: steps in which the deepest pair had no contact", kHolds, 6.7},
     {"D16", "mean error, rise with the budget, first step", kHolds, 0.084},
     {"L1", "drift, median, friction in two directions", 0.36, 8.8},
 };
