@@ -252,10 +252,7 @@ void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (pair.isSettled()) return;
-  // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
-  const bool isThrifty =
-      isScarce_ && !plan_.isScarce() && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
-  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, isThrifty, left_, scratch_))
+  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, remeasuredOf(pair), left_, scratch_))
     return dismiss(index);
   ++tally_.statistics.pairs;
   ++updated_;
@@ -265,6 +262,13 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   if (pair.isDone() && finishesResolvedAtOnce()) return finishPair(index);
   bookTo(pair, left_);
   scheduled_[index] = pair.scheduled();
+}
+
+// While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
+Remeasured NarrowPhase::Impl::remeasuredOf(const TreePair& pair) const {
+  if (plan_.isScarce()) return Remeasured::allIfFew;
+  const bool isThrifty = isScarce_ && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
+  return isThrifty ? Remeasured::touching : Remeasured::all;
 }
 
 void NarrowPhase::Impl::bookTo(TreePair& pair, const Budget& budget) {

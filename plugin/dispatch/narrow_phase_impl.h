@@ -99,6 +99,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void fetchPairsAfter(std::size_t index) const;
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);
+  Remeasured remeasuredOf(const TreePair& pair) const;
   void bookTo(TreePair& pair, const Budget& budget);
   void learnFromStep();
   void adoptPriority();

@@ -171,7 +171,8 @@ bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWr
     share.operations =
         std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = budgetOf(share);
-  const bool hasBegun = pair.begin(body0, body1, timeStep_, sweptTime_, 0, false, budget, scratch_);
+  const Remeasured remeasured = mayBeInterrupted() ? Remeasured::allIfFew : Remeasured::all;
+  const bool hasBegun = pair.begin(body0, body1, timeStep_, sweptTime_, 0, remeasured, budget, scratch_);
   if (hasBegun) pair.refine(budget);
   bookRefinement(budget, began);
   return hasBegun;

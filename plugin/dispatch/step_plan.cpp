@@ -62,6 +62,7 @@ void StepPlan::weigh(std::size_t pair, double importance) {
 void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPace& holdingPace, bool mayServeNone) {
   isScarce_ = isTooMuchFor(left, pace);
   if (!isScarce_) return;
+  for (PairNeed& need : needs_) need.operations = std::min(need.operations, need.operationsIfScarce);
   holdAllThatCanBe(left, pace, holdingPace);
   std::make_heap(heap_.begin(), heap_.end(), [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); });
   const bool mustServe = !mayServeNone || left.nanoseconds >= pace.expectedNanoseconds(kFewestOperations);

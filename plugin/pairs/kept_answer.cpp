@@ -51,22 +51,34 @@ bool KeptAnswer::isStill(const RelativeMotion& motion) const {
 
 // Pairs whose surfaces were farther apart than the bodies have moved since still are.
 void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
-                      std::span<const NodePair> known, bool isThrifty) {
+                      std::span<const NodePair> known, Remeasured remeasured) {
+  const bool wantsFew = remeasured == Remeasured::allIfFew;
   areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
-  if (areAllNear_) {
+  wanted_ = leafPairs.size();
+  if (areAllNear_ && !(wantsFew && leafPairs.size() > kFew)) {
     leafPairs_ = leafPairs;
     pickedAt_ = motion.placement;
     return;
   }
-  if (isThrifty && !known.empty()) {
+  if (areAllNear_) {
+    areAllNear_ = false;
     near_.assign(known.begin(), known.end());
+    return;
+  }
+  if (remeasured == Remeasured::touching && !known.empty()) {
+    near_.assign(known.begin(), known.end());
+    wanted_ = near_.size();
     return;
   }
   const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
   near_.clear();
-  pickedAt_ = motion.placement;
   for (std::size_t i = 0; i < leafPairs.size(); ++i)
     if (gaps_[i] < near) near_.push_back(leafPairs[i]);
+  wanted_ = near_.size();
+  if (wantsFew && near_.size() > kFew)
+    near_.assign(known.begin(), known.end());
+  else
+    pickedAt_ = motion.placement;
 }
 
 void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -11,6 +12,13 @@
 
 namespace cairn::bullet {
 
+/// What of a kept answer is measured anew.
+enum class Remeasured : std::uint8_t {
+  all,       ///< whatever may have come near
+  allIfFew,  ///< the same, but where that is more than `KeptAnswer::kFew` leaf pairs what was in contact
+  touching   ///< what was in contact; where nothing was, all
+};
+
 /// What a finished traversal found, for as long as it holds: a traversal of slow bodies looks a skin farther than it
 /// must, and until they have moved by as much, its leaf pairs are all that can touch. Of these, only those that were
 /// near are measured anew. See docs/algorithms/kept-answers.md.
@@ -18,6 +26,7 @@ class KeptAnswer {
  public:
   /// How much farther than needed a traversal of slow bodies looks, as a fraction of the smaller one's size.
   static constexpr float kSkinFraction = 0.006F;
+  static constexpr std::size_t kFew = 48;
 
   void reset();
   /// A traversal begins at these poses. Returns how much farther it is to look, world length; 0 for fast bodies, and
@@ -40,12 +49,14 @@ class KeptAnswer {
   /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
   /// quarter of the reach, so that what was no contact then is no overlap now.
   bool isStill(const RelativeMotion& motion) const;
-  /// Picks the leaf pairs that may be in contact at poses where the answer holds; see `near`. `known` are those that
-  /// were, and suffice where they are not empty and the step `isThrifty`.
+  /// Picks the leaf pairs to be measured at poses where the answer holds; see `near`. `known` are those that were in
+  /// contact.
   void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
-            bool isThrifty);
+            Remeasured remeasured);
   /// What was picked. Valid until the next `pick` or traversal.
   std::span<const NodePair> near() const { return areAllNear_ ? leafPairs_ : std::span<const NodePair>(near_); }
+  /// How many they would have been, had it not mattered how many they are.
+  std::size_t wanted() const { return wanted_; }
 
   /// Measures all leaf pairs of a traversal that is done, and how far apart they are.
   void measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
@@ -92,6 +103,7 @@ class KeptAnswer {
   std::vector<NodePair> near_;
   std::span<const NodePair> leafPairs_;  // the traversal's, where all may be near
   bool areAllNear_ = false;
+  std::size_t wanted_ = 0;
   // Whatever traversals found since.
   float uncrossed_ = 0;
   RelativePlacement uncrossedAt_;

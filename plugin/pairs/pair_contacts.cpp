@@ -5,18 +5,6 @@
 
 namespace cairn::bullet {
 
-namespace {
-
-// Comparing two bounding spheres moves one of them.
-constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
-// How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
-// nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
-constexpr float kApproachFraction = 0.008F;
-// How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
-constexpr float kHeldFraction = 0.03F;
-
-}  // namespace
-
 // Bodies may roll for minutes before as much is known of a pair as can be.
 PairContacts::PairContacts() {
   guards_.reserve(kMaxGuards);
@@ -58,7 +46,7 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
                          Budget& budget, ContactScratch& scratch) {
   isResumed_ = isRetested_ = false;
   counterpart.expect(commonNormals_);
-  isKept_ = keepAnswer(counterpart, motion, beginning.isThrifty);
+  isKept_ = keepAnswer(counterpart, motion, beginning.remeasured);
   if (isKept_) return false;
   if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
     start(counterpart, motion);
@@ -66,7 +54,9 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
   }
   isResumed_ = true;
   kept_.resume(motion.placement);
-  if (!beginning.isHeldOver) retest(counterpart, budget, scratch);
+  // What would take most of the budget is left to the end, or the traversal would never get anywhere.
+  const bool isDear = 2 * kContactCost * known_.size() > budget.remaining();
+  if (!beginning.isHeldOver && !isDear) retest(counterpart, budget, scratch);
   return false;
 }
 
@@ -78,11 +68,12 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
   started_ = true;
 }
 
-bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty) {
+bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured) {
   if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement, motion.reach)) return false;
   traversal_ = {0, motion.treeCenter - motion.otherCenter};
   // Between flat faces that lie still, the points of the last step stand for all others.
-  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, isThrifty || (isFlat_ && kept_.isStill(motion)));
+  if (isFlat_ && kept_.isStill(motion) && remeasured == Remeasured::all) remeasured = Remeasured::touching;
+  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, remeasured);
   return true;
 }
 
@@ -161,15 +152,8 @@ std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
   return known + kSphereCost * (std::min(counterpart.traversal().front().size(), kMaxFrontPairs) + 1);
 }
 
-namespace {
-
-// Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
-std::span<const NodePair> headOf(std::span<const NodePair> front) {
-  return front.first(std::min(front.size(), PairContacts::kMaxFrontPairs));
-}
-
-void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
-                 std::vector<Contact>& contacts) {
+void PairContacts::appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
+                               std::vector<Contact>& contacts) {
   const Traversal& traversal = counterpart.traversal();
   const std::span<const NodePair> front = headOf(traversal.front());
   budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
@@ -178,114 +162,6 @@ void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget&
     if (compensate) contact.gap += traversal.pairError(pair);
     if (contact.gap < reach) contacts.push_back(contact);
   }
-}
-
-}  // namespace
-
-// What overlaps for certain first, then the spheres of the whole bodies, then the deepest of each direction, then the
-// deepest of all: what overlaps a wall must not be all that is left of the floor.
-std::size_t PairContacts::putChosenFirst(std::vector<Contact>& guards) {
-  std::sort(guards.begin(), guards.end(), deeper);
-  std::size_t count = 0;
-  const auto choose = [&](const auto& isChoice) {
-    for (std::size_t i = count; i < guards.size() && count < kMaxGuards; ++i) {
-      if (!isChoice(guards[i])) continue;
-      const auto first = guards.begin() + static_cast<std::ptrdiff_t>(count);
-      const auto it = guards.begin() + static_cast<std::ptrdiff_t>(i);
-      std::rotate(first, it, it + 1);
-      ++count;
-    }
-  };
-  const auto certain = std::ranges::max_element(guards, {}, &Contact::certainDepth);
-  if (certain != guards.end() && certain->certainDepth > 0) {
-    std::rotate(guards.begin(), certain, certain + 1);
-    ++count;
-  }
-  choose([](const Contact& c) { return c.isWhole; });
-  choose([&](const Contact& c) {
-    return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
-                        [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameWayCosine; });
-  });
-  choose([](const Contact&) { return true; });
-  return count;
-}
-
-void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
-                                ContactScratch& scratch) {
-  const std::span<const NodePair> front = headOf(counterpart.traversal().front());
-  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
-  std::vector<Contact>& guards = scratch.guards;
-  guards.clear();
-  float closingSpeed = 0;
-  for (const NodePair& pair : front) guards.push_back(counterpart.boundingContact(pair));
-  // What the traversal has ruled out was apart when it was tested: after some motion only the whole bodies' spheres are
-  // known to hold all of it.
-  const bool isStale = traversal_.approach > kApproachFraction * motion.smallerSize;
-  const bool isCut = front.size() < counterpart.traversal().front().size();
-  scratch.wholes.clear();
-  budget.chargeAnyway(kSphereCost * counterpart.appendWhole(scratch.wholes));
-  for (const Contact& whole : scratch.wholes) {
-    if (!isStale && !isCut && !lastOf(whole)) continue;
-    const auto inFront = std::ranges::find(guards, whole.id, &Contact::id);
-    if (inFront == guards.end())
-      guards.push_back(whole);
-    else
-      inFront->isWhole = whole.isWhole;
-  }
-  for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
-  answer_.approach += closingSpeed * motion.timeStep;
-  // What was ruled out may close in while the front stands still: a rod that turns about its end.
-  traversal_.approach += motion.greatestSpeed() * motion.timeStep;
-  std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, reach); });
-  const std::size_t count = putChosenFirst(guards);
-  std::array<Guard, kMaxGuards> now;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float allowed = allowedGap(guards[i]);
-    // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
-    guards[i].gap -= allowed;
-    if (guards[i].certainDepth > 0) guards[i].gap = std::min(guards[i].gap, -guards[i].certainDepth);
-    now[i] = {guards[i].id, guards[i].isWhole, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
-    scratch.contacts.list().push_back(guards[i]);
-  }
-  guards_.assign(now.begin(), now.begin() + count);
-  budget.chargeAnyway(kContactCost * counterpart.appendCoarse(scratch.contacts.list()));
-}
-
-// The same guard in the last step. Of whole bodies it is the one that faced the same way, whatever is nearest now: one
-// for the floor says nothing about a wall.
-const PairContacts::Guard* PairContacts::lastOf(const Contact& guard) const {
-  const Guard* best = nullptr;
-  float cosine = kSameWayCosine;
-  for (const Guard& g : guards_) {
-    const float c = dot(g.normal, guard.normal);
-    if (!guard.isWhole || !g.isWhole || c <= cosine) continue;
-    best = &g;
-    cosine = c;
-  }
-  if (best) return best;
-  const auto same = std::ranges::find(guards_, guard.id, &Guard::id);
-  return same == guards_.end() ? nullptr : &*same;
-}
-
-// Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
-// it was and reports what its spheres have sunk since; when they part, it follows. Where refinement has replaced the
-// spheres by finer ones, those inherit what the guards that faced the same way had sunk: else every step of a slow
-// traversal would start anew from zero, and bodies creep through each other.
-float PairContacts::allowedGap(const Contact& guard) const {
-  const float now = std::min(guard.gap, 0.0F);
-  if (const Guard* last = lastOf(guard)) return std::max(last->allowedGap, now);
-  float sunk = 0;
-  for (const Guard& g : guards_) {
-    if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
-  }
-  return now + sunk;
-}
-
-// Velocities do not tell everything: the solver also shifts bodies to part others.
-bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const {
-  if (guard.gap >= reach) return false;
-  const Vec3 moved = motion.treeCenter - motion.otherCenter - answer_.centers;
-  return !hasAnswer(motion) || -dot(guard.normal, moved) > kApproachFraction * motion.smallerSize;
 }
 
 // An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
@@ -301,26 +177,8 @@ bool PairContacts::holds(float moved, float smallerSize) const {
   return isAnsweredWithin(moved, smallerSize) || isGuardedWithin(moved, smallerSize);
 }
 
-bool PairContacts::isGuardedWithin(float moved, float smallerSize) const {
-  return !guards_.empty() && traversal_.approach + moved <= kHeldFraction * smallerSize;
-}
-
 bool PairContacts::isSilenceOld(float moved, float smallerSize) const {
   return answer_.approach + moved > kApproachFraction * smallerSize;
-}
-
-Contact PairContacts::holdWhole(Contact whole) {
-  const float allowed = allowedGap(whole);
-  const Guard* const last = lastOf(whole);
-  whole.gap -= allowed;
-  const Guard guard{whole.id, true, whole.normal, allowed, std::max(-whole.gap, 0.0F)};
-  if (last)
-    guards_[static_cast<std::size_t>(last - guards_.data())] = guard;
-  else if (guards_.size() < kMaxGuards)
-    guards_.push_back(guard);
-  else
-    guards_.back() = guard;
-  return whole;
 }
 
 void PairContacts::waited(float moved) {
@@ -333,7 +191,7 @@ bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlaceme
 }
 
 std::uint64_t PairContacts::keptCost(const Counterpart& counterpart) const {
-  return kContactCost * (isKept_ ? kept_.near().size() : counterpart.traversal().leafPairs().size());
+  return kContactCost * (isKept_ ? kept_.wanted() : counterpart.traversal().leafPairs().size());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {

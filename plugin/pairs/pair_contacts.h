@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -62,11 +63,12 @@ class PairContacts {
 
   /// How a pair is begun.
   struct Beginning {
-    bool isThrifty = false;   ///< a kept answer measures only what was in contact, not what may have come near since
+    Remeasured remeasured = Remeasured::all;
     bool isHeldOver = false;  ///< until it is done it says what it said last: see `measureFound`
   };
   /// Starts or resumes the traversal at the poses the counterpart was placed at. A resumed pair that is not held over
-  /// re-tests what it knows now, before anything is refined, and charges that to the budget. True when it was started.
+  /// re-tests what it knows now, before anything is refined, and charges that to the budget; unless that is most of it:
+  /// then when it is finished. True when it was started.
   bool begin(Counterpart& counterpart, const RelativeMotion& motion, const Beginning& beginning, Budget& budget,
              ContactScratch& scratch);
 
@@ -104,16 +106,18 @@ class PairContacts {
   /// Whether it is too old to tell that nothing touches: what was apart then may be in each other by now.
   bool isSilenceOld(float moved, float smallerSize) const;
   /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
-  Contact holdWhole(Contact whole);
+  Contact holdWhole(Contact whole, float smallerSize);
   /// The bodies stand elsewhere: guards begin anew.
   void forgetGuards() { guards_.clear(); }
   /// Before the `begin` that ends the waiting.
   void waited(float moved);
   /// After a `begin` without `finish`: the bodies had moved so far since what was said last.
   void answerAged(float moved) { answer_.approach += moved; }
-  /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about.
+  /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about; and at
+  /// most, with `Remeasured::allIfFew`.
   bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   std::uint64_t keptCost(const Counterpart& counterpart) const;
+  static constexpr std::uint64_t kKeptCostIfFew = kContactCost * KeptAnswer::kFew;
   bool isKept() const { return isKept_; }
 
   /// See `fetchAhead`: what a step looks at besides the object itself.
@@ -145,7 +149,7 @@ class PairContacts {
     float sunk;
   };
 
-  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, bool isThrifty);
+  bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
@@ -153,6 +157,12 @@ class PairContacts {
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
   static void dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
+  // Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
+  static std::span<const NodePair> headOf(std::span<const NodePair> front) {
+    return front.first(std::min(front.size(), kMaxFrontPairs));
+  }
+  static void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
+                          std::vector<Contact>& contacts);
   bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
@@ -167,10 +177,18 @@ class PairContacts {
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
   static std::size_t putChosenFirst(std::vector<Contact>& guards);
   const Guard* lastOf(const Contact& guard) const;
-  float allowedGap(const Contact& guard) const;
+  float allowedGap(const Contact& guard, float smallerSize) const;
 
+  // Comparing two bounding spheres moves one of them.
+  static constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
+  // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
+  // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
+  static constexpr float kApproachFraction = 0.008F;
+  // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
+  static constexpr float kHeldFraction = 0.03F;
   static constexpr std::size_t kMaxGuards = 4;
   static constexpr std::size_t kMaxKnown = kMaxKnownPairs + kMaxClusters * kMaxPoints;
+  static_assert(kMaxKnown <= KeptAnswer::kFew);
   // A flat leaf touches with its corners, four as a rule.
   static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
 

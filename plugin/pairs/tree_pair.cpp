@@ -139,7 +139,8 @@ PairKey TreePair::key(std::size_t arrival) const {
 }
 
 bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget, ContactScratch& scratch) {
+                     btScalar sweptTime, btScalar threshold, Remeasured remeasured, Budget& budget,
+                     ContactScratch& scratch) {
   promised_ = {};  // of a step that an exception ended
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
   treeIsBody0_ = first != nullptr;
@@ -160,7 +161,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   moved_ = unseenWay_ = 0;
   counterpart_->place(placement);
   lookAhead(placement, treeBody, otherBody, sweptTime, budget);
-  const PairContacts::Beginning beginning{isThrifty, saysItsLast()};
+  const PairContacts::Beginning beginning{remeasured, saysItsLast()};
   if (contacts_.begin(*counterpart_, motion_, beginning, budget, scratch)) spent_ = 0;
   return true;
 }

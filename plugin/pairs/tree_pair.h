@@ -99,10 +99,10 @@ class alignas(64) TreePair {
 
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. `sweptTime`: as above. `isThrifty`: see `PairContacts::Beginning`. False, and no contacts, when the shapes
+  /// first. `sweptTime`: as above. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
   /// are no longer a sphere-tree and something it can meet.
   bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar sweptTime, btScalar threshold, bool isThrifty, Budget& budget, ContactScratch& scratch);
+             btScalar sweptTime, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
   Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }
@@ -218,7 +218,7 @@ class alignas(64) TreePair {
 
   PairNeed surveyed(std::uint64_t usualOperations, bool isTimed);
   void rememberBody(const btCollisionObjectWrapper& tree);
-  std::uint64_t expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const;
+  std::uint64_t expectedOperations(std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,
                      const btCollisionObjectWrapper& other, btScalar timeStep);
   static float speedInOther(const SphereTreeShape& shape, const btCollisionObjectWrapper& tree,
@@ -228,11 +228,14 @@ class alignas(64) TreePair {
   void lookForJump(btScalar timeStep);
   bool hasStandIn(bool isTimed) const;
   // Begun or not, until it is done.
-  bool saysItsLast() const { return roots_ && isHoldingStill_ && !isFast_; }
+  bool saysItsLast() const {
+    return roots_ && isHoldingStill_ && contacts_.isAnsweredWithin(moved_, smallerSize_) && !isFast_;
+  }
   // What everything comes up from, however deep it is.
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);
   void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
+  void stayAwake() const;
   void standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   Contact aheadOf(Contact contact) const;
   void chooseForWhole();

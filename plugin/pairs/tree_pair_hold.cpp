@@ -93,8 +93,10 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations, bool isTimed) {
   // Spheres that stand in for an old answer hold the bodies, and are no reason to wait longer for a new one.
   const bool isUrgent = !isHoldingStill_ || (wholeAt_ >= 0 && isOld);
   const double error = isUrgent ? kUnknownError : heldError_ + double(moved_ / smallerSize_);
-  return {error * (1 + waited_), expectedOperations(seenNow_, usualOperations),
-          canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_};
+  const bool isKept = wasDone_ && contacts_.keepsAt(*counterpart_, seenNow_, motion_.reach);
+  const std::uint64_t operations = isKept ? contacts_.keptCost(*counterpart_) : expectedOperations(usualOperations);
+  return {error * (1 + waited_), operations, canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_,
+          isKept ? PairContacts::kKeptCostIfFew : operations};
 }
 
 // Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
@@ -115,10 +117,9 @@ ScheduledPair TreePair::described() const {
           .mass = reducedMass(object, other)};
 }
 
-std::uint64_t TreePair::expectedOperations(const RelativePlacement& now, std::uint64_t usualOperations) const {
+std::uint64_t TreePair::expectedOperations(std::uint64_t usualOperations) const {
   const std::uint64_t whole = fullOperations_ > 0 ? fullOperations_ : usualOperations;
-  if (!wasDone_) return std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
-  return contacts_.keepsAt(*counterpart_, now, motion_.reach) ? contacts_.keptCost(*counterpart_) : whole;
+  return wasDone_ ? whole : std::max(std::max(whole, 2 * spent_) - spent_, kLeastOperations);
 }
 
 std::uint64_t TreePair::charged(std::uint64_t operations) {
@@ -154,6 +155,7 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   if (standsIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
   countSaid();
+  if (kind_ == CounterpartKind::tree && saysWhole()) stayAwake();
   return reportHeld(needsStandIn);
 }
 
@@ -184,8 +186,14 @@ bool TreePair::mayStay(btScalar timeStep) {
 
 void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result) {
   if (isOnGround()) return standOnGround(timeStep, dispatcher, result);
-  std::array<Contact, 1> whole{contacts_.holdWhole(roots_->contact())};
+  std::array<Contact, 1> whole{contacts_.holdWhole(roots_->contact(), smallerSize_)};
   writeStandIn(whole, dispatcher, result);
+}
+
+// What creeps down behind spheres, an answer at a time, is slow enough for Bullet to put it to sleep where it floats.
+void TreePair::stayAwake() const {
+  for (const btCollisionObject* object : objects_)
+    if (object->isActive()) object->activate();
 }
 
 // A body that asks for continuous collision is stopped at the ground below those points. Its course is not looked at:

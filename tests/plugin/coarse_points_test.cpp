@@ -63,15 +63,6 @@ TEST_P(SlabsOnFewOperations, DoNotTurnIntoTheGround) {
   EXPECT_LT(deepest, (kHeld + 0.01) * double(treeShape(slab)->size())) << "of four falls, once they lie";
 }
 
-double energyPerMass(const btRigidBody& body) {
-  const btVector3 &speed = body.getLinearVelocity(), &inverse = body.getInvInertiaDiagLocal();
-  const btVector3 spin = body.getWorldTransform().getBasis().transpose() * body.getAngularVelocity();
-  double turning = 0;
-  for (int i = 0; i < 3; ++i) turning += double(spin[i] * spin[i] / inverse[i]);
-  return 0.5 * (double(speed.length2()) + turning * double(body.getInvMass())) +
-         9.81 * double(body.getWorldTransform().getOrigin().z());
-}
-
 // By the name of what it falls on, and on how many operations.
 class BallsOnThinFloors : public testing::TestWithParam<std::tuple<const char*, std::int64_t>> {};
 INSTANTIATE_TEST_SUITE_P(On, BallsOnThinFloors,

@@ -2,7 +2,12 @@
 // Guards: what stands in for contacts when a pair gets no budget. They hold, and they neither shift nor kick.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <random>
+
 #include "bullet_world.h"
+#include "random_tree.h"
 #include "triangle_grounds.h"
 
 namespace cairn::test::guard_test {
@@ -143,6 +148,60 @@ TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
     const btRigidBody& body = w.add(treeShape(solidBall(0.5, knows)), 1, btVector3(0, 0, btScalar(0.1)));
     w.step(240);
     EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.4) << knows;
+  }
+}
+
+// Where nobody is asked the spheres around two cubes hold, which are apart: one stands with its side before the other's
+// edge. What lies on them may be in mid-air: Bullet must not put it to sleep there, only where there is an answer.
+TEST(Guards_OfWholeBodies, LetNobodySleep) {
+  constexpr int kFourSeconds = 240;  // twice as long as Bullet waits
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
+  const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));
+  w.add(cube, 0, btVector3(0, 0, 0));
+  const btRigidBody& body =
+      w.add(cube, 1, btVector3(btScalar(0.95), btScalar(0.95), 0), btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI / 2));
+  w.step(kFourSeconds);
+  ASSERT_EQ(w.dispatcher.lastStep().contacts, 1U) << "no sphere stands in";
+  EXPECT_TRUE(body.isActive());
+  ASSERT_TRUE(w.dispatcher.setBudget({}).ok());
+  w.step(kFourSeconds);
+  EXPECT_FALSE(body.isActive());
+}
+
+// Four layers of cuboids set down in a pit that the spheres around them are too large for: they wedge. Guards that
+// follow whatever the solver's noise parts would push them ever wider and upwards, by 14 J/kg.
+TEST(Guards_OfWholeBodies, DoNotClimb) {
+  constexpr int kBodies = 16, kSteps = 600;
+  constexpr double kGained = 1;  // J/kg; 0.3 without a budget
+  const auto slab = treeShape(plainTree(cuboid({0.8, 0.8, 0.4}, 4)));
+  for (const std::int64_t operations : {0, 20, 100, 300}) {
+    for (int seed = 1; seed <= 3; ++seed) {
+      std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
+      const auto any = [&](double most) { return btScalar(uniform(engine, -most, most)); };
+      BulletWorld<> w;
+      ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+      w.addGround();
+      for (const btVector3& n : {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 1, 0), btVector3(0, -1, 0)})
+        w.add(std::make_shared<btStaticPlaneShape>(n, btScalar(-0.9)), 0, btVector3(0, 0, 0));
+      std::vector<btRigidBody*> bodies;
+      for (int i = 0; i < kBodies; ++i) {
+        const btVector3 at(btScalar(i % 2) - btScalar(0.5) + any(0.02), btScalar(i / 2 % 2) - btScalar(0.5) + any(0.02),
+                           btScalar(0.4) + btScalar(0.41) * btScalar(i / 4));
+        bodies.push_back(&w.add(slab, 1, at, btQuaternion(btVector3(0, 0, 1), any(0.05))));
+        bodies.back()->setActivationState(DISABLE_DEACTIVATION);
+      }
+      double least = std::numeric_limits<double>::infinity(), gained = 0;
+      for (int i = 0; i < kSteps; ++i) {
+        w.step();
+        double energy = 0;
+        for (const btRigidBody* body : bodies) energy += energyPerMass(*body) / kBodies;
+        least = std::min(least, energy);
+        gained = std::max(gained, energy - least);
+      }
+      EXPECT_LT(gained, kGained) << operations << " operations, seed " << seed;
+    }
   }
 }
 

@@ -249,6 +249,30 @@ TYPED_TEST(HeldPairs, ThatCostMoreThanAStepHasComeToAnAnswer) {
   }
 }
 
+// The next step measures what lay near anew: no more than it has, or little more. Cubes on each other have hundreds of
+// leaf pairs that touch.
+TYPED_TEST(HeldPairs, ThatCostMoreThanAStepHasStayWithinItOnceAnswered) {
+  for (const std::int64_t operations : {100, 400, 2000}) {
+    BulletWorld<TypeParam> w;
+    w.world.setGravity(btVector3(0, 0, 0));
+    const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 8)));
+    for (int i = 0; i < 2; ++i) w.add(cube, 1, btVector3(0, 0, btScalar(0.9995) * btScalar(i)));
+    ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());
+    // Its bound: a turn's finds, what was known, what was found, and guards.
+    constexpr std::uint64_t kBeyond = 320 + 5 * (48 + 32) + 3 * 97;
+    std::uint64_t most = 0, used = 0;
+    int answered = 0;
+    for (int i = 0; i < 2000 && answered < 20; ++i) {
+      w.world.performDiscreteCollisionDetection();
+      most = std::max(most, w.dispatcher.lastStep().operations);
+      used += w.dispatcher.lastStep().operations;
+      answered += w.dispatcher.lastStep().unresolvedPairs == 0 ? 1 : 0;
+    }
+    EXPECT_GT(answered, 0) << operations << " operations: no answer, " << used << " used";
+    EXPECT_LE(most, static_cast<std::uint64_t>(operations) + kBeyond) << operations << " operations";
+  }
+}
+
 // Bowls whose spheres overlapped a little where they stood first: what was allowed there must not drive them apart
 // where they are set down, one in the other.
 TYPED_TEST(HeldPairs, ThatAreSetDownElsewhereStartAnew) {

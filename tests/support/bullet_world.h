@@ -91,6 +91,16 @@ inline std::shared_ptr<bullet::SphereTreeShape> treeShape(std::shared_ptr<const 
   return std::move(shape).value();
 }
 
+// J/kg, of motion and height.
+inline double energyPerMass(const btRigidBody& body) {
+  const btVector3 &speed = body.getLinearVelocity(), &inverse = body.getInvInertiaDiagLocal();
+  const btVector3 spin = body.getWorldTransform().getBasis().transpose() * body.getAngularVelocity();
+  double turning = 0;
+  for (int i = 0; i < 3; ++i) turning += double(spin[i] * spin[i] / inverse[i]);
+  return 0.5 * (double(speed.length2()) + turning * double(body.getInvMass())) -
+         double(body.getGravity().z() * body.getWorldTransform().getOrigin().z());
+}
+
 inline bool isSane(const btRigidBody& body) {
   const btVector3& p = body.getWorldTransform().getOrigin();
   const btVector3& v = body.getLinearVelocity();

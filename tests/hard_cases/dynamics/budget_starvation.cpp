@@ -159,9 +159,9 @@ constexpr double kUnasked = 3;
 constexpr double kMostSteps = 10;
 
 constexpr const char* kWhy =
-    "Slabs gain energy without a budget too; the mean error is of pairs that report something, and bodies in a wall "
-    "do, "
-    "with the error of their whole spheres.";
+    "What leaves say deeper than 1 % can be there for a step; a slab sinks by 3 % of its size before it is asked "
+    "again, "
+    "and gains energy without a budget too; the mean error is of pairs that report something, and bodies in a wall do.";
 
 // What falls, and how many of it.
 struct Scene {
