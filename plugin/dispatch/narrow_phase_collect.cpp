@@ -147,7 +147,8 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   if (pair.settleBroken(body0, body1)) return countBroken();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
-  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, Remeasured::all, budget, scratch))
+  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, Remeasured::all, budget,
+                  scratch))
     return;
   pair.refine(budget);
   pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
