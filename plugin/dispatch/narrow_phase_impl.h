@@ -90,6 +90,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void holdPairs();
   void holdPair(std::size_t index, bool isLate);
   PairReport hold(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate);
+  bool isMostOfAStep(const Promise& promise) const;
   bool isTooLateFor(std::size_t pairs) const;
   void fetchHeldAfter(std::size_t index, bool isLate) const;
   void finishBegunPairs();

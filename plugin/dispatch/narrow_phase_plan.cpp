@@ -103,10 +103,20 @@ void NarrowPhase::Impl::holdPair(std::size_t index, bool isLate) {
   dismiss(index);
 }
 
+// Held back from refinement, it would leave the next steps nothing to refine with. What is less is better measured at
+// the end, together with the rest: flat faces find their common direction so.
+bool NarrowPhase::Impl::isMostOfAStep(const Promise& promise) const {
+  constexpr double kMost = 0.75;
+  const StepBudget limit = stepLimit();
+  return (limit.operations && double(promise.operations) > kMost * double(*limit.operations)) ||
+         (limit.microseconds && promise.nanoseconds > kMost * 1e3 * *limit.microseconds);
+}
+
 // What was promised for it is withdrawn, or the next step would hold it back again.
 PairReport NarrowPhase::Impl::hold(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
+  const bool isTooMuch = isMostOfAStep(pair.promised());
   pair.withdrawPromise(budget);
-  if (pair.isBegun()) pair.measureFound(budget, scratch_);
+  if (pair.isBegun() && isTooMuch) pair.measureFound(budget, scratch_);
   budget.chargeAnyway(StepPlan::kHoldingCost);
   const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
   return count(report, pair.seenHeld());

@@ -30,6 +30,7 @@ void PairContacts::reset() {
   traversal_ = {};
   started_ = false;
   isResumed_ = false;
+  isOnSpheresAlone_ = false;
   isRetested_ = false;
   isKept_ = false;
   isFlat_ = false;
@@ -233,6 +234,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     appendGuards(counterpart, motion, reach, budget, scratch);
   else if (!isDone && policy.unresolved != Unresolved::ignore)
     appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
+  isOnSpheresAlone_ = !guards_.empty() && contacts.size() == guards_.size();
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.seeds = seeds_;

@@ -85,7 +85,9 @@ class PairContacts {
   /// the deepest of it. What measuring will cost is held back from refinement: were all of it left to the end, a pair
   /// with more leaf pairs than a step can measure would never come to it.
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
-  /// After `finish`: whether the source mesh gave the contacts, and not leaves.
+  /// After `finish`: whether nothing but guards holds the bodies.
+  bool isOnSpheresAlone() const { return isOnSpheresAlone_; }
+  /// And whether the source mesh gave the contacts, and not leaves.
   bool isOfMesh() const { return isOfMesh_; }
   // After that, where triangles had nothing to say to any of its contacts, or there are none.
 
@@ -208,6 +210,7 @@ class PairContacts {
   bool isResumed_ = false;
   bool isRetested_ = false;
   bool isOfMesh_ = false;
+  bool isOnSpheresAlone_ = false;
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
   FoundPairs found_;

@@ -228,9 +228,7 @@ class alignas(64) TreePair {
   void lookForJump(btScalar timeStep);
   bool hasStandIn(bool isTimed) const;
   // Begun or not, until it is done.
-  bool saysItsLast() const {
-    return roots_ && isHoldingStill_ && contacts_.isAnsweredWithin(moved_, smallerSize_) && !isFast_;
-  }
+  bool saysItsLast() const { return roots_ && isHoldingStill_ && !isFast_; }
   // What everything comes up from, however deep it is.
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);

@@ -100,7 +100,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
     writeCluster(static_cast<int>(k), clusters[k], dispatcher, result, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   if (policy.mayBeInterrupted) surviveRefresh();
-  if (!wasDone_ && kind_ == CounterpartKind::tree) stayAwake();
+  if (contacts_.isOnSpheresAlone()) stayAwake();
   heldError_ = report.errorFraction;
   saidContacts_ = report.contacts;
   saidManifolds_ = report.manifolds;

@@ -155,7 +155,8 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   if (standsIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
   countSaid();
-  if (kind_ == CounterpartKind::tree && saysWhole()) stayAwake();
+  const bool isOnSpheres = contacts_.isOnSpheresAlone() || (saysWhole() && !isOnGround());
+  if (isOnSpheres && saidContacts_ > 0) stayAwake();
   return reportHeld(needsStandIn);
 }
 
@@ -191,9 +192,11 @@ void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldRe
 }
 
 // What creeps down behind spheres, an answer at a time, is slow enough for Bullet to put it to sleep where it floats.
+// Sensors hold nobody; what the user sends to sleep goes.
 void TreePair::stayAwake() const {
+  if (!objects_[0]->hasContactResponse() || !objects_[1]->hasContactResponse()) return;
   for (const btCollisionObject* object : objects_)
-    if (object->isActive()) object->activate();
+    if (object->getActivationState() == ACTIVE_TAG) object->activate();
 }
 
 // A body that asks for continuous collision is stopped at the ground below those points. Its course is not looked at:
