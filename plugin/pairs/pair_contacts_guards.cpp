@@ -8,9 +8,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// How far spheres may part, as a fraction of the same, before their guard follows: less than the reach, so that it
-// stays a contact. Were it to follow what the solver's noise parts, bodies that are wedged would push each other ever
-// wider.
+// How far spheres may part, as a fraction of the smaller body's size, before their guard follows: less than the reach,
+// so that it stays a contact. Were it to follow what the solver's noise parts, bodies that are wedged would push each
+// other ever wider.
 constexpr float kUnfollowedFraction = 0.001F;
 
 }  // namespace
