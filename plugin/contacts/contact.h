@@ -43,6 +43,7 @@ struct Contact {
   bool isLater = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
   bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart
   bool isWhole = false;       ///< of whole bodies: whatever is nearest in its direction, so that its id may change
+  bool isGuard = false;       ///< of spheres that may not come nearer, whether what is in them touches or not
 
   /// World length from the counterpart's point to the tree's along the normal.
   float distance() const { return isAhead ? dot(normal, apart) : gap; }

@@ -187,6 +187,7 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     const bool isThis = (point.m_contactPointFlags & kNotThis) == 0;
     point.m_contactPointFlags &= ~kNotThis;
     if (!isThis) continue;
+    if (contact.isGuard) point.m_contactPointFlags |= kGuardFlag;
     if (point.m_positionWorldOnB != told || point.m_distance1 != distance) refresh(manifold, point);
     if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
     tellSolver(point, contact);

@@ -12,6 +12,9 @@
 
 namespace cairn::bullet {
 
+/// Of a point's flags: its contact is a guard. None of Bullet's own.
+inline constexpr int kGuardFlag = 1 << 29;
+
 /// The ids of the contacts a manifold holds now.
 struct HeldContacts {
   std::array<ContactId, kMaxPoints> id;

@@ -16,6 +16,8 @@ void KeptAnswer::forgetTraversal() {
   gaps_.clear();
   leastGap_ = kUnknown;
   measuredInVain_ = 0;
+  overlooked_ = 0;
+  turn_ = 0;
 }
 
 // What moves on at once gains nothing from looking farther.
@@ -25,12 +27,13 @@ float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& mo
   const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
   if (counterpart.keepsAnswer() && isSlow) skin_ = skin;
   beganAt_ = motion.placement;
+  allArePicked(motion);
   reach_ = motion.reach;
   return skin_;
 }
 
 void KeptAnswer::resume(const RelativePlacement& now) {
-  wandered_ = std::max(wandered_, static_cast<float>(now.displacementSince(beganAt_)));
+  wandered_ = wayWhilePicked_ = std::max(wandered_, static_cast<float>(now.displacementSince(beganAt_)));
 }
 
 // From wherever something was ruled out, the bodies have moved by no more than the way there and the way here.
@@ -46,39 +49,50 @@ bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach, bool asksT
 
 bool KeptAnswer::isStill(const RelativeMotion& motion) const {
   constexpr float kStillFraction = 0.25F;
-  return static_cast<float>(motion.placement.displacementSince(pickedAt_)) <= kStillFraction * motion.reach;
+  const float moved = wayWhilePicked_ + static_cast<float>(motion.placement.displacementSince(pickedAt_));
+  return moved <= kStillFraction * motion.reach;
+}
+
+void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
+                      std::span<const NodePair> known, Remeasured remeasured) {
+  areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
+  const bool isOnlyTouching = !areAllNear_ && remeasured == Remeasured::touching && !known.empty();
+  if (isOnlyTouching)
+    near_.assign(known.begin(), known.end());
+  else if (!areAllNear_)
+    findNear(leafPairs, motion);
+  picked_ = areAllNear_ ? leafPairs : std::span<const NodePair>(near_);
+  wanted_ = picked_.size();
+  const bool isTooMuch = remeasured == Remeasured::allIfFew && wanted_ > kFew;
+  if (isTooMuch) pickFew(known);
+  const bool arePicked = !isOnlyTouching && !isTooMuch;
+  overlooked_ = arePicked ? 0 : wayWhilePicked_ + static_cast<float>(motion.placement.displacementSince(pickedAt_));
+  if (arePicked) allArePicked(motion);
+}
+
+void KeptAnswer::allArePicked(const RelativeMotion& motion) {
+  pickedAt_ = motion.placement;
+  wayWhilePicked_ = 0;
 }
 
 // Pairs whose surfaces were farther apart than the bodies have moved since still are.
-void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
-                      std::span<const NodePair> known, Remeasured remeasured) {
-  const bool wantsFew = remeasured == Remeasured::allIfFew;
-  areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
-  wanted_ = leafPairs.size();
-  if (areAllNear_ && !(wantsFew && leafPairs.size() > kFew)) {
-    leafPairs_ = leafPairs;
-    pickedAt_ = motion.placement;
-    return;
-  }
-  if (areAllNear_) {
-    areAllNear_ = false;
-    near_.assign(known.begin(), known.end());
-    return;
-  }
-  if (remeasured == Remeasured::touching && !known.empty()) {
-    near_.assign(known.begin(), known.end());
-    wanted_ = near_.size();
-    return;
-  }
+void KeptAnswer::findNear(std::span<const NodePair> leafPairs, const RelativeMotion& motion) {
   const float near = motion.reach + static_cast<float>(motion.placement.displacementSince(measuredAt_));
   near_.clear();
   for (std::size_t i = 0; i < leafPairs.size(); ++i)
     if (gaps_[i] < near) near_.push_back(leafPairs[i]);
-  wanted_ = near_.size();
-  if (wantsFew && near_.size() > kFew)
-    near_.assign(known.begin(), known.end());
-  else
-    pickedAt_ = motion.placement;
+}
+
+// What was in contact, and of the rest every so many, others in each step: faces that come flat upon each other are
+// noticed all over them, and nothing is overlooked for long.
+void KeptAnswer::pickFew(std::span<const NodePair> known) {
+  few_.assign(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), kFew)));
+  const std::size_t room = kFew - few_.size();
+  const std::size_t stride = room > 0 ? (picked_.size() + room - 1) / room : 1;
+  for (std::size_t i = turn_++ % stride; i < picked_.size() && few_.size() < kFew; i += stride)
+    if (std::ranges::find(known, picked_[i]) == known.end()) few_.push_back(picked_[i]);
+  picked_ = few_;
+  areAllNear_ = false;
 }
 
 void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts) {
@@ -86,7 +100,7 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
   gaps_.resize(leafPairs.size());
   counterpart.appendContacts(leafPairs, gaps_, contacts);
   measuredAt_ = motion.placement;
-  pickedAt_ = motion.placement;
+  allArePicked(motion);
   measuredInVain_ = 0;
   leastGap_ = -kUnknown;
   isGapOfLeaves_ = counterpart.hasTriangles() && !leafPairs.empty();
@@ -96,8 +110,8 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
 void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts) {
   if (areAllNear_) return measureAll(counterpart, motion, contacts);
   const std::size_t before = contacts.size();
-  counterpart.appendContacts(near_, contacts);
-  measuredInVain_ += near_.size() - std::min(near_.size(), contacts.size() - before);
+  counterpart.appendContacts(picked_, contacts);
+  measuredInVain_ += picked_.size() - std::min(picked_.size(), contacts.size() - before);
 }
 
 void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
@@ -123,6 +137,7 @@ void KeptAnswer::makeRoom(std::size_t count) {
   if (gaps_.capacity() >= count) return;
   gaps_.reserve(count + count / 2);
   near_.reserve(count + count / 2);
+  if (count > kFew) few_.reserve(kFew);
 }
 
 }  // namespace cairn::bullet

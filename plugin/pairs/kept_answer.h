@@ -15,7 +15,8 @@ namespace cairn::bullet {
 /// What of a kept answer is measured anew.
 enum class Remeasured : std::uint8_t {
   all,       ///< whatever may have come near
-  allIfFew,  ///< the same, but where that is more than `KeptAnswer::kFew` leaf pairs what was in contact
+  allIfFew,  ///< the same, but where that is more than `KeptAnswer::kFew` leaf pairs so many: what was in contact
+             ///< and, in turn, of the rest
   touching   ///< what was in contact; where nothing was, all
 };
 
@@ -54,9 +55,11 @@ class KeptAnswer {
   void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
             Remeasured remeasured);
   /// What was picked. Valid until the next `pick` or traversal.
-  std::span<const NodePair> near() const { return areAllNear_ ? leafPairs_ : std::span<const NodePair>(near_); }
+  std::span<const NodePair> near() const { return picked_; }
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
+  /// How far the bodies have moved, at most, since what was not picked but may be in contact was; world length.
+  float overlooked() const { return overlooked_; }
 
   /// Measures all leaf pairs of a traversal that is done, and how far apart they are.
   void measureAll(Counterpart& counterpart, const RelativeMotion& motion, std::vector<Contact>& contacts);
@@ -85,6 +88,9 @@ class KeptAnswer {
 
  private:
   void forgetTraversal();
+  void findNear(std::span<const NodePair> leafPairs, const RelativeMotion& motion);
+  void pickFew(std::span<const NodePair> known);
+  void allArePicked(const RelativeMotion& motion);
 
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
@@ -95,15 +101,18 @@ class KeptAnswer {
   float leastGap_ = kUnknown;   // of `gaps_`
   bool isGapOfLeaves_ = false;  // and whether triangles could say more
   RelativePlacement beganAt_, measuredAt_;
-  RelativePlacement pickedAt_;  // where all that may be in contact was picked last
-  std::vector<float> gaps_;     // one for each leaf pair, or none if they were not measured together
+  // Where all that may be in contact was picked last, and how far it was from there where each was.
+  RelativePlacement pickedAt_;
+  float wayWhilePicked_ = 0;
+  std::vector<float> gaps_;  // one for each leaf pair, or none if they were not measured together
   // Leaf pairs measured since then that were no contacts. When they are as many as there are leaf pairs, measuring all
   // again costs no more than what it is likely to save.
   std::size_t measuredInVain_ = 0;
-  std::vector<NodePair> near_;
-  std::span<const NodePair> leafPairs_;  // the traversal's, where all may be near
+  std::vector<NodePair> near_, few_;
+  std::span<const NodePair> picked_;  // of the traversal's own list, where all may be near
   bool areAllNear_ = false;
-  std::size_t wanted_ = 0;
+  std::size_t wanted_ = 0, turn_ = 0;
+  float overlooked_ = 0;
   // Whatever traversals found since.
   float uncrossed_ = 0;
   RelativePlacement uncrossedAt_;

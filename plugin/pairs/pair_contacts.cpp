@@ -30,7 +30,7 @@ void PairContacts::reset() {
   traversal_ = {};
   started_ = false;
   isResumed_ = false;
-  isOnSpheresAlone_ = false;
+  overlooked_ = 0;
   isRetested_ = false;
   isKept_ = false;
   isFlat_ = false;
@@ -70,11 +70,14 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
 }
 
 bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured) {
+  overlooked_ = 0;
   if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement, motion.reach)) return false;
-  traversal_ = {0, motion.treeCenter - motion.otherCenter};
   // Between flat faces that lie still, the points of the last step stand for all others.
-  if (isFlat_ && kept_.isStill(motion) && remeasured == Remeasured::all) remeasured = Remeasured::touching;
+  const bool isStill = kept_.isStill(motion);
+  if (isFlat_ && isStill && remeasured == Remeasured::all) remeasured = Remeasured::touching;
   kept_.pick(counterpart.traversal().leafPairs(), motion, known_, remeasured);
+  if (!isStill) overlooked_ = kept_.overlooked();
+  traversal_ = {overlooked_, motion.treeCenter - motion.otherCenter};
   return true;
 }
 
@@ -138,6 +141,7 @@ bool PairContacts::appendOfMesh(Counterpart& counterpart, const RelativeMotion& 
   const std::optional<float> gap = counterpart.appendOfMesh(budget, contacts);
   if (!gap) return false;
   kept_.setGap(*gap, motion);
+  overlooked_ = 0;
   kept_.makeRoom(counterpart.traversal().leafPairs().size());
   seenLeafPairs_ = counterpart.traversal().leafPairs().size();
   return true;
@@ -234,7 +238,6 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     appendGuards(counterpart, motion, reach, budget, scratch);
   else if (!isDone && policy.unresolved != Unresolved::ignore)
     appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
-  isOnSpheresAlone_ = !guards_.empty() && contacts.size() == guards_.size();
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.seeds = seeds_;

@@ -85,8 +85,8 @@ class PairContacts {
   /// the deepest of it. What measuring will cost is held back from refinement: were all of it left to the end, a pair
   /// with more leaf pairs than a step can measure would never come to it.
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
-  /// After `finish`: whether nothing but guards holds the bodies.
-  bool isOnSpheresAlone() const { return isOnSpheresAlone_; }
+  /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
+  float overlooked() const { return overlooked_; }
   /// And whether the source mesh gave the contacts, and not leaves.
   bool isOfMesh() const { return isOfMesh_; }
   // After that, where triangles had nothing to say to any of its contacts, or there are none.
@@ -210,7 +210,7 @@ class PairContacts {
   bool isResumed_ = false;
   bool isRetested_ = false;
   bool isOfMesh_ = false;
-  bool isOnSpheresAlone_ = false;
+  float overlooked_ = 0;
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
   FoundPairs found_;

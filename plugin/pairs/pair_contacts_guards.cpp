@@ -78,6 +78,7 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
     guards[i].gap -= allowed;
     if (guards[i].certainDepth > 0) guards[i].gap = std::min(guards[i].gap, -guards[i].certainDepth);
     now[i] = {guards[i].id, guards[i].isWhole, guards[i].normal, allowed, std::max(-guards[i].gap, 0.0F)};
+    guards[i].isGuard = true;
     scratch.contacts.list().push_back(guards[i]);
   }
   guards_.assign(now.begin(), now.begin() + count);
@@ -129,6 +130,7 @@ Contact PairContacts::holdWhole(Contact whole, float smallerSize) {
   const float allowed = allowedGap(whole, smallerSize);
   const Guard* const last = lastOf(whole);
   whole.gap -= allowed;
+  whole.isGuard = true;
   const Guard guard{whole.id, true, whole.normal, allowed, std::max(-whole.gap, 0.0F)};
   if (last)
     guards_[static_cast<std::size_t>(last - guards_.data())] = guard;

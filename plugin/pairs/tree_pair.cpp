@@ -105,7 +105,7 @@ void TreePair::forgetWaiting() {
   moved_ = untold_ = unseenWay_ = 0;
   wholeAt_ = -1;
   spent_ = fullOperations_ = 0;
-  wasAhead_ = false;
+  wasAhead_ = areGuardsLoaded_ = false;
   if (sweep_) sweep_->forget();
 }
 

@@ -233,6 +233,7 @@ class alignas(64) TreePair {
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);
   void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
+  bool areGuardsLoaded();
   void stayAwake() const;
   void standOnGround(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   Contact aheadOf(Contact contact) const;
@@ -337,7 +338,8 @@ class alignas(64) TreePair {
   btVector3 origin_{0, 0, 0};
   int wholeAt_ = -1;  // which manifold holds the spheres of whole bodies
   bool treeIsSmaller_ = true;
-  bool wasAhead_ = false;  // contacts ahead were written in the last step
+  bool wasAhead_ = false;         // contacts ahead were written in the last step
+  bool areGuardsLoaded_ = false;  // in the step that was looked at last
   float closingSpeed_ = 0;
   float reducedMass_ = 0;
   Vec3d center_;  // of the smaller body, world frame

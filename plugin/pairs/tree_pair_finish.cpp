@@ -100,7 +100,8 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
     writeCluster(static_cast<int>(k), clusters[k], dispatcher, result, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
   if (policy.mayBeInterrupted) surviveRefresh();
-  if (contacts_.isOnSpheresAlone()) stayAwake();
+  if (areGuardsLoaded()) stayAwake();
+  report.errorFraction += double(contacts_.overlooked() / smallerSize_);
   heldError_ = report.errorFraction;
   saidContacts_ = report.contacts;
   saidManifolds_ = report.manifolds;

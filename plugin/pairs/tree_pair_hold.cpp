@@ -28,6 +28,9 @@ constexpr float kMostUnseen = 0.03F, kMostUnheld = 0.008F;
 // Of so many steps in a row in which a pair has no answer that holds, one looks at it however late it is: speeds do not
 // tell everything of bodies that are moved by hand. Its name says which, so that not all are looked at in one.
 constexpr std::uint64_t kStepsUnseen = 8;
+// Seconds that Bullet lets bodies lie still before they want to sleep, unless it was told otherwise (btRigidBody's
+// gDeactivationTime, which is not of its collision library). Those that want to earlier were told to by the user.
+constexpr btScalar kPatience = 2;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
 // point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
@@ -146,6 +149,7 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   const bool mayWait = isLate && !isFast_ && !wasAhead_ && !isDue, isFirst = unseenWay_ == 0;
   if (mayWait && mayStay(timeStep)) {
     if (isNew) contacts_.answerAged(2 * kMostFollowed * smallerSize_);  // that they were apart holds no longer
+    if (areGuardsLoaded_) stayAwake();
     return reportHeld(needsStandIn);
   }
   // From below the ground everything comes up: for one step its points may follow at any speed.
@@ -155,8 +159,7 @@ PairReport TreePair::hold(btDispatcher& dispatcher, btManifoldResult& result, bt
   if (standsIn) standIn(timeStep, dispatcher, result);
   surviveRefresh();
   countSaid();
-  const bool isOnSpheres = contacts_.isOnSpheresAlone() || (saysWhole() && !isOnGround());
-  if (isOnSpheres && saidContacts_ > 0) stayAwake();
+  if (areGuardsLoaded()) stayAwake();
   return reportHeld(needsStandIn);
 }
 
@@ -191,12 +194,27 @@ void TreePair::standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldRe
   writeStandIn(whole, dispatcher, result);
 }
 
+// By what the solver made of them in the last step; new ones may be.
+bool TreePair::areGuardsLoaded() {
+  areGuardsLoaded_ = false;
+  for (const btPersistentManifold* m : manifolds_)
+    for (int i = 0; m && i < m->getNumContacts(); ++i) {
+      const btManifoldPoint& point = m->getContactPoint(i);
+      const bool isGuard = (point.m_contactPointFlags & kGuardFlag) != 0;
+      areGuardsLoaded_ = areGuardsLoaded_ || (isGuard && (point.m_appliedImpulse > 0 || point.m_lifeTime == 0));
+    }
+  return areGuardsLoaded_;
+}
+
 // What creeps down behind spheres, an answer at a time, is slow enough for Bullet to put it to sleep where it floats.
 // Sensors hold nobody; what the user sends to sleep goes.
 void TreePair::stayAwake() const {
   if (!objects_[0]->hasContactResponse() || !objects_[1]->hasContactResponse()) return;
-  for (const btCollisionObject* object : objects_)
-    if (object->getActivationState() == ACTIVE_TAG) object->activate();
+  for (const btCollisionObject* object : objects_) {
+    const int state = object->getActivationState();
+    const bool isTired = state == WANTS_DEACTIVATION && object->getDeactivationTime() > kPatience;
+    if (state == ACTIVE_TAG || isTired) object->activate();
+  }
 }
 
 // A body that asks for continuous collision is stopped at the ground below those points. Its course is not looked at:

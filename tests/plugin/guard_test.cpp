@@ -151,25 +151,6 @@ TEST(Guards_OfBallsInsideBothBodies, LiftThemOutOfAPlane) {
   }
 }
 
-// Where nobody is asked the spheres around two cubes hold, which are apart: one stands with its side before the other's
-// edge. What lies on them may be in mid-air: Bullet must not put it to sleep there, only where there is an answer.
-TEST(Guards_OfWholeBodies, LetNobodySleep) {
-  constexpr int kFourSeconds = 240;  // twice as long as Bullet waits
-  BulletWorld<> w;
-  w.world.setGravity(btVector3(0, 0, 0));
-  ASSERT_TRUE(w.dispatcher.setBudget({0, {}}).ok());
-  const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));
-  w.add(cube, 0, btVector3(0, 0, 0));
-  const btRigidBody& body =
-      w.add(cube, 1, btVector3(btScalar(0.95), btScalar(0.95), 0), btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI / 2));
-  w.step(kFourSeconds);
-  ASSERT_EQ(w.dispatcher.lastStep().contacts, 1U) << "no sphere stands in";
-  EXPECT_TRUE(body.isActive());
-  ASSERT_TRUE(w.dispatcher.setBudget({}).ok());
-  w.step(kFourSeconds);
-  EXPECT_FALSE(body.isActive());
-}
-
 // Four layers of cuboids set down in a pit that the spheres around them are too large for: they wedge. Guards that
 // follow whatever the solver's noise parts would push them ever wider and upwards, by 14 J/kg.
 TEST(Guards_OfWholeBodies, DoNotClimb) {

@@ -195,5 +195,30 @@ TEST(KeptAnswer, LapsesWithTheMargin) {
   EXPECT_TRUE(two.deepest(0).has_value());
 }
 
+// A tile with more leaf pairs than a step can measure is let down on another, so slowly that what is known of them is
+// kept. That nothing touched is no answer to what has come near since: where it says that it is resolved, what overlaps
+// has contacts.
+TEST(KeptAnswer, OfMoreLeafPairsThanAStepMeasuresIsNotSilent) {
+  constexpr double kApart = 0.0022, kStep = 0.00005;  // of the size; nothing is within reach at first
+  const auto tile = treeShape(plainTree(cuboid({1, 1, 0.1}, 16)));
+  const double size = static_cast<double>(tile->size());
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  w.add(tile, 0, btVector3(0, 0, 0));
+  btRigidBody& upper = w.add(tile, 1, btVector3(0, 0, btScalar(0.1 + kApart * size)));
+  w.world.performDiscreteCollisionDetection();
+  EXPECT_TRUE(w.dispatcher.setBudget({2000, {}}).ok());
+  int resolved = 0;
+  for (double gap = kApart; gap > -0.01; gap -= kStep) {
+    upper.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.1 + gap * size))));
+    w.world.performDiscreteCollisionDetection();
+    const bullet::StepStatistics& step = w.dispatcher.lastStep();
+    if (gap >= 0 || step.unresolvedPairs > 0) continue;
+    ++resolved;
+    EXPECT_GT(step.contacts, 0U) << gap;
+  }
+  EXPECT_GT(resolved, 50) << "the answer is not kept";
+}
+
 }  // namespace
 }  // namespace cairn::test::kept_answer_test
