@@ -27,7 +27,7 @@ float KeptAnswer::begin(const Counterpart& counterpart, const RelativeMotion& mo
   const bool isSlow = 2 * motion.greatestSpeed() * motion.timeStep <= skin;
   if (counterpart.keepsAnswer() && isSlow) skin_ = skin;
   beganAt_ = motion.placement;
-  allArePicked(motion);
+  allAreMeasured(motion);
   reach_ = motion.reach;
   return skin_;
 }
@@ -55,7 +55,9 @@ bool KeptAnswer::isStill(const RelativeMotion& motion) const {
 
 void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
                       std::span<const NodePair> known, Remeasured remeasured) {
-  areAllNear_ = gaps_.empty() || measuredInVain_ >= leafPairs.size();
+  const bool isTooMuchAtOnce = remeasured == Remeasured::allIfFew && leafPairs.size() > kFew;
+  areAllNear_ = gaps_.empty() || (isDueForAll(leafPairs.size()) && !isTooMuchAtOnce);
+  if (isTooMuchAtOnce) measuredInVain_ = 0;  // or it would be due in each step from now on
   const bool isOnlyTouching = !areAllNear_ && remeasured == Remeasured::touching && !known.empty();
   if (isOnlyTouching)
     near_.assign(known.begin(), known.end());
@@ -65,12 +67,11 @@ void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion&
   wanted_ = picked_.size();
   const bool isTooMuch = remeasured == Remeasured::allIfFew && wanted_ > kFew;
   if (isTooMuch) pickFew(known);
-  const bool arePicked = !isOnlyTouching && !isTooMuch;
-  overlooked_ = arePicked ? 0 : wayWhilePicked_ + static_cast<float>(motion.placement.displacementSince(pickedAt_));
-  if (arePicked) allArePicked(motion);
+  areAllPicked_ = !isOnlyTouching && !isTooMuch;
+  overlooked_ = areAllPicked_ ? 0 : wayWhilePicked_ + static_cast<float>(motion.placement.displacementSince(pickedAt_));
 }
 
-void KeptAnswer::allArePicked(const RelativeMotion& motion) {
+void KeptAnswer::allAreMeasured(const RelativeMotion& motion) {
   pickedAt_ = motion.placement;
   wayWhilePicked_ = 0;
 }
@@ -86,6 +87,7 @@ void KeptAnswer::findNear(std::span<const NodePair> leafPairs, const RelativeMot
 // What was in contact, and of the rest every so many, others in each step: faces that come flat upon each other are
 // noticed all over them, and nothing is overlooked for long.
 void KeptAnswer::pickFew(std::span<const NodePair> known) {
+  few_.reserve(kFew);
   few_.assign(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), kFew)));
   const std::size_t room = kFew - few_.size();
   const std::size_t stride = room > 0 ? (picked_.size() + room - 1) / room : 1;
@@ -100,7 +102,7 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
   gaps_.resize(leafPairs.size());
   counterpart.appendContacts(leafPairs, gaps_, contacts);
   measuredAt_ = motion.placement;
-  allArePicked(motion);
+  allAreMeasured(motion);
   measuredInVain_ = 0;
   leastGap_ = -kUnknown;
   isGapOfLeaves_ = counterpart.hasTriangles() && !leafPairs.empty();
@@ -112,6 +114,7 @@ void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& mot
   const std::size_t before = contacts.size();
   counterpart.appendContacts(picked_, contacts);
   measuredInVain_ += picked_.size() - std::min(picked_.size(), contacts.size() - before);
+  if (areAllPicked_) allAreMeasured(motion);
 }
 
 void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
@@ -119,6 +122,7 @@ void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
   leastGap_ = gap;
   isGapOfLeaves_ = false;
   measuredAt_ = motion.placement;
+  allAreMeasured(motion);
 }
 
 // Beyond its leaf pairs a traversal has ruled out everything within `gapOfInterest` where it ruled it out, which is as
@@ -134,10 +138,10 @@ bool KeptAnswer::isUncrossedAt(const RelativePlacement& now) const {
 }
 
 void KeptAnswer::makeRoom(std::size_t count) {
+  if (count > kFew) few_.reserve(kFew);
   if (gaps_.capacity() >= count) return;
   gaps_.reserve(count + count / 2);
   near_.reserve(count + count / 2);
-  if (count > kFew) few_.reserve(kFew);
 }
 
 }  // namespace cairn::bullet

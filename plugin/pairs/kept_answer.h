@@ -58,6 +58,8 @@ class KeptAnswer {
   std::span<const NodePair> near() const { return picked_; }
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
+  /// Whether so many leaf pairs were measured in vain that `Remeasured::all` means all of these.
+  bool isDueForAll(std::size_t leafPairs) const { return measuredInVain_ >= leafPairs; }
   /// How far the bodies have moved, at most, since what was not picked but may be in contact was; world length.
   float overlooked() const { return overlooked_; }
 
@@ -90,7 +92,7 @@ class KeptAnswer {
   void forgetTraversal();
   void findNear(std::span<const NodePair> leafPairs, const RelativeMotion& motion);
   void pickFew(std::span<const NodePair> known);
-  void allArePicked(const RelativeMotion& motion);
+  void allAreMeasured(const RelativeMotion& motion);
 
   static constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
@@ -101,7 +103,7 @@ class KeptAnswer {
   float leastGap_ = kUnknown;   // of `gaps_`
   bool isGapOfLeaves_ = false;  // and whether triangles could say more
   RelativePlacement beganAt_, measuredAt_;
-  // Where all that may be in contact was picked last, and how far it was from there where each was.
+  // Where all that may be in contact was picked and measured last, and how far it was from there where each was.
   RelativePlacement pickedAt_;
   float wayWhilePicked_ = 0;
   std::vector<float> gaps_;  // one for each leaf pair, or none if they were not measured together
@@ -110,7 +112,7 @@ class KeptAnswer {
   std::size_t measuredInVain_ = 0;
   std::vector<NodePair> near_, few_;
   std::span<const NodePair> picked_;  // of the traversal's own list, where all may be near
-  bool areAllNear_ = false;
+  bool areAllNear_ = false, areAllPicked_ = false;
   std::size_t wanted_ = 0, turn_ = 0;
   float overlooked_ = 0;
   // Whatever traversals found since.

@@ -31,6 +31,7 @@ void PairContacts::reset() {
   started_ = false;
   isResumed_ = false;
   overlooked_ = 0;
+  isTold_ = false;
   isRetested_ = false;
   isKept_ = false;
   isFlat_ = false;
@@ -67,11 +68,12 @@ void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion)
   seenLeafPairs_ = 0;
   found_.clear();
   started_ = true;
+  isTold_ = false;
 }
 
 bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured) {
   overlooked_ = 0;
-  if (!started_ || !counterpart.traversal().done() || !kept_.holdsAt(motion.placement, motion.reach)) return false;
+  if (!keepsAt(counterpart, motion.placement, motion.reach)) return false;
   // Between flat faces that lie still, the points of the last step stand for all others.
   const bool isStill = kept_.isStill(motion);
   if (isFlat_ && isStill && remeasured == Remeasured::all) remeasured = Remeasured::touching;
@@ -192,11 +194,12 @@ void PairContacts::waited(float moved) {
 }
 
 bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
-  return started_ && counterpart.traversal().done() && kept_.holdsAt(now, reach);
+  return isTold_ && counterpart.traversal().done() && kept_.holdsAt(now, reach);
 }
 
 std::uint64_t PairContacts::keptCost(const Counterpart& counterpart) const {
-  return kContactCost * (isKept_ ? kept_.wanted() : counterpart.traversal().leafPairs().size());
+  const std::size_t all = counterpart.traversal().leafPairs().size();
+  return kContactCost * (isKept_ && !kept_.isDueForAll(all) ? kept_.wanted() : all);
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {
@@ -227,7 +230,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     appendUnmeasured(counterpart, motion, budget, contacts);
   }
   if (isDone) {
-    isAnswered_ = true;
+    isAnswered_ = isTold_ = true;
     answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
     answerHadContacts_ = !contacts.empty();
   }

@@ -207,6 +207,7 @@ class PairContacts {
   bool isKept_ = false;
   bool isFlat_ = false;  // did every contact of the last step have a common normal
   bool started_ = false;
+  bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;
   bool isRetested_ = false;
   bool isOfMesh_ = false;
