@@ -11,6 +11,8 @@
 
 #include "bullet_world.h"
 #include "contacts/relative_placement.h"
+#include "counting_new.h"
+#include "pairs/kept_answer.h"
 #include "test_solids.h"
 
 namespace cairn::test::kept_answer_test {
@@ -253,6 +255,24 @@ TEST(KeptAnswer, IsNotMeasuredAllOverAgainBeyondTheBudget) {
   ASSERT_GT(free.back(), 2 * budget) << "all are never measured again";
   ASSERT_TRUE(w.dispatcher.setBudget({static_cast<std::int64_t>(budget), {}}).ok());
   for (int step = 0; step < kSteps; ++step) ASSERT_LE(operationsOf(step), budget) << "step " << step;
+}
+
+// What is picked before there is room for it stays where it is when the room is made; what is picked after needs none.
+TEST(KeptAnswer, PicksAFewWithoutAllocating) {
+  std::vector<NodePair> pairs;
+  for (std::uint32_t i = 0; i < 56; ++i) pairs.push_back({i, i});
+  const bullet::RelativeMotion still;
+  bullet::KeptAnswer before, after;
+  before.pick(pairs, still, {}, bullet::Remeasured::allIfFew);
+  const NodePair* const first = before.near().data();
+  before.makeRoom(pairs.size());
+  EXPECT_EQ(before.near().data(), first);
+  after.makeRoom(40);
+  after.makeRoom(pairs.size());
+  const std::size_t allocated = allocations();
+  after.pick(pairs, still, {}, bullet::Remeasured::allIfFew);
+  EXPECT_EQ(allocations(), allocated);
+  EXPECT_EQ(after.near().size(), 28U) << "every second";
 }
 
 }  // namespace
