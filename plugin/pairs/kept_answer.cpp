@@ -47,17 +47,17 @@ bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach, bool asksT
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
-bool KeptAnswer::isStill(const RelativeMotion& motion) const {
+bool KeptAnswer::isStillAt(const RelativePlacement& now, float reach) const {
   constexpr float kStillFraction = 0.25F;
-  const float moved = wayWhilePicked_ + static_cast<float>(motion.placement.displacementSince(pickedAt_));
-  return moved <= kStillFraction * motion.reach;
+  return wayWhilePicked_ + static_cast<float>(now.displacementSince(pickedAt_)) <= kStillFraction * reach;
 }
 
 void KeptAnswer::pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion,
                       std::span<const NodePair> known, Remeasured remeasured) {
   const bool isTooMuchAtOnce = remeasured == Remeasured::allIfFew && leafPairs.size() > kFew;
   areAllNear_ = gaps_.empty() || (isDueForAll(leafPairs.size()) && !isTooMuchAtOnce);
-  if (isTooMuchAtOnce) measuredInVain_ = 0;  // or it would be due in each step from now on
+  // Or it would be due in each step from now on.
+  if (isTooMuchAtOnce && isDueForAll(leafPairs.size())) measuredInVain_ = 0;
   const bool isOnlyTouching = !areAllNear_ && remeasured == Remeasured::touching && !known.empty();
   if (isOnlyTouching)
     near_.assign(known.begin(), known.end());
@@ -91,7 +91,7 @@ void KeptAnswer::pickFew(std::span<const NodePair> known) {
   few_.assign(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), kFew)));
   const std::size_t room = kFew - few_.size();
   const std::size_t stride = room > 0 ? (picked_.size() + room - 1) / room : 1;
-  for (std::size_t i = turn_++ % stride; i < picked_.size() && few_.size() < kFew; i += stride)
+  for (std::size_t i = turn_ % stride; i < picked_.size() && few_.size() < kFew; i += stride)
     if (std::ranges::find(known, picked_[i]) == known.end()) few_.push_back(picked_[i]);
   picked_ = few_;
   areAllNear_ = false;
@@ -115,6 +115,7 @@ void KeptAnswer::measureNear(Counterpart& counterpart, const RelativeMotion& mot
   counterpart.appendContacts(picked_, contacts);
   measuredInVain_ += picked_.size() - std::min(picked_.size(), contacts.size() - before);
   if (areAllPicked_) allAreMeasured(motion);
+  ++turn_;
 }
 
 void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {

@@ -49,7 +49,7 @@ class KeptAnswer {
 
   /// Whether the bodies have hardly moved since all leaf pairs that may be in contact were measured: by less than a
   /// quarter of the reach, so that what was no contact then is no overlap now.
-  bool isStill(const RelativeMotion& motion) const;
+  bool isStillAt(const RelativePlacement& now, float reach) const;
   /// Picks the leaf pairs to be measured at poses where the answer holds; see `near`. `known` are those that were in
   /// contact.
   void pick(std::span<const NodePair> leafPairs, const RelativeMotion& motion, std::span<const NodePair> known,
@@ -58,7 +58,7 @@ class KeptAnswer {
   std::span<const NodePair> near() const { return picked_; }
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
-  /// Whether so many leaf pairs were measured in vain that `Remeasured::all` means all of these.
+  /// Whether so many of these leaf pairs were measured in vain that all are to be measured again.
   bool isDueForAll(std::size_t leafPairs) const { return measuredInVain_ >= leafPairs; }
   /// How far the bodies have moved, at most, since what was not picked but may be in contact was; world length.
   float overlooked() const { return overlooked_; }

@@ -34,7 +34,7 @@ void PairContacts::reset() {
   isTold_ = false;
   isRetested_ = false;
   isKept_ = false;
-  isFlat_ = false;
+  isFlat_ = liesStill_ = false;
   kept_.reset();
 }
 
@@ -49,7 +49,7 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
   isResumed_ = isRetested_ = false;
   counterpart.expect(commonNormals_);
   isKept_ = keepAnswer(counterpart, motion, beginning.remeasured);
-  if (isKept_) return false;
+  if (isKept_ || isDoneUntold(counterpart, motion)) return false;
   if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
     start(counterpart, motion);
     return true;
@@ -60,6 +60,13 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
   const bool isDear = 2 * kContactCost * known_.size() > budget.remaining();
   if (!beginning.isHeldOver && !isDear) retest(counterpart, budget, scratch);
   return false;
+}
+
+// Its traversal was done in a step in which nobody asked what it found.
+bool PairContacts::isDoneUntold(const Counterpart& counterpart, const RelativeMotion& motion) {
+  if (!started_ || isTold_ || !counterpart.traversal().done()) return false;
+  isResumed_ = kept_.holdsAt(motion.placement, motion.reach);
+  return isResumed_;
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
@@ -75,8 +82,9 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   overlooked_ = 0;
   if (!keepsAt(counterpart, motion.placement, motion.reach)) return false;
   // Between flat faces that lie still, the points of the last step stand for all others.
-  const bool isStill = kept_.isStill(motion);
-  if (isFlat_ && isStill && remeasured == Remeasured::all) remeasured = Remeasured::touching;
+  const bool isStill = kept_.isStillAt(motion.placement, motion.reach);
+  liesStill_ = isFlat_ && isStill;
+  if (liesStill_ && remeasured == Remeasured::all) remeasured = Remeasured::touching;
   kept_.pick(counterpart.traversal().leafPairs(), motion, known_, remeasured);
   if (!isStill) overlooked_ = kept_.overlooked();
   traversal_ = {overlooked_, motion.treeCenter - motion.otherCenter};
@@ -197,9 +205,11 @@ bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlaceme
   return isTold_ && counterpart.traversal().done() && kept_.holdsAt(now, reach);
 }
 
-std::uint64_t PairContacts::keptCost(const Counterpart& counterpart) const {
+// What lay still was asked about little of itself; once it moves, all is asked.
+std::uint64_t PairContacts::keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
   const std::size_t all = counterpart.traversal().leafPairs().size();
-  return kContactCost * (isKept_ && !kept_.isDueForAll(all) ? kept_.wanted() : all);
+  const bool asksAll = !isKept_ || kept_.isDueForAll(all) || (liesStill_ && !kept_.isStillAt(now, reach));
+  return kContactCost * (asksAll ? all : kept_.wanted());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {

@@ -118,7 +118,7 @@ class PairContacts {
   /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about; and at
   /// most, with `Remeasured::allIfFew`.
   bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
-  std::uint64_t keptCost(const Counterpart& counterpart) const;
+  std::uint64_t keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   static constexpr std::uint64_t kKeptCostIfFew = kContactCost * KeptAnswer::kFew;
   bool isKept() const { return isKept_; }
 
@@ -152,6 +152,7 @@ class PairContacts {
   };
 
   bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured);
+  bool isDoneUntold(const Counterpart& counterpart, const RelativeMotion& motion);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
   void retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
@@ -205,7 +206,8 @@ class PairContacts {
   bool answerHadContacts_ = false;  // and did it find any
   Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
   bool isKept_ = false;
-  bool isFlat_ = false;  // did every contact of the last step have a common normal
+  bool isFlat_ = false;     // did every contact of the last step have a common normal
+  bool liesStill_ = false;  // and the bodies hardly moved: only what was in contact was measured
   bool started_ = false;
   bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;

@@ -97,7 +97,8 @@ PairNeed TreePair::surveyed(std::uint64_t usualOperations, bool isTimed) {
   const bool isUrgent = !isHoldingStill_ || (wholeAt_ >= 0 && isOld);
   const double error = isUrgent ? kUnknownError : heldError_ + double(moved_ / smallerSize_);
   const bool isKept = wasDone_ && contacts_.keepsAt(*counterpart_, seenNow_, motion_.reach);
-  const std::uint64_t operations = isKept ? contacts_.keptCost(*counterpart_) : expectedOperations(usualOperations);
+  const std::uint64_t operations =
+      isKept ? contacts_.keptCost(*counterpart_, seenNow_, motion_.reach) : expectedOperations(usualOperations);
   return {error * (1 + waited_), operations, canStandIn || (isHoldingStill_ && !isFast_), !isHoldingStill_ || !wasDone_,
           isKept ? PairContacts::kKeptCostIfFew : operations};
 }

@@ -12,6 +12,7 @@
 #include "bullet_world.h"
 #include "contacts/relative_placement.h"
 #include "counting_new.h"
+#include "installed_dispatchers.h"
 #include "pairs/kept_answer.h"
 #include "test_solids.h"
 
@@ -255,6 +256,67 @@ TEST(KeptAnswer, IsNotMeasuredAllOverAgainBeyondTheBudget) {
   ASSERT_GT(free.back(), 2 * budget) << "all are never measured again";
   ASSERT_TRUE(w.dispatcher.setBudget({static_cast<std::int64_t>(budget), {}}).ok());
   for (int step = 0; step < kSteps; ++step) ASSERT_LE(operationsOf(step), budget) << "step " << step;
+}
+
+// What lay flat and still was asked about what touched alone. The step in which it moves asks about all of it, which is
+// planned at that price.
+TEST(KeptAnswer, OfWhatLayStillIsPlannedInFullOnceItMoves) {
+  constexpr int kPairs = 10, kSteps = 100, kEvery = 20;
+  constexpr std::int64_t kBudget = 800;  // four times what they need while they lie still
+  const auto tile = treeShape(plainTree(cuboid({1, 1, 0.1}, 16)));
+  const double size = double(tile->size());
+  BulletWorld<> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  std::vector<btRigidBody*> tiles;
+  for (int i = 0; i < kPairs; ++i) {
+    w.add(tile, 0, btVector3(btScalar(3 * i), 0, 0));
+    tiles.push_back(&w.add(tile, 1, btVector3(btScalar(3 * i), 0, btScalar(0.1 - 0.001 * size))));
+  }
+  for (int step = 0; step < 3; ++step) w.world.performDiscreteCollisionDetection();
+  ASSERT_LT(w.dispatcher.lastStep().operations, kBudget / 2) << "all of it is asked about while it lies still";
+  ASSERT_TRUE(w.dispatcher.setBudget({kBudget, {}}).ok());
+  for (int step = 0; step < kSteps; ++step) {
+    const double aside = step / kEvery % 2 == 0 ? 0 : 0.003 * size;
+    for (int i = 0; i < kPairs; ++i)
+      tiles[std::size_t(i)]->setWorldTransform(btTransform(
+          btQuaternion::getIdentity(), btVector3(btScalar(3 * i + aside), 0, btScalar(0.1 - 0.001 * size))));
+    w.world.performDiscreteCollisionDetection();
+    EXPECT_LE(w.dispatcher.lastStep().operations, kBudget + Scheduler::kTurnOperations) << "step " << step;
+  }
+}
+
+const btCollisionObject* leftOut = nullptr;
+
+void leavingOneOut(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  if (leftOut && (pair.m_pProxy0->m_clientObject == leftOut || pair.m_pProxy1->m_clientObject == leftOut)) return;
+  btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+// A user who asks about a pair in every second step only: where the steps' ends are not told, its traversal is done in
+// the steps in which nobody asks. It is measured when somebody does: it is neither kept unmeasured, nor begun again.
+TEST(KeptAnswer, OfATraversalNobodyAskedAboutIsMeasuredWhenAsked) {
+  constexpr int kSteps = 100;
+  const auto tile = treeShape(plainTree(cuboid({1, 1, 0.1}, 8))),
+             cube = treeShape(plainTree(cuboid({0.5, 0.5, 0.5}, 2)));
+  const double size = double(tile->size());
+  BulletWorld<InstalledOnDispatcher> w;
+  w.world.setGravity(btVector3(0, 0, 0));
+  w.dispatcher.setNearCallback(leavingOneOut);
+  for (const btScalar x : {btScalar(10), btScalar(13)}) {
+    w.add(cube, 0, btVector3(x, 0, 0));
+    w.add(cube, 1, btVector3(x, 0, btScalar(0.499)));
+  }
+  w.add(tile, 0, btVector3(0, 0, 0));
+  const btRigidBody& upper = w.add(tile, 1, btVector3(btScalar(0.02), btScalar(0.01), btScalar(0.1 - 0.002 * size)));
+  ASSERT_TRUE(w.dispatcher.setBudget({30000, {}}).ok());
+  int resolved = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    leftOut = step % 2 == 0 ? nullptr : &upper;
+    w.world.performDiscreteCollisionDetection();
+    if (!leftOut && w.dispatcher.lastStep().unresolvedPairs == 0) ++resolved;
+  }
+  leftOut = nullptr;
+  EXPECT_GT(resolved, kSteps / 4);
 }
 
 // What is picked before there is room for it is still there when the room is made; what is picked after needs none.
