@@ -56,10 +56,14 @@ class KeptAnswer {
             Remeasured remeasured);
   /// What was picked. Valid until the next `pick` or traversal.
   std::span<const NodePair> near() const { return picked_; }
+  /// How many of the leaf pairs may be in contact at these poses. Precondition: `tellsNear`. Linear in them.
+  std::size_t countNear(const RelativePlacement& now, float reach) const;
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
   /// Whether so many of these leaf pairs were measured in vain that all are to be measured again.
   bool isDueForAll(std::size_t leafPairs) const { return measuredInVain_ >= leafPairs; }
+  /// Whether it is known how far apart they are, and worth knowing still.
+  bool tellsNear(std::size_t leafPairs) const { return !gaps_.empty() && !isDueForAll(leafPairs); }
   /// How far the bodies have moved, at most, since what was not picked but may be in contact was; world length.
   float overlooked() const { return overlooked_; }
 

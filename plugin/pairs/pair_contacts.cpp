@@ -84,8 +84,10 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   // Between flat faces that lie still, the points of the last step stand for all others.
   const bool isStill = kept_.isStillAt(motion.placement, motion.reach);
   liesStill_ = isFlat_ && isStill;
-  if (liesStill_ && remeasured == Remeasured::all) remeasured = Remeasured::touching;
-  kept_.pick(counterpart.traversal().leafPairs(), motion, known_, remeasured);
+  const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
+  if (liesStill_ && (remeasured == Remeasured::all || kept_.tellsNear(leafPairs.size())))
+    remeasured = Remeasured::touching;
+  kept_.pick(leafPairs, motion, known_, remeasured);
   if (!isStill) overlooked_ = kept_.overlooked();
   traversal_ = {overlooked_, motion.treeCenter - motion.otherCenter};
   return true;
@@ -208,8 +210,8 @@ bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlaceme
 // What lay still was asked about little of itself; once it moves, all is asked.
 std::uint64_t PairContacts::keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
   const std::size_t all = counterpart.traversal().leafPairs().size();
-  const bool asksAll = !isKept_ || kept_.isDueForAll(all) || (liesStill_ && !kept_.isStillAt(now, reach));
-  return kContactCost * (asksAll ? all : kept_.wanted());
+  if (!isKept_ || !kept_.tellsNear(all)) return kContactCost * all;
+  return kContactCost * (liesStill_ && kept_.isStillAt(now, reach) ? kept_.wanted() : kept_.countNear(now, reach));
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {
