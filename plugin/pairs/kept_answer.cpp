@@ -84,11 +84,6 @@ void KeptAnswer::findNear(std::span<const NodePair> leafPairs, const RelativeMot
     if (gaps_[i] < near) near_.push_back(leafPairs[i]);
 }
 
-std::size_t KeptAnswer::countNear(const RelativePlacement& now, float reach) const {
-  const float near = reach + static_cast<float>(now.displacementSince(measuredAt_));
-  return static_cast<std::size_t>(std::ranges::count_if(gaps_, [&](float gap) { return gap < near; }));
-}
-
 // What was in contact, and of the rest every so many, others in each step: faces that come flat upon each other are
 // noticed all over them, and nothing is overlooked for long.
 void KeptAnswer::pickFew(std::span<const NodePair> known) {

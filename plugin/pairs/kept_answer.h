@@ -56,8 +56,6 @@ class KeptAnswer {
             Remeasured remeasured);
   /// What was picked. Valid until the next `pick` or traversal.
   std::span<const NodePair> near() const { return picked_; }
-  /// How many of the leaf pairs may be in contact at these poses. Precondition: `tellsNear`. Linear in them.
-  std::size_t countNear(const RelativePlacement& now, float reach) const;
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
   /// Whether so many of these leaf pairs were measured in vain that all are to be measured again.

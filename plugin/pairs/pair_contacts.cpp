@@ -211,7 +211,8 @@ bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlaceme
 std::uint64_t PairContacts::keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
   const std::size_t all = counterpart.traversal().leafPairs().size();
   if (!isKept_ || !kept_.tellsNear(all)) return kContactCost * all;
-  return kContactCost * (liesStill_ && kept_.isStillAt(now, reach) ? kept_.wanted() : kept_.countNear(now, reach));
+  if (isFlat_ && kept_.isStillAt(now, reach) && !known_.empty()) return kContactCost * known_.size();
+  return kContactCost * (liesStill_ ? all : kept_.wanted());
 }
 
 bool PairContacts::isRecent(const RelativeMotion& motion) const {
