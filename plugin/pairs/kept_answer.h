@@ -58,8 +58,6 @@ class KeptAnswer {
   std::span<const NodePair> near() const { return picked_; }
   /// How many they would have been, had it not mattered how many they are.
   std::size_t wanted() const { return wanted_; }
-  /// Whether so many of these leaf pairs were measured in vain that all are to be measured again.
-  bool isDueForAll(std::size_t leafPairs) const { return measuredInVain_ >= leafPairs; }
   /// Whether it is known how far apart they are, and worth knowing still.
   bool tellsNear(std::size_t leafPairs) const { return !gaps_.empty() && !isDueForAll(leafPairs); }
   /// How far the bodies have moved, at most, since what was not picked but may be in contact was; world length.
@@ -92,6 +90,8 @@ class KeptAnswer {
 
  private:
   void forgetTraversal();
+  // So many were measured in vain that all are to be measured again.
+  bool isDueForAll(std::size_t leafPairs) const { return measuredInVain_ >= leafPairs; }
   void findNear(std::span<const NodePair> leafPairs, const RelativeMotion& motion);
   void pickFew(std::span<const NodePair> known);
   void allAreMeasured(const RelativeMotion& motion);
