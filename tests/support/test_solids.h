@@ -96,6 +96,20 @@ inline Solid ball(double radius, int subdivisions) {
   return out.solid;
 }
 
+/// The same solid of four times as many triangles: each is cut at the middles of its edges, in its own plane.
+inline Solid quartered(const Solid& solid) {
+  detail::SolidWriter out;
+  for (const auto& [i, j, k] : solid.triangles) {
+    const Vec3d &a = solid.vertices[i], &b = solid.vertices[j], &c = solid.vertices[k];
+    const Vec3d ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
+    out.triangle(a, ab, ca);
+    out.triangle(ab, b, bc);
+    out.triangle(ca, bc, c);
+    out.triangle(ab, bc, ca);
+  }
+  return out.solid;
+}
+
 /// A valley along y between two planes that rise by `degrees` from its bottom, the origin, in a block that reaches
 /// `width` to both sides, `depth` below the bottom and is `length` long.
 inline Solid valley(double degrees, double width, double depth, double length, int cells) {

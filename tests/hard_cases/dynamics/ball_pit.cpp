@@ -47,7 +47,21 @@ btVector3 placeOf(int i, int side, double spacing, std::uint64_t seed) {
   return btVector3(btScalar(x), btScalar(y), btScalar(z));
 }
 
-Figures fall(const test::TriedBody& ball, int side, double seconds, std::uint64_t seed) {
+struct Drop {
+  int side;
+  double seconds;
+  int stepsPerSecond = test::kStepsPerSecond;
+  bool isContinuous = false;  // by Bullet's own switch, each body's
+};
+
+void lookAhead(btRigidBody& ball, double radius) {
+  constexpr double kMotion = 0.1, kSwept = 0.4;  // of the radius: how far in a step at least, and with what ball
+  ball.setCcdMotionThreshold(btScalar(kMotion * radius));
+  ball.setCcdSweptSphereRadius(btScalar(kSwept * radius));
+}
+
+Figures fall(const test::TriedBody& ball, const Drop& how, std::uint64_t seed) {
+  const int side = how.side;
   const double radius = kRadius + double(ball.margin), spacing = 2.05 * radius;
   const Pit pit{radius, side * spacing / 2};
   test::StillWorld w;
@@ -58,9 +72,11 @@ Figures fall(const test::TriedBody& ball, int side, double seconds, std::uint64_
   for (int i = 0; i < side * side * side; ++i)
     bodies.push_back(
         &w.addTried(ball, btTransform(btQuaternion::getIdentity(), placeOf(i, side, spacing, seed)), btScalar(0.5)));
+  if (how.isContinuous)
+    for (btRigidBody* body : bodies) lookAhead(*body, radius);
   double deepest = 0, peak = 0, kinetic = 0;
-  for (int i = 0; i < int(seconds * test::kStepsPerSecond); ++i) {
-    w.step();
+  for (int i = 0; i < int(how.seconds * how.stepsPerSecond); ++i) {
+    w.world.stepSimulation(btScalar(1) / btScalar(how.stepsPerSecond), 0);
     deepest = test::greatest(deepest, pit.deepest(bodies));
     kinetic = 0;
     for (const btRigidBody* body : bodies) kinetic += kineticEnergyOf(*body);
@@ -69,16 +85,30 @@ Figures fall(const test::TriedBody& ball, int side, double seconds, std::uint64_
   return {100 * deepest / radius, kinetic / peak};
 }
 
+constexpr const char* kWhyDeep =
+    "At a blow: a step of 60 Hz takes a ball that fell a metre 30 % of its radius on. Bullet has a hull's points from "
+    "3.6 % of the radius before they touch, a tree's from 0.7 %; a hull's from there goes 31 % deep.";
+
 Outcome runBallPit(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const int side = isWhole ? 6 : 3, seeds = 3;
-  const double seconds = isWhole ? 15 : 4;
-  const std::vector<Asked> asked{{"deepest penetration", 10, Bound::atMost, "% of the radius"},
-                                 {"kinetic energy at the end", isWhole ? 1e-3 : 1e-2, Bound::atMost, "of its peak"}};
+  const Drop atSixty{.side = side, .seconds = isWhole ? 15.0 : 4.0};
+  // Blows come first: what is deepest is so within two seconds.
+  const Drop finely{.side = side, .seconds = 2, .stepsPerSecond = 240};
+  const Drop ahead{.side = side, .seconds = finely.seconds, .isContinuous = true};
+  const std::vector<Asked> asked{
+      {"deepest penetration", 10, Bound::atMost, "% of the radius"},
+      {"kinetic energy at the end", isWhole ? 1e-3 : 1e-2, Bound::atMost, "of its peak"},
+      {"deepest penetration, 240 steps a second", 10, Bound::atMost, "% of the radius"},
+      {"deepest penetration, with continuous collision", 10, Bound::atMost, "% of the radius"}};
+  const auto run = [&](const CaseBody& body, std::uint64_t seed) {
+    Figures figures = fall(body.body, atSixty, seed);
+    for (const Drop& other : {finely, ahead}) figures.push_back(fall(body.body, other, seed).front());
+    return figures;
+  };
   return {compareSeeds(
-              asked, seeds, [](std::uint64_t) -> const CaseBodies& { return balls(kRadius); },
-              [&](const CaseBody& body, std::uint64_t seed) { return fall(body.body, side, seconds, seed); }),
-          "At a blow: a step of 60 Hz takes a ball that fell a metre 30 % of its radius on."};
+              asked, seeds, [](std::uint64_t) -> const CaseBodies& { return balls(kRadius); }, run),
+          kWhyDeep};
 }
 
 }  // namespace
@@ -86,7 +116,8 @@ Outcome runBallPit(Effort effort) {
 HardCase ballPit() {
   return {"D11", "a pit of balls",
           "216 balls, 15 s at 60 Hz, the median of three pits: never deeper than 10 % of the radius (margin included), "
-          "kinetic energy down to a thousandth of its peak (proposed list)",
+          "kinetic energy down to a thousandth of its peak (proposed list); as deep with steps a quarter as long, and "
+          "with continuous collision",
           runBallPit};
 }
 
