@@ -55,6 +55,7 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
     if (isLeaf(id) && facesOnly(id)) flatness_[id] |= kFaceted;
     if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
   }
+  listCorners();
 }
 
 // A triangle without area faces nowhere and contradicts nothing.
@@ -144,7 +145,7 @@ std::size_t SphereTree::memoryBytes() const {
   return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
          bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
-         bytesOf(familySize_) + bytesOf(nodeAt_);
+         bytesOf(corners_) + bytesOf(firstCorner_) + bytesOf(familySize_) + bytesOf(nodeAt_);
 }
 
 }  // namespace cairn

@@ -52,16 +52,18 @@ class PlacedTree {
   std::span<const Vec3> supportPoints(NodeId node) const { return tree_->supportPoints(node); }
   /// The point of the node's region that lies farthest along `direction`.
   Vec3 support(NodeId node, const Vec3& direction) const { return regions().support(node, direction); }
-  /// Up to which the body reaches along `direction` (unit) near the node: its region's farthest support point, or, if
-  /// that is farther, the farthest point of its ball less the certified error. The body has points as far out as that.
-  Vec3 extreme(NodeId node, const Vec3& direction) const {
-    const Vec3 point = support(node, direction);
-    const Sphere ball = sphere(node);
-    const float out = ball.radius - tree_->error(node) * scale();
-    return dot(direction, point - ball.center) < out ? ball.center + direction * out : point;
-  }
+  /// Up to which the body reaches along `direction` (unit) near the node, at least: its region's farthest support
+  /// point, or, if that is farther, the farthest point of its ball less the certified error. The body has points as far
+  /// out as that.
+  Vec3 certainReach(NodeId node, const Vec3& direction) const;
+  /// The same, but the farthest of the region's corners where the tree lists them. As dear as six contacts, where there
+  /// are many.
+  Vec3 extreme(NodeId node, const Vec3& direction) const;
 
  private:
+  Vec3 certainReach(NodeId node, const Vec3& direction, const Vec3& point) const;
+  Vec3 farthestOf(std::span<const std::uint32_t> corners, const Vec3& direction, const Vec3& point) const;
+
   const SphereTree* tree_ = nullptr;
   Pose pose_;
   Similarity toPair_;

@@ -66,7 +66,7 @@ void TriangleContacts::appendMeasured(const PairPlacement& placement, std::span<
 
 void TriangleContacts::offer(const PlacedTree& tree, Group& group, const Vec3& normal) {
   if (lengthSq(normal) == 0) return;  // a degenerate triangle has no face
-  const Vec3 onTree = tree.extreme(group.first->pair.a, -normal);
+  const Vec3 onTree = tree.certainReach(group.first->pair.a, -normal);
   const float height = dot(normal, onTree - group.first->nearest);
   if (height <= group.height) return;
   group.normal = normal;

@@ -180,10 +180,10 @@ Outcome runSphereCountIndependence(Effort) {
   std::vector<StockRun> stock{{"gimpact", boxes}, {"compound", parts}};
   // The ball beside the boxes of a compound is one shape whatever their number: nothing to compare.
   std::fill(stock.back().figures.begin() + 2, stock.back().figures.end(), std::numeric_limits<double>::quiet_NaN());
-  return {besideTheBest(asked, spreads(trees()), stock),
-          "Balls roll over facets, and trees of other leaves ask about other points of the same ones. A leaf of an "
-          "eighth of the ball knows sixteen of its corners, and elsewhere how far out it is certified to be: it rolls "
-          "rounder than its facets."};
+  return {
+      besideTheBest(asked, spreads(trees()), stock),
+      "Balls roll over facets, and trees of other leaves ask about other points of the same ones; from one start it "
+      "is chance which of them are asked."};
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ using NodeId = std::uint32_t;
 inline constexpr NodeId kRootNode = 0;
 inline constexpr std::uint32_t kMaxSupportPoints = 16;
 inline constexpr std::uint32_t kMaxFaceNormals = 3;
+/// Of a region that has more, corners are not listed: see `SphereTree::regionCorners`.
+inline constexpr std::uint32_t kMaxRegionCorners = 256;
 inline constexpr std::uint32_t kMaxDepth = 15;
 
 /// Directions within `halfAngle` of `axis`; holds every source normal of a region. `cosine` = cos(halfAngle),
@@ -140,6 +142,11 @@ class SphereTree {
   bool isPlanar(NodeId node) const { return (flatness_[node] & kPlanar) != 0; }
   /// Source triangles that touch the node's region, as indices into `triangles()`.
   std::span<const std::uint32_t> regionTriangles(NodeId node) const;
+  /// The source vertices of a leaf's region that its ball holds, as indices into `vertices()`, where its support points
+  /// may leave some out and they are no more than `kMaxRegionCorners`; else, and for inner nodes, nothing.
+  std::span<const std::uint32_t> regionCorners(NodeId node) const {
+    return std::span(corners_).subspan(firstCorner_[node], firstCorner_[node + 1] - firstCorner_[node]);
+  }
   std::uint32_t level(NodeId node) const { return level_[node]; }
   /// The node's name for its breadth-first number in `data().nodes`.
   NodeId nodeAt(std::uint32_t recordIndex) const { return nodeAt_[recordIndex]; }
@@ -168,6 +175,8 @@ class SphereTree {
   void packNode(std::uint32_t record);
   void packChildLanes(NodeId node);
   bool facesOnly(NodeId leaf) const;
+  void listCorners();
+  bool mayListCorners(NodeId node) const;
 
   SphereTreeData data_;
   std::vector<Family> families_;
@@ -176,6 +185,7 @@ class SphereTree {
   std::vector<std::uint32_t> recordIndex_;
   std::vector<std::uint8_t> level_;
   std::vector<std::uint8_t> flatness_;  // kFaceted, kPlanar: what contacts ask of each leaf, near each other
+  std::vector<std::uint32_t> corners_, firstCorner_;  // those of node i from firstCorner_[i] to firstCorner_[i + 1]
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
   float reach_ = 0;
