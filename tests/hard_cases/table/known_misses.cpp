@@ -36,7 +36,7 @@ constexpr KnownMiss kKnown[] = {
     {"D3", "a card house of 7 cards stands, mean", kHolds, 5.4},
     {"D11", "deepest penetration", 19.9, 34.6},
     {"D13", "a centimetre at rest, RMS", kHolds, 2.1},
-    {"D16", "rocks: steps in which the deepest pair had no contact", kHolds, 9},
+    {"D16", "rocks: deepest once they lie", kHolds, 4.4},
     {"D16", "three slabs: energy gained after any loss", kHolds, 3.5},
     {"D16", "three slabs: deepest once they lie", kHolds, 5.4},
     {"D16", "mean error, rise with the budget, first step", kHolds, 0.084},
