@@ -165,13 +165,15 @@ Result<Polygons> readOff(const std::string& file, std::string_view text) {
 }
 
 Result<Polygons> readTextStl(const std::string& file, std::string_view text) {
-  if (text.find("endsolid") == std::string_view::npos)
-    return Error{fmt::format("{}: the text does not end with 'endsolid'; it is truncated, export it again", file)};
   LineReader line(file, text);
   PolygonSoup soup;
+  bool isEnded = false;
   while (line.nextContent()) {
     for (std::string_view word = line.nextWord(); !word.empty(); word = line.nextWord()) {
-      if (word == "solid" || word == "endsolid") break;  // a name follows
+      if (word == "solid" || word == "endsolid") {
+        isEnded = word == "endsolid";
+        break;  // a name follows
+      }
       if (word == "vertex") {
         soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
         if (Status s = readPosition(line, soup); !s) return s.error();
@@ -183,6 +185,9 @@ Result<Polygons> readTextStl(const std::string& file, std::string_view text) {
       }
     }
   }
+  if (!isEnded)
+    return line.error(fmt::format("the file ends after {} facets, without 'endsolid'; it is truncated, export it again",
+                                  soup.ends.size()));
   return Polygons(std::move(soup));
 }
 

@@ -113,7 +113,7 @@ Result<Header> readHeader(LineReader& line) {
     if (Status s = keyword == "format" ? readFormat(line, encoding) : readLine(line, keyword, header); !s)
       return s.error();
   }
-  return line.atEnd("the header does not end with end_header; the file is truncated, export it again");
+  return line.error("the header does not end with end_header; the file is truncated, export it again");
 }
 
 }  // namespace cairn::builder::ply

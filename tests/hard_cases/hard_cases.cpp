@@ -29,7 +29,8 @@ struct Options {
 
 struct Count {
   std::array<int, 3> ofVerdict{};
-  std::vector<std::string> news;
+  std::size_t measures = 0, behindStock = 0;
+  std::vector<std::string> news, noLongerMissed;
   Json rows = Json::array();
 };
 
@@ -40,8 +41,15 @@ void runOne(const HardCase& hardCase, Effort effort, Count& count) {
   fmt::print("{}\n", linesOf(hardCase, outcome, seconds));
   std::fflush(stdout);
   ++count.ofVerdict[std::size_t(verdictOn(outcome))];
-  for (const Measure& measure : outcome.measures)
-    if (isNews(hardCase.id, measure, effort)) count.news.push_back(hardCase.id + " " + measure.name);
+  const std::vector<std::string> known = knownMisses(hardCase.id, effort);
+  for (const Measure& measure : outcome.measures) {
+    const std::string name = hardCase.id + " " + measure.name;
+    count.behindStock += holdsBehindStock(measure) ? 1 : 0;
+    if (isNews(hardCase.id, measure, effort)) count.news.push_back(name);
+    if (verdictOn(measure) != Verdict::misses && std::ranges::count(known, measure.name) > 0)
+      count.noLongerMissed.push_back(name);
+  }
+  count.measures += outcome.measures.size();
   count.rows.push_back(jsonOf(hardCase, outcome, seconds));
 }
 
@@ -74,6 +82,10 @@ int runAll(const Options& options) {
   if (options.list) return 0;
   fmt::print("{} cases: {} hold, {} as good as Bullet's best shape, {} miss.\n", cases->size(), count.ofVerdict[0],
              count.ofVerdict[1], count.ofVerdict[2]);
+  fmt::print("{} of {} measures hold though a shape of Bullet's does better still (~).\n", count.behindStock,
+             count.measures);
+  if (!count.noLongerMissed.empty())
+    fmt::print("Known to miss, but not now: {}.\n", fmt::join(count.noLongerMissed, "; "));
   if (!count.news.empty()) fmt::print("Not known to miss, or not so far: {}.\n", fmt::join(count.news, "; "));
   const int news = options.strict && !count.news.empty() ? 1 : 0;
   if (options.json.empty()) return news;
@@ -95,7 +107,10 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json, "write the table to this file");
   app.add_flag("--strict", options.strict,
                "end with 1 where something misses that docs/hard-cases.md does not tell of, or misses by more");
-  app.footer("\nExamples:\n  hard_cases --quick\n  hard_cases D15 D16 --json starved.json\n  hard_cases --strict");
+  app.footer(
+      "\nOf its measures '!' marks what misses or is only as good as a shape of Bullet's, '~' what holds though one "
+      "does better."
+      "\n\nExamples:\n  hard_cases --quick\n  hard_cases D15 D16 --json starved.json\n  hard_cases --strict");
   if (const auto code = cairn::scenes::parseCommandLine(app, argc, argv)) return *code;
   if (const cairn::Status writable = cairn::checkOutputs({}, {options.json}); !writable)
     return cairn::scenes::refuse("hard_cases", writable.error());

@@ -76,6 +76,14 @@ TEST(Verdict, BeyondItMissesUnlessBulletsShapesDoNoBetter) {
   EXPECT_EQ(verdictOn(Measure{"", 0, 1, Bound::atLeast, "", "hull", 0.5}), Verdict::misses);
 }
 
+TEST(Verdict, TellsWhereAShapeOfBulletsIsBetterThanWhatHolds) {
+  EXPECT_TRUE(holdsBehindStock(Measure{"", 1, 2, Bound::atMost, "", "hull", 0.5}));
+  EXPECT_TRUE(holdsBehindStock(Measure{"", 3, 2, Bound::atLeast, "", "hull", 4}));
+  EXPECT_FALSE(holdsBehindStock(Measure{"", 1, 2, Bound::atMost, "", "hull", 1}));
+  EXPECT_FALSE(holdsBehindStock(Measure{"", 1, 2, Bound::atMost, "", "", 0}));
+  EXPECT_FALSE(holdsBehindStock(Measure{"", 3, 2, Bound::atMost, "", "hull", 1})) << "it misses";
+}
+
 TEST(Verdict, WhatIsNoNumberMisses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(verdictOn(Measure{"", nan, 1, Bound::atMost, "", "hull", 2}), Verdict::misses);

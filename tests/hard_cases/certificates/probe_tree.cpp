@@ -36,11 +36,9 @@ NodeData ballOfChildren(std::span<const NodeData> children) {
   return node;
 }
 
-}  // namespace
-
-SphereTree probeTree(std::span<const Wide> points) {
+SphereTree treeOfLeaves(std::vector<NodeData> leaves) {
   std::vector<std::vector<NodeData>> levels(4);
-  for (const Wide& point : points) levels[3].push_back(ballOfPoint(point));
+  levels[3] = std::move(leaves);
   for (std::size_t level = 3; level-- > 0;)
     for (std::size_t i = 0; i < kLevels[level]; ++i)
       levels[level].push_back(ballOfChildren(std::span(levels[level + 1]).subspan(8 * i, 8)));
@@ -61,6 +59,21 @@ SphereTree probeTree(std::span<const Wide> points) {
   auto tree = SphereTree::create(std::move(data));
   if (!tree) throw std::runtime_error(tree.error().message);
   return std::move(tree).value();
+}
+
+}  // namespace
+
+SphereTree probeTree(std::span<const Wide> points) {
+  std::vector<NodeData> leaves;
+  for (const Wide& point : points) leaves.push_back(ballOfPoint(point));
+  return treeOfLeaves(std::move(leaves));
+}
+
+SphereTree probeTree(const Sphere& ball) {
+  NodeData leaf;
+  leaf.center = ball.center;
+  leaf.radius = ball.radius;
+  return treeOfLeaves(std::vector<NodeData>(kProbes, leaf));
 }
 
 NodeId nodeOfProbe(const SphereTree& tree, std::uint32_t index) {

@@ -16,6 +16,10 @@ inline constexpr std::uint32_t kProbes = 512;
 /// float, its radius the rounding. Three levels of eight over each other, errors 0. `nodeOf(tree, i)` names the leaf.
 /// Precondition: `kProbes` points; neighbours in the list should be near each other.
 SphereTree probeTree(std::span<const Wide> points);
+
+/// A tree whose leaves all are this ball.
+SphereTree probeTree(const Sphere& ball);
+
 NodeId nodeOfProbe(const SphereTree& tree, std::uint32_t index);
 
 }  // namespace cairn::hard

@@ -95,7 +95,7 @@ HardCase randomPoses() {
   return {"C2", "pairs of trees in random poses against an exact check",
           "1e6 poses of pairs of four solids, traversals cut after 10, 100, 1000 operations or none: no surfaces that "
           "meet are missed, however shallow; no pair is named whose surfaces are farther apart than the least of its "
-          "certified errors, and twice the slack of 2^-19 of the lengths that overlap tests have",
+          "certified errors, and twice the slack of 2^-18 of the lengths that overlap tests have",
           runRandomPoses};
 }
 

@@ -14,15 +14,24 @@
 namespace cairn::hard {
 namespace {
 
-constexpr int kMostCompounds = 3, kClimb = 1500;
+constexpr int kMostCompounds = 4;
+constexpr double kLeastScale = 1e-3;
+constexpr float kLeastRadius = 1e-6F;
 
 /// A body's rotation, those of the compounds' children in it, and the tree's own, one after the other; where both
-/// stand; how large the second is; its point.
+/// stand; how large the second is; a ball of it, and where on that ball the shared point is.
 struct Place {
   std::vector<btQuaternion> turnsA, turnsB;
   btVector3 at, apart;
   double scale = 1;
-  Vec3 pointInB;
+  Sphere ballInB;
+  btVector3 outward;
+
+  /// Inside the ball for certain, by less than matters.
+  Wide pointInB() const {
+    const Wide way(bullet::toVec3d(outward));
+    return Wide(ballInB.center) + way * (static_cast<long double>(ballInB.radius) * (1 - 0x1p-50L) / length(way));
+  }
 };
 
 class Dice {
@@ -55,22 +64,29 @@ Place randomPlace(int products, Dice& dice) {
   place.scale = std::pow(10, 2 * dice.draw());
   place.at = dice.vector(10);
   place.apart = dice.vector(1);
-  place.pointInB = bullet::toVec3(dice.vector(1));
+  place.ballInB = {bullet::toVec3(dice.vector(1)), float(std::pow(10, 3 * dice.draw() - 2))};
+  place.outward = dice.vector(1);
   return place;
 }
 
 Place besides(Place place, Dice& dice) {
   const double size = std::pow(10, -5 * std::abs(dice.draw()));
   const std::size_t which = dice.oneOf(place.turnsA.size());
-  switch (dice.oneOf(8)) {
+  switch (dice.oneOf(12)) {
     case 0:
-      place.pointInB = place.pointInB + bullet::toVec3(dice.vector(size));
+      place.ballInB.center = place.ballInB.center + bullet::toVec3(dice.vector(size));
       break;
     case 1:
       place.apart += dice.vector(size);
       break;
     case 2:
-      place.scale *= std::exp(dice.draw() * size);
+      place.scale = std::clamp(place.scale * std::exp(dice.draw() * size), kLeastScale, 1 / kLeastScale);
+      break;
+    case 3:
+      place.ballInB.radius = std::clamp(place.ballInB.radius * float(std::exp(dice.draw() * size)), kLeastRadius, 1.0F);
+      break;
+    case 4:
+      place.outward = (place.outward + dice.vector(size)).normalized();
       break;
     default: {
       btQuaternion& turn = (dice.oneOf(2) == 0 ? place.turnsA : place.turnsB)[which];
@@ -93,23 +109,26 @@ struct Shared {
   double used = 0;
 };
 
+/// What moving the ball's centre leaves between it and the point, beyond its radius, is what the slack has to cover.
 Shared look(const Place& place) {
   Shared shared{poseOf(place.turnsA, place.at, 1), poseOf(place.turnsB, place.at + place.apart, place.scale), {}};
-  const Wide turned = WideMatrix(shared.b.rotation) * Wide(place.pointInB);
+  const Wide turned = WideMatrix(shared.b.rotation) * place.pointInB();
   const Wide world = turned * static_cast<long double>(shared.b.scale) + Wide(shared.b.translation);
   shared.pointInA = WideMatrix(shared.a.rotation).solved(world - Wide(shared.a.translation));
   const Similarity inA = relativePose(shared.a, shared.b);
-  const Wide moved(inA * place.pointInB);
-  const long double lengths =
-      length(inA.translation) + std::sqrt(lengthSq(shared.pointInA)) + inA.scale * length(place.pointInB);
-  shared.used = double(std::sqrt(lengthSq(shared.pointInA - moved)) / lengths) / double(kOverlapSlack);
+  const Sphere& ball = place.ballInB;
+  const auto radius = static_cast<long double>(inA.scale) * static_cast<long double>(ball.radius);
+  const long double lengths = length(inA.translation) + length(shared.pointInA) +
+                              static_cast<long double>(inA.scale) * length(Wide(ball.center)) + radius;
+  const long double beyond = length(shared.pointInA - Wide(inA * ball.center)) - radius;
+  shared.used = double(beyond / lengths) / double(kOverlapSlack);
   return shared;
 }
 
-Place climb(int products, Dice& dice) {
+Place climb(int products, int steps, Dice& dice) {
   Place best = randomPlace(products, dice);
   double used = look(best).used;
-  for (int i = 0; i < kClimb; ++i) {
+  for (int i = 0; i < steps; ++i) {
     const Place next = besides(best, dice);
     const double nextUsed = look(next).used;
     if (nextUsed <= used) continue;
@@ -129,19 +148,21 @@ bool namesAll(const SphereTree& first, const SphereTree& second, const Pose& a, 
 
 }  // namespace
 
-WorstPlaces climbToWorstPlaces(int starts, std::mt19937_64& engine) {
+WorstPlaces climbToWorstPlaces(int starts, int steps, std::mt19937_64& engine) {
   Dice dice(engine);
   WorstPlaces worst;
-  for (int products = 1; products <= 1 + kMostCompounds; ++products)
+  for (int compounds = 0; compounds <= kMostCompounds; ++compounds) {
+    double& used = worst.usedByDepth.emplace_back(0);
     for (int start = 0; start < starts; ++start) {
-      const Place place = climb(products, dice);
+      const Place place = climb(compounds + 1, steps, dice);
       const Shared shared = look(place);
       const SphereTree a = probeTree(std::vector<Wide>(kProbes, shared.pointInA));
-      const SphereTree b = probeTree(std::vector<Wide>(kProbes, Wide(place.pointInB)));
+      const SphereTree b = probeTree(place.ballInB);
       ++worst.places;
       worst.lost += namesAll(a, b, shared.a, shared.b) && namesAll(b, a, shared.b, shared.a) ? 0 : 1;
-      worst.used = std::max(worst.used, shared.used);
+      used = std::max(used, shared.used);
     }
+  }
   return worst;
 }
 

@@ -3,17 +3,20 @@
 
 #include <cstdint>
 #include <random>
+#include <vector>
 
 namespace cairn::hard {
 
 struct WorstPlaces {
   std::uint64_t places = 0;
   std::uint64_t lost = 0;  ///< at which a traversal, either way round, does not name all leaves that share a point
-  double used = 0;         ///< of the overlap slack, by what moving the point's centre alone is off
+  /// Of the overlap slack, by what moving a ball's centre and leaving its radius is off: for bodies, for children of
+  /// compounds, of compounds in compounds, and so on.
+  std::vector<double> usedByDepth;
 };
 
-/// Two trees of one point each, the same in the world, one a body's and both up to three compounds deep, where what
-/// Bullet's floats and ours round by adds up to most: hill climbing from `starts` random places for each depth.
-WorstPlaces climbToWorstPlaces(int starts, std::mt19937_64& engine);
+/// A tree of one point and one of one ball that has it on its sphere, up to four compounds deep, where what Bullet's
+/// floats and ours round by adds up to most: hill climbing of `steps` steps from `starts` random places for each depth.
+WorstPlaces climbToWorstPlaces(int starts, int steps, std::mt19937_64& engine);
 
 }  // namespace cairn::hard

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <random>
 
@@ -8,6 +9,7 @@
 #include "counterpart_trials.h"
 #include "dynamics_cases.h"
 #include "random_tree.h"
+#include "scenes/figures/random.h"
 #include "triangle_grounds.h"
 
 // A flat plane of triangles is a plane: a block slides over its seams, a ball rolls, as if there were none.
@@ -81,10 +83,10 @@ std::vector<test::TriedGround> grounds() {
   return made;
 }
 
-// The worst of all grounds, against the same body on a plane: acceleration, way aside, hop. Trees touch the triangles
-// themselves, Bullet's shapes their margin.
+// The worst of all grounds, against the same body on a plane: acceleration, way aside, how far ways aside on these
+// grounds are apart, hop. Trees touch the triangles themselves, Bullet's shapes their margin.
 struct Worst {
-  double slower = 0, aside = 0, hop = 0;
+  double slower = 0, aside = 0, apart = 0, hop = 0;
 };
 
 Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMover& mover, bool rolls) {
@@ -92,12 +94,15 @@ Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMo
   const auto runOn = [&](const test::TriedGround& ground) {
     return rolls ? test::Trials::roll(ground, mover, false) : test::Trials::slide(ground, mover, false);
   };
-  const double level = runOn(plane).acceleration;
+  const test::SlopeRun level = runOn(plane);
   Worst worst;
+  double least = HUGE_VAL, most = -HUGE_VAL;
   for (const test::TriedGround& ground : grounds) {
     const test::SlopeRun run = runOn(ground);
-    worst.slower = test::greatest(worst.slower, 100 * std::abs(run.acceleration / level - 1));
-    worst.aside = test::greatest(worst.aside, std::abs(run.aside));
+    worst.slower = test::greatest(worst.slower, 100 * std::abs(run.acceleration / level.acceleration - 1));
+    worst.aside = test::greatest(worst.aside, std::abs(run.aside - level.aside));
+    least = -test::greatest(-least, -run.aside);
+    most = test::greatest(most, run.aside);
     const test::Slope slope = test::Trials::slopeOf(ground, mover, rolls ? 10 : 30, rolls ? 1 : 0.3, false);
     test::SlopeScene scene(mover.body, slope);
     double lowest = 1, highest = -1;
@@ -110,38 +115,58 @@ Worst worstOn(const std::vector<test::TriedGround>& grounds, const test::TriedMo
     }
     worst.hop = test::greatest(worst.hop, highest - lowest);
   }
+  worst.apart = most - least;
   return worst;
 }
 
-Outcome runFlatMeshes(Effort) {
+/// Of a ball that starts as it may: how its facets happen to lie decides as much as the seams.
+Worst worstOfStarts(const std::vector<test::TriedGround>& grounds, const test::TriedMover& ball, int starts) {
+  Worst worst;
+  for (int start = 0; start < starts; ++start) {
+    test::TriedMover turned = ball;
+    turned.turned = scenes::Random(1, std::uint64_t(start)).rotation();
+    const Worst one = worstOn(grounds, turned, true);
+    worst = {test::greatest(worst.slower, one.slower), test::greatest(worst.aside, one.aside),
+             test::greatest(worst.apart, one.apart), test::greatest(worst.hop, one.hop)};
+  }
+  return worst;
+}
+
+Outcome runFlatMeshes(Effort effort) {
+  const int starts = effort == Effort::quick ? 2 : 12;
   const std::vector<test::TriedGround> all = grounds();
   const CaseBodies &block = boxes({test::kBlock[0], test::kBlock[1], test::kBlock[2]}), &ball = balls(test::kRoller);
   const double blockSize = std::sqrt(1 + 0.16 + 0.09), ballSize = 2 * test::kRoller * std::sqrt(3.0);
   const std::vector<Asked> asked{{"slide, off the plane's acceleration", 2, Bound::atMost, "%"},
-                                 {"slide, aside", 1, Bound::atMost, "% of size"},
+                                 {"slide, aside of the way on the plane", 1, Bound::atMost, "% of size"},
                                  {"slide, hop", 0.5, Bound::atMost, "% of size"},
                                  {"roll, off the plane's acceleration", 2, Bound::atMost, "%"},
-                                 {"roll, aside", 1, Bound::atMost, "% of size"},
+                                 {"roll, aside of the way on the plane", 1, Bound::atMost, "% of size"},
+                                 {"roll, aside, the five from each other", 1, Bound::atMost, "% of size"},
                                  {"roll, hop", 0.5, Bound::atMost, "% of size"}};
   std::vector<Figures> figures;
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Worst slide = worstOn(all, test::blockMover("", block[i].body.shape, block[i].body.margin), false);
-    const Worst roll = worstOn(all, test::ballMover("", ball[i].body.shape, ball[i].body.margin), true);
+    const Worst roll = worstOfStarts(all, test::ballMover("", ball[i].body.shape, ball[i].body.margin), starts);
     figures.push_back({slide.slower, 100 * slide.aside / blockSize, 100 * slide.hop / blockSize, roll.slower,
-                       100 * roll.aside / ballSize, 100 * roll.hop / ballSize});
+                       100 * roll.aside / ballSize, 100 * roll.apart / ballSize, 100 * roll.hop / ballSize});
   }
   return {
       besideTheBest(asked, figures[0], {{"box, sphere", figures[1]}, {"hull", figures[2]}, {"gimpact", figures[3]}}),
-      ""};
+      "What rolls aside are the ball's own facets, which a mesh's contacts meet a little otherwise than a plane's: "
+      "much "
+      "the same over every triangulation, and less than a hull or GImpact; Bullet's sphere has no facets."};
 }
 
 }  // namespace
 
 HardCase flatMeshes() {
-  return {"D10", "over the seams of a flat mesh",
-          "a block slides, a ball rolls on five triangulations of a plane at 60 Hz: within 2 % of what it does on a "
-          "plane, aside by at most 0.01, hopping by at most 0.005 of its size (proposed list)",
-          runFlatMeshes};
+  return {
+      "D10", "over the seams of a flat mesh",
+      "a block slides, a ball rolls (the worst of twelve starts) on five triangulations of a plane at 60 Hz: within "
+      "2 % of what the same body does on a plane from the same start, aside of its way there, and of its ways on "
+      "the others, by at most 0.01, hopping by at most 0.005 of its size (proposed list)",
+      runFlatMeshes};
 }
 
 }  // namespace cairn::hard

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <regex>
 #include <string>
 
 #include "builder_meshes.h"
@@ -43,11 +43,12 @@ struct Answers {
       return;
     }
     const std::string& message = result.error().message;
-    const std::array<std::string, 10> places{"line ",    "vertex ", "vertices", "face ",  "faces",
-                                             "triangle", "byte",    "is empty", "header", "truncated"};
-    const bool hasPlace =
-        std::ranges::any_of(places, [&](const std::string& place) { return message.find(place) != std::string::npos; });
-    if (hasPlace && message.find(name) != std::string::npos && message.find('\n') == std::string::npos) return;
+    // A line, an element, or how many there are; of a file that has none, that.
+    static const std::regex place(
+        R"(, line \d+: |(vertex|face|triangle) \d+|\d+ of \d+ |: \d+ bytes |: the file is empty|: it holds no triangles)");
+    if (std::regex_search(message, place) && message.find(name) != std::string::npos &&
+        message.find('\n') == std::string::npos)
+      return;
     ++withoutPlace;
     if (first.empty()) first = message;
   }

@@ -12,6 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+char markOf(const Measure& measure) {
+  if (verdictOn(measure) != Verdict::holds) return '!';
+  return holdsBehindStock(measure) ? '~' : ' ';
+}
+
 std::string withUnit(double value, const std::string& unit) {
   return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
 }
@@ -31,7 +36,9 @@ std::string stockInWords(const Measure& measure) {
 Json jsonOf(const Measure& measure) {
   Json json = {{"name", measure.name},   {"value", measure.value}, {"bound", signOf(measure.bound)},
                {"limit", measure.limit}, {"unit", measure.unit},   {"verdict", nameOf(verdictOn(measure))}};
-  if (!measure.stock.empty()) json["stock"] = {{"shape", measure.stock}, {"value", measure.stockValue}};
+  if (measure.stock.empty()) return json;
+  json["stock"] = {{"shape", measure.stock}, {"value", measure.stockValue}};
+  json["holds_behind_stock"] = holdsBehindStock(measure);
   return json;
 }
 
@@ -42,8 +49,8 @@ std::string linesOf(const HardCase& hardCase, const Outcome& outcome, double sec
       fmt::format("{:4} {:16} {} ({:.1f} s)\n", hardCase.id, nameOf(verdictOn(outcome)), hardCase.name, seconds);
   text += fmt::format("       {}\n", hardCase.criterion);
   for (const Measure& measure : outcome.measures) {
-    text += fmt::format("       {} {:46} {:>18} {} {:<14}", verdictOn(measure) == Verdict::holds ? ' ' : '!',
-                        measure.name, withUnit(measure.value, measure.unit), signOf(measure.bound),
+    text += fmt::format("       {} {:46} {:>18} {} {:<14}", markOf(measure), measure.name,
+                        withUnit(measure.value, measure.unit), signOf(measure.bound),
                         withUnit(measure.limit, measure.unit));
     if (!measure.stock.empty())
       text += fmt::format("  {} {}", measure.stock, withUnit(measure.stockValue, measure.unit));

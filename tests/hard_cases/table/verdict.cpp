@@ -21,6 +21,11 @@ Verdict verdictOn(const Measure& measure) {
                                                                                 : Verdict::misses;
 }
 
+bool holdsBehindStock(const Measure& measure) {
+  return verdictOn(measure) == Verdict::holds && !measure.stock.empty() &&
+         !within(measure.value, measure.stockValue, measure.bound);
+}
+
 Verdict verdictOn(const Outcome& outcome) {
   if (outcome.measures.empty()) return Verdict::misses;
   Verdict worst = Verdict::holds;

@@ -11,6 +11,8 @@ namespace cairn::hard {
 enum class Verdict { holds, asGoodAsStock, misses };
 
 Verdict verdictOn(const Measure& measure);
+/// Holds, and a shape of Bullet's is nearer to what was asked, or farther within it.
+bool holdsBehindStock(const Measure& measure);
 /// The worst of its measures; a case without measures misses.
 Verdict verdictOn(const Outcome& outcome);
 std::string nameOf(Verdict verdict);

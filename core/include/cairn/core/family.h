@@ -68,8 +68,8 @@ const char* simdTargetName();
 /// Relative slack that makes an overlap test conservative, in the lengths involved: moving a centre (three products,
 /// three sums a coordinate) and the test itself round by some units of 2^-24 of them, and the transpose of a float
 /// matrix is not its inverse, by up to seven units for each product of rotations that it comes of (a body's own, and
-/// one more for each compound around the tree). 2^-19 are 32 units; a search for the worst found 15 for a body, 25 for
-/// a tree in a compound in a compound in a compound.
-inline constexpr float kOverlapSlack = 1.0F / (1 << 19);
+/// one more for each compound around the tree). 2^-18 are 64 units; a search for the worst found 16 for a body, 41 for
+/// a tree four compounds deep.
+inline constexpr float kOverlapSlack = 1.0F / (1 << 18);
 
 }  // namespace cairn
