@@ -36,12 +36,15 @@ constexpr KnownMiss kKnown[] = {
     {"D3", "a card house of 7 cards stands, mean", kHolds, 5.4},
     {"D10", "roll, aside of the way on the plane", 6.8, 11.3},
     {"D11", "deepest penetration", 19.9, 34.6},
+    {"D11", "kinetic energy at the end", kHolds, 0.00137},
     {"D13", "a centimetre at rest, RMS", kHolds, 2.1},
     {"D16", "rocks: deepest once they lie", kHolds, 4.4},
     {"D16", "three slabs: energy gained after any loss", kHolds, 3.5},
     {"D16", "three slabs: deepest once they lie", kHolds, 5.4},
     {"D16", "mean error, rise with the budget, first step", kHolds, 0.084},
+    {"L1", "drift, median", kHolds, 13.2},
     {"L1", "drift, median, friction in two directions", kHolds, 8.8},
+    {"L2", "narrow phase, last tenth over first, more", kHolds, 14.8},
 };
 
 double worstKnown(const KnownMiss& miss, Effort effort) {
