@@ -164,27 +164,41 @@ Result<Polygons> readOff(const std::string& file, std::string_view text) {
   return Polygons(std::move(soup));
 }
 
+/// Corners since the last polygon's.
+std::size_t openCorners(const PolygonSoup& soup) {
+  return soup.corners.size() - (soup.ends.empty() ? 0 : soup.ends.back());
+}
+
+/// The statements of one line; `isEnded` says whether the solid begun last has ended.
+Status readStlLine(LineReader& line, PolygonSoup& soup, bool& isEnded) {
+  for (std::string_view word = line.nextWord(); !word.empty(); word = line.nextWord()) {
+    const bool isName = word == "solid" || word == "endsolid";  // and a name follows
+    if ((isName || word == "facet") && openCorners(soup) > 0)
+      return line.error(
+          fmt::format("'{}' comes before the 'endloop' of facet {}; export it again", word, soup.ends.size() + 1));
+    if (isName || word == "facet") isEnded = word == "endsolid";
+    if (isName) break;
+    if (word == "vertex") {
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      if (Status s = readPosition(line, soup); !s) return s;
+    } else if (word == "endloop") {
+      if (openCorners(soup) < 3)
+        return line.error(
+            fmt::format("a facet needs three vertices, this one has {}; export it again", openCorners(soup)));
+      soup.endPolygon();
+    }
+  }
+  return {};
+}
+
 Result<Polygons> readTextStl(const std::string& file, std::string_view text) {
   LineReader line(file, text);
   PolygonSoup soup;
   bool isEnded = false;
-  while (line.nextContent()) {
-    for (std::string_view word = line.nextWord(); !word.empty(); word = line.nextWord()) {
-      if (word == "solid" || word == "endsolid") {
-        isEnded = word == "endsolid";
-        break;  // a name follows
-      }
-      if (word == "vertex") {
-        soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
-        if (Status s = readPosition(line, soup); !s) return s.error();
-      } else if (word == "endloop") {
-        const std::size_t corners = soup.corners.size() - (soup.ends.empty() ? 0 : soup.ends.back());
-        if (corners < 3)
-          return line.error(fmt::format("a facet needs three vertices, this one has {}; export it again", corners));
-        soup.endPolygon();
-      }
-    }
-  }
+  while (line.nextContent())
+    if (Status s = readStlLine(line, soup, isEnded); !s) return s.error();
+  if (!isEnded && soup.corners.empty())
+    return line.error("no facet has been read up to here; export it with each statement on a line of its own");
   if (!isEnded)
     return line.error(fmt::format("the file ends after {} facets, without 'endsolid'; it is truncated, export it again",
                                   soup.ends.size()));
