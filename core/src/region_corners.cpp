@@ -20,8 +20,14 @@ constexpr NodeId kNoLeaf = ~NodeId{0};
 }  // namespace
 
 bool SphereTree::mayListCorners(NodeId id) const {
-  const NodeData& n = node(id);
-  return isLeaf(id) && n.supportCount == kMaxSupportPoints && n.triangleCount <= kMaxTriangles;
+  return isLeaf(id) && node(id).triangleCount <= kMaxTriangles;
+}
+
+// Builders stop choosing support points where few suffice along the directions they look along, so few say nothing.
+bool SphereTree::areSupportPoints(std::span<const std::uint32_t> corners, NodeId id) const {
+  const std::span<const Vec3> points = supportPoints(id);
+  return std::ranges::all_of(
+      corners, [&](std::uint32_t v) { return std::ranges::find(points, data_.vertices[v]) != points.end(); });
 }
 
 // Every node's list in the order of their names, each corner once: `seenIn` names the last leaf that listed it.
@@ -40,7 +46,8 @@ void SphereTree::listCorners() {
         seenIn[v] = id;
         corners_.push_back(v);
       }
-    if (corners_.size() - first > kMaxRegionCorners) corners_.resize(first);
+    const std::span<const std::uint32_t> listed = std::span(corners_).subspan(first);
+    if (listed.size() > kMaxRegionCorners || areSupportPoints(listed, id)) corners_.resize(first);
   }
   firstCorner_[slots] = static_cast<std::uint32_t>(corners_.size());
 }

@@ -162,14 +162,20 @@ void ConvexCounterpart::improve(NodeId leaf, Touch& touch) {
   if (nearest(touch.point).distance <= touch.height + kPlaneGain * reach_) return;
   offerFaces(leaf, touch);
   if (touch.height - margin_ >= reach_) return;
-  const std::span<const Vec3> points = tree_.supportPoints(leaf);
-  std::array<Vec3, kMaxSupportPoints> inShape;
-  for (std::size_t i = 0; i < points.size(); ++i) inShape[i] = shapeFromPair_ * (tree_.toPair() * points[i]);
-  const std::optional<NearestPoint> found = surface_.nearestToHull(std::span(inShape).first(points.size()));
+  const std::optional<NearestPoint> found = nearestToLeaf(leaf);
   if (!found) return;
   const NearestPoint onShape = inPair(*found);
   offer(leaf, {onShape.normal, dot(onShape.normal, onShape.point)}, touch);
   touch.point = onShape.point + onShape.normal * onShape.distance;
+}
+
+std::optional<NearestPoint> ConvexCounterpart::nearestToLeaf(NodeId leaf) {
+  std::array<Vec3, ConvexSurface::kMaxHullPoints> inShape;
+  std::size_t count = 0;
+  const auto add = [&](const Vec3& inTree) { inShape[count++] = shapeFromPair_ * (tree_.toPair() * inTree); };
+  for (const Vec3& point : tree_.supportPoints(leaf)) add(point);
+  for (const std::uint32_t v : tree_.tree().regionCorners(leaf)) add(tree_.tree().vertices()[v]);
+  return surface_.nearestToHull(std::span(inShape).first(count));
 }
 
 // Planes that are better by less than a tenth of the reach would only make the choice flicker.
@@ -221,6 +227,12 @@ bool ConvexCounterpart::appendCommon(NodeId leaf, const Touch& touch, std::vecto
     if (height - margin_ < reach_ && isOnShape(onTree, height)) appendContact(leaf, touch, onTree, index, contacts);
     ++index;
   }
+  // Corners that are no support points reach lower than those, by less than would make the choice flicker or by more.
+  const Vec3 lowest = tree_.extreme(leaf, -normal);
+  const float height = dot(normal, lowest) - touch.plane.offset;
+  const auto isAsLow = [&](const Contact& c) { return c.gap <= height - margin_ + kPlaneGain * reach_; };
+  if (isOnShape(lowest, height) && std::ranges::none_of(std::span(contacts).subspan(before), isAsLow))
+    appendContact(leaf, touch, lowest, -1, contacts);
   return contacts.size() > before;
 }
 

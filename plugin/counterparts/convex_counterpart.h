@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,6 +61,7 @@ class ConvexCounterpart final : public Counterpart {
   Touch touchAlong(NodeId leaf, const Plane& plane) const;
   // Replaces the plane if the leaf lies higher above another.
   void improve(NodeId leaf, Touch& touch);
+  std::optional<NearestPoint> nearestToLeaf(NodeId leaf);
   void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
   void offerFaces(NodeId leaf, Touch& touch) const;
   // For a leaf that is large against the shape: what the shape's face, edge or point has in common with the leaf's

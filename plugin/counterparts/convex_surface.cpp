@@ -73,9 +73,10 @@ NearestPoint ConvexSurface::nearestByGjk(const Vec3& p) {
 }
 
 std::optional<NearestPoint> ConvexSurface::nearestToHull(std::span<const Vec3> points) {
-  const std::size_t count = std::min<std::size_t>(points.size(), hullPoints_.size());
-  for (std::size_t i = 0; i < count; ++i) hullPoints_[i] = toBullet(points[i]);
-  hull_.setPoints(hullPoints_.data(), static_cast<int>(count), false);
+  std::array<btVector3, kMaxHullPoints> hullPoints;
+  const std::size_t count = std::min(points.size(), hullPoints.size());
+  for (std::size_t i = 0; i < count; ++i) hullPoints[i] = toBullet(points[i]);
+  hull_.setPoints(hullPoints.data(), static_cast<int>(count), false);
   return askGjk(hull_, {});
 }
 

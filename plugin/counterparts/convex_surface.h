@@ -27,6 +27,9 @@ struct NearestPoint {
 /// in closed form, everything else by GJK, and by EPA inside.
 class ConvexSurface {
  public:
+  /// What a leaf has: its support points and its region's corners.
+  static constexpr std::size_t kMaxHullPoints = kMaxSupportPoints + kMaxRegionCorners;
+
   ConvexSurface() : point_(0) { hull_.setMargin(0); }
 
   /// The shape must outlive its use here.
@@ -34,8 +37,8 @@ class ConvexSurface {
   NearestPoint nearest(const Vec3& p);
   /// Whether that is answered in closed form: tens of nanoseconds, where GJK takes a microsecond and EPA several.
   bool isClosedForm() const;
-  /// The same for the hull of at most `kMaxSupportPoints` points instead of a single one, always by GJK; nothing when
-  /// that gives up.
+  /// The same for the hull of at most `kMaxHullPoints` points instead of a single one, always by GJK; nothing when that
+  /// gives up.
   std::optional<NearestPoint> nearestToHull(std::span<const Vec3> points);
   /// The shape's point that lies farthest along a unit direction.
   Vec3 support(const Vec3& direction) const;
@@ -47,7 +50,6 @@ class ConvexSurface {
 
   const btConvexShape* shape_ = nullptr;
   btSphereShape point_;
-  std::array<btVector3, kMaxSupportPoints> hullPoints_;
   btConvexPointCloudShape hull_;
   btVoronoiSimplexSolver simplex_;
   btGjkEpaPenetrationDepthSolver penetration_;

@@ -13,7 +13,9 @@ namespace cairn::bullet {
 namespace {
 
 // Steps from a leaf's support points to where it is lowest between them; each asks the field twice.
-constexpr int kMaxDescents = 6;
+constexpr int kMaxDescents = 12;
+// Of a step beyond which the field rises again; each asks the field once.
+constexpr int kMaxShortenings = 3;
 // What a step must promise to gain, as a fraction of the reach: on flat ground the corners stay what is lowest.
 constexpr float kDescentGain = 0.1F;
 
@@ -94,11 +96,16 @@ float FieldCounterpart::appendLeaf(NodeId leaf, std::vector<Contact>& contacts) 
   if (!place) return apart;
   if (tree_.isPlanar(leaf)) appendCorners(leaf, *place, contacts);
   if (tree_.isPlanar(leaf) && place->isSupport) return apart;
-  // Where the ground is flat, the body has a point as low as its ball less the certified error.
-  const bool isFlat = place->isSupport && place->field.hasDirection();
-  const Vec3 onTree = isFlat ? tree_.extreme(leaf, -normalized(place->field.gradient)) : place->point;
-  appendContact(leaf, onTree, *place, -1, contacts);
+  appendContact(leaf, lowerExtreme(leaf, *place), -1, contacts);
   return apart;
+}
+
+// The body has a point about as far out as the leaf's ball less the certified error, and corners that are no support
+// points. They may be a leaf's radius aside, where round ground has fallen away: so the field is asked there.
+FieldCounterpart::Place FieldCounterpart::lowerExtreme(NodeId leaf, const Place& place) const {
+  if (!place.field.hasDirection()) return place;
+  const std::optional<Place> there = placeAt(tree_.extreme(leaf, -normalized(place.field.gradient)));
+  return there && there->field.value < place.field.value ? *there : place;
 }
 
 // A planar leaf touches with its corners: which of them is lowest would change with every rounding.
@@ -107,7 +114,7 @@ void FieldCounterpart::appendCorners(NodeId leaf, const Place& lowest, std::vect
   for (const Vec3& inTree : tree_.supportPoints(leaf)) {
     const Vec3 corner = tree_.toPair() * inTree;
     const std::optional<Place> place = corner == lowest.point ? lowest : placeAt(corner);
-    if (place) appendContact(leaf, corner, *place, index, contacts);
+    if (place) appendContact(leaf, *place, index, contacts);
     ++index;
   }
 }
@@ -135,35 +142,38 @@ std::optional<FieldCounterpart::Place> FieldCounterpart::lowestSupport(NodeId le
   return lowest;
 }
 
-// Towards the support point that lies deepest along the gradient, as far as the field falls (Frank and Wolfe): between
-// the two slopes it is taken for a parabola.
+// Towards the point that lies deepest along the gradient, as far as the field falls (Frank and Wolfe): between the two
+// slopes it is taken for a parabola.
 std::optional<FieldCounterpart::Place> FieldCounterpart::descend(NodeId leaf, const Place& from) const {
   if (!from.field.hasDirection()) return std::nullopt;
-  const Vec3 way = tree_.support(leaf, -from.field.gradient) - from.point;
-  const float fall = -dot(from.field.gradient, way);
+  const Vec3 downwards = -normalized(from.field.gradient);
+  const Vec3 deepest = tree_.isPlanar(leaf) ? tree_.support(leaf, downwards) : tree_.extreme(leaf, downwards);
+  Vec3 way = deepest - from.point;
+  float fall = -dot(from.field.gradient, way);
   if (fall <= kDescentGain * reach_) return std::nullopt;
   std::optional<Place> to = placeAt(from.point + way);
-  if (!to) return std::nullopt;
-  const float rise = dot(to->field.gradient, way);
-  if (rise > 0) {
-    to = placeAt(from.point + way * (fall / (fall + rise)));
+  for (int i = 0; to && i < kMaxShortenings; ++i) {
+    const float rise = dot(to->field.gradient, way);
+    if (rise <= 0 || (i > 0 && to->field.value < from.field.value)) break;
+    way = way * (fall / (fall + rise));
+    fall *= fall / (fall + rise);
+    to = placeAt(from.point + way);
     if (to) to->isSupport = false;
   }
   if (!to || to->field.value >= from.field.value) return std::nullopt;
   return to;
 }
 
-// `measured` is the same point, or one of the leaf beside it: the surface is taken to be flat in between. What lies
-// outside the field's domain touches nothing.
-void FieldCounterpart::appendContact(NodeId leaf, const Vec3& onTree, const Place& measured, int pointIndex,
+// What lies outside the field's domain touches nothing.
+void FieldCounterpart::appendContact(NodeId leaf, const Place& place, int pointIndex,
                                      std::vector<Contact>& contacts) const {
-  if (!measured.field.isInDomain || !measured.field.hasDirection()) return;
+  if (!place.field.isInDomain || !place.field.hasDirection()) return;
   Contact contact;
-  contact.normal = normalized(measured.field.gradient);
-  contact.gap = measured.field.height() + dot(contact.normal, onTree - measured.point) - margin_;
+  contact.normal = normalized(place.field.gradient);
+  contact.gap = place.field.height() - margin_;
   if (contact.gap >= reach_) return;
   contact.pair = {leaf, 0};
-  contact.position = onTree - contact.normal * (margin_ + 0.5F * contact.gap);
+  contact.position = place.point - contact.normal * (margin_ + 0.5F * contact.gap);
   contact.id = {static_cast<int>(tree_.tree().level(leaf)), static_cast<int>(leaf), pointIndex, otherIndex_};
   contacts.push_back(contact);
 }
@@ -202,7 +212,7 @@ std::uint32_t FieldCounterpart::appendCoarse(std::vector<Contact>& contacts) {
     const std::optional<Place> middle = placeAt(ball.center);
     if (middle && middle->field.least - ball.radius - margin_ >= reach_) continue;
     const std::optional<Place> place = lowestSupport(child, middle);
-    if (place && !(middle && seeOtherSides(*middle, *place))) appendContact(child, place->point, *place, -1, contacts);
+    if (place && !(middle && seeOtherSides(*middle, *place))) appendContact(child, *place, -1, contacts);
   }
   for (Contact& contact : std::span(contacts).subspan(before)) contact.ofSpheres = true;
   return count;

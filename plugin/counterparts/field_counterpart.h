@@ -56,14 +56,14 @@ class FieldCounterpart final : public Counterpart {
   std::optional<Place> placeAt(const Vec3& point) const;
   // Returns how far apart the leaf and the surface are at least.
   float appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const;
+  Place lowerExtreme(NodeId leaf, const Place& place) const;
   // `middle`: of the leaf's ball.
   std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> lowestSupport(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> descend(NodeId leaf, const Place& from) const;
   static bool seeOtherSides(const Place& middle, const Place& lowest);
   void appendCorners(NodeId leaf, const Place& lowest, std::vector<Contact>& contacts) const;
-  void appendContact(NodeId leaf, const Vec3& onTree, const Place& measured, int pointIndex,
-                     std::vector<Contact>& contacts) const;
+  void appendContact(NodeId leaf, const Place& place, int pointIndex, std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
   int otherIndex_ = -1;  // of the shape, among its compound's children

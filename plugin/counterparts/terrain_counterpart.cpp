@@ -55,7 +55,7 @@ void TerrainCounterpart::placeObstacle() {
   const Pose& pose = tree.pose();
   const float margin = placement_.reach + placement_.treeMargin;
   // The ground of interest is near the tree, so the tree's own extent bounds the lengths that round.
-  const float lengths = 4 * ((tree.tree().reach() + tree.tree().sphere(kRootNode).radius) * tree.scale() + margin);
+  const float lengths = 4 * (tree.tree().reach() * tree.scale() + margin);
   obstacle_.place(*lattice_,
                   {terrainFromPair_.rotation * pose.rotation, terrainFromPair_ * pose.translation, pose.scale},
                   double(margin + kOverlapSlack * lengths));

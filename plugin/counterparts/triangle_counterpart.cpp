@@ -85,7 +85,7 @@ void TriangleCounterpart::placeTriangles() {
   const float unit = 1 / tree.scale();
   const float margin = (placement_.reach + placement_.treeMargin) * unit;
   // The triangles of interest are near the tree, so the tree's own extent bounds the lengths that round.
-  const float lengths = 4 * (tree.tree().reach() + tree.tree().sphere(kRootNode).radius + margin);
+  const float lengths = 4 * (tree.tree().reach() + margin);
   obstacle_.clear(margin + kOverlapSlack * lengths);
   inPair_.clear();
   for (const TriangleSoup::Source& source : soup_.triangles()) {

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const TriangleB
 }
 
 // The box of the body's frame, seen from the tree's frame and in its unit. It is cut to more than the body can fill
-// first, because turning an infinite box (debug drawing) makes NaN of it.
+// first, because turning an infinite box (debug drawing) makes NaN of it, and grown by what its lengths round by.
 TriangleBounds toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
   const btScalar limit =
       2 * (btScalar(shape.tree().reach()) * shape.scale() + shape.bodyFromTree().getOrigin().length());
@@ -64,7 +64,7 @@ TriangleBounds toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMi
   cutMin.setMin(most);
   cutMax.setMin(most);
   cutMax.setMax(-most);
-  btTransformAabb(cutMin, cutMax, 0, shape.bodyFromTree().inverse(), lower, upper);
+  btTransformAabb(cutMin, cutMax, btScalar(kOverlapSlack) * limit, shape.bodyFromTree().inverse(), lower, upper);
   return {toVec3(lower / shape.scale()), toVec3(upper / shape.scale())};
 }
 

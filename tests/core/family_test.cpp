@@ -59,7 +59,11 @@ TEST_F(FamilyOnEveryTarget, SupportLane_SameLaneAsScalarTwin) {
   });
 }
 
-TEST(Family, Overlap_AgreesWithExactArithmeticBeyondTheSlack) {
+// Lengths here are below 6. The differences of a distance round by a unit of 2^-24, its square by twice that, a
+// product's and two sums' units, of which its root has half; the sum of radii and its square likewise: below 8
+// together.
+TEST(Family, Overlap_AgreesWithExactArithmeticBeyondItsRounding) {
+  constexpr double kRounding = 6 * 8 * 0x1p-24;
   std::mt19937_64 engine(13);
   for (int i = 0; i < 20000; ++i) {
     const Family family = randomFamily(engine);
@@ -68,9 +72,8 @@ TEST(Family, Overlap_AgreesWithExactArithmeticBeyondTheSlack) {
     for (std::uint32_t lane = 0; lane < kFamilyWidth; ++lane) {
       const Sphere f = family.sphere(lane);
       const double gap = distance(Vec3d(f.center), Vec3d(s.center)) - double{f.radius} - double{s.radius};
-      // Lengths here are below 6, the rounding of the test below kOverlapSlack of that.
-      if (gap > 6 * kOverlapSlack) ASSERT_EQ((bits >> lane) & 1U, 0U) << "case " << i << ", lane " << lane;
-      if (gap < -6 * kOverlapSlack) ASSERT_EQ((bits >> lane) & 1U, 1U) << "case " << i << ", lane " << lane;
+      if (gap > kRounding) ASSERT_EQ((bits >> lane) & 1U, 0U) << "case " << i << ", lane " << lane;
+      if (gap < -kRounding) ASSERT_EQ((bits >> lane) & 1U, 1U) << "case " << i << ", lane " << lane;
     }
   }
 }

@@ -68,6 +68,41 @@ PairSet overlappingLeaves(const PairCase& c, double slack) {
   return set;
 }
 
+SphereTree treeOfOneBall(const Sphere& ball) {
+  SphereTreeData data;
+  NodeData& node = data.nodes.emplace_back();
+  node.center = ball.center;
+  node.radius = ball.radius;
+  node.supportCount = 1;
+  node.triangleCount = 4;
+  data.supportPoints = {ball.center};
+  test::detail::addTetrahedron(data);
+  return std::move(SphereTree::create(std::move(data))).value();
+}
+
+// Products of float matrices turn and stretch a little: those of a tree four compounds deep by up to 35 units of 2^-24
+// (hard case C1). A ball keeps its radius, so what it holds may be that much outside, however near the ball's centre is
+// to the origin of its tree.
+TEST(TreePairTraversal, PosesThatStretchLoseNoPointOfALargeBall) {
+  constexpr double kOff = 35 * 0x1p-24;
+  const auto stretched = [](double by) {
+    Pose pose;
+    for (int axis = 0; axis < 3; ++axis) pose.rotation.rows[axis] = pose.rotation.rows[axis] * by;
+    return pose;
+  };
+  const Pose poseA = stretched(1 - kOff), poseB = stretched(1 + kOff);
+  const double shared = poseB.rotation.rows[0].x / poseA.rotation.rows[0].x;  // B's (1, 0, 0) as A sees it
+  const SphereTree a = treeOfOneBall({{static_cast<float>(shared), 0, 0}, 0x1p-24F}), b = treeOfOneBall({{}, 1});
+  for (const bool isSwapped : {false, true}) {
+    TreePairTraversal traversal;
+    if (isSwapped)
+      traversal.start(b, a, poseB, poseA, 0);
+    else
+      traversal.start(a, b, poseA, poseB, 0);
+    EXPECT_EQ(traversal.leafPairs().size(), 1U) << "swapped " << isSwapped;
+  }
+}
+
 TEST(TreePairTraversal, Unlimited_FindsEveryTouchAndOnlyOverlappingLeaves) {
   std::size_t touchingCases = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -31,8 +31,8 @@ struct Scene {
     return poseB.translation - poseA.translation + ofB - ofA;
   }
   double apart() const { return length(poseB.translation - poseA.translation); }
-  double reachA() const { return poseA.scale * double(a.tree->reach() + a.tree->sphere(kRootNode).radius); }
-  double reachB() const { return poseB.scale * double(b.tree->reach() + b.tree->sphere(kRootNode).radius); }
+  double reachA() const { return poseA.scale * double(a.tree->reach()); }
+  double reachB() const { return poseB.scale * double(b.tree->reach()); }
   double lengths() const { return apart() + reachA() + reachB(); }
   bool isTestable() const { return lengths() < kLargestLength * std::min({poseA.scale, poseB.scale, 1.0}); }
 

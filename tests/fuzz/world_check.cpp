@@ -84,20 +84,26 @@ class Judge {
     const bool knowsSteps = !std::is_same_v<decltype(w_.dispatcher), test::InstalledOnDispatcher>;
     if (!knowsSteps || !state.budget.operations || state.isTimed) return;
     std::uint64_t most = std::uint64_t(*state.budget.operations) + kOneTurn + s.unresolvedPairs * kStandIn;
-    for (const Actor& a : play_.actors) {
+    for (std::size_t i = 0; i < play_.actors.size(); ++i) {
+      const Actor& a = play_.actors[i];
       if (!a.made.tree && a.made.shape->getShapeType() != STATIC_PLANE_PROXYTYPE) return;
-      if (!a.made.tree) continue;
-      // Few triangles that answer for their leaf pairs cost two each and one a pair; against planes, two a corner.
-      const std::uint64_t mine = a.made.tree->tree().triangles().size();
-      for (const Actor& b : play_.actors) {
-        const std::uint64_t others = b.made.tree ? b.made.tree->tree().triangles().size() : 1;
-        most += 2 * (mine + others) + mine * others;
-        if (!state.isFirstStep) most += kMeasured * leavesOf(a) * leavesOf(b);
-      }
+      for (std::size_t j = 0; j < i; ++j) most += mostBeyond(a, play_.actors[j]);
     }
     require(s.operations <= most, "a step cost more than its budget and what stands in for answers");
   }
 
+  /// What a pair may cost beyond its share of the budget.
+  std::uint64_t mostBeyond(const Actor& a, const Actor& b) const {
+    if (!a.made.tree && !b.made.tree) return 0;
+    // Few triangles that answer for their leaf pairs cost two each and one a pair; against planes, two a corner.
+    const std::uint64_t trianglesA = trianglesOf(a), trianglesB = trianglesOf(b);
+    const std::uint64_t few = 2 * (trianglesA + trianglesB) + trianglesA * trianglesB;
+    return few + (play_.state.isFirstStep ? 0 : kMeasured * leavesOf(a) * leavesOf(b));
+  }
+
+  static std::uint64_t trianglesOf(const Actor& actor) {
+    return actor.made.tree ? actor.made.tree->tree().triangles().size() : 1;
+  }
   static std::uint64_t leavesOf(const Actor& actor) {
     return actor.made.tree ? actor.made.tree->tree().leafCount() : 1;
   }

@@ -17,10 +17,6 @@ constexpr unsigned kSeed = 31;
 constexpr std::uint32_t kTrianglesOfAnEighth = 100;  // more corners than support points
 constexpr float kRounding = 1e-6F;                   // of lengths of a metre, and which of two equal corners is named
 
-bool isCoarse(const SphereTree& tree, NodeId node) {
-  return tree.isLeaf(node) && tree.node(node).supportCount == kMaxSupportPoints;
-}
-
 std::set<std::uint32_t> cornersInTheBall(const SphereTree& tree, NodeId leaf) {
   const Sphere ball = tree.sphere(leaf);
   std::set<std::uint32_t> corners;
@@ -30,23 +26,41 @@ std::set<std::uint32_t> cornersInTheBall(const SphereTree& tree, NodeId leaf) {
   return corners;
 }
 
-TEST(CoarseLeaf, ListsTheCornersOfItsRegionOnce) {
-  const auto tree = plainTree(ball(1, 10), kTrianglesOfAnEighth);
+// That some corner of the leaf's is no support point.
+bool isCoarse(const SphereTree& tree, NodeId node) {
+  const auto points = tree.supportPoints(node);
+  return tree.isLeaf(node) && std::ranges::any_of(cornersInTheBall(tree, node), [&](std::uint32_t v) {
+           return std::ranges::find(points, tree.vertices()[v]) == points.end();
+         });
+}
+
+/// Leaves of which a builder thought so many support points enough.
+std::shared_ptr<const SphereTree> withFewSupportPoints(const Solid& solid, std::uint32_t count) {
+  SphereTreeData data = PlainTreeBuilder(solid, kTrianglesOfAnEighth).build();
+  for (NodeData& node : data.nodes) node.supportCount = std::min(node.supportCount, count);
+  return std::make_shared<const SphereTree>(std::move(SphereTree::create(std::move(data))).value());
+}
+
+void expectCornersListedOnce(const SphereTree& tree) {
   int coarse = 0;
-  for (std::uint32_t record = 0; record < tree->nodeCount(); ++record) {
-    const NodeId node = tree->nodeAt(record);
-    const auto corners = tree->regionCorners(node);
-    if (!isCoarse(*tree, node)) {
+  for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
+    const NodeId node = tree.nodeAt(record);
+    const auto corners = tree.regionCorners(node);
+    if (!isCoarse(tree, node)) {
       EXPECT_TRUE(corners.empty());
       continue;
     }
     ++coarse;
     const std::set<std::uint32_t> listed(corners.begin(), corners.end());
     EXPECT_EQ(listed.size(), corners.size());
-    EXPECT_GT(corners.size(), kMaxSupportPoints);
-    EXPECT_TRUE(std::ranges::includes(listed, cornersInTheBall(*tree, node)));
+    EXPECT_TRUE(std::ranges::includes(listed, cornersInTheBall(tree, node)));
   }
   EXPECT_GE(coarse, 8);
+}
+
+TEST(CoarseLeaf, ListsTheCornersOfItsRegionOnce) {
+  expectCornersListedOnce(*plainTree(ball(1, 10), kTrianglesOfAnEighth));
+  expectCornersListedOnce(*withFewSupportPoints(ball(1, 10), 5));
 }
 
 TEST(CoarseLeaf, ListsNothingWhereCornersAreTooMany) {
@@ -58,8 +72,7 @@ TEST(CoarseLeaf, ListsNothingWhereCornersAreTooMany) {
   EXPECT_TRUE(many->regionCorners(kRootNode).empty());
 }
 
-TEST(CoarseLeaf, TogetherReachAsFarAsTheMeshAlongEveryDirection) {
-  const auto tree = plainTree(ball(0.5, 10), kTrianglesOfAnEighth);
+void expectReachOfTheMesh(const std::shared_ptr<const SphereTree>& tree) {
   const Pose pose{{}, {0.3, -0.2, 0.1}, 2};
   const bullet::PlacedTree placed(*tree, pose);
   std::mt19937_64 engine(kSeed);
@@ -73,6 +86,11 @@ TEST(CoarseLeaf, TogetherReachAsFarAsTheMeshAlongEveryDirection) {
         leaves = std::max(leaves, dot(direction, placed.extreme(node, direction)));
     EXPECT_NEAR(leaves, mesh, kRounding) << "seed " << kSeed << ", direction " << i;
   }
+}
+
+TEST(CoarseLeaf, TogetherReachAsFarAsTheMeshAlongEveryDirection) {
+  expectReachOfTheMesh(plainTree(ball(0.5, 10), kTrianglesOfAnEighth));
+  expectReachOfTheMesh(withFewSupportPoints(ball(0.5, 10), 5));
 }
 
 }  // namespace

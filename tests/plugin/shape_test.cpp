@@ -142,14 +142,17 @@ TEST(SphereTreeShape_Triangles, AreAllInABoxWithoutEnd) {
     std::size_t count = 0;
     void processTriangle(btVector3*, int, int) override { ++count; }
   };
-  const auto shape = treeShape(plainTree(cuboid({1, 2, 3}, 2)), btScalar(0.5));
-  for (const btScalar half : {btScalar(BT_LARGE_FLOAT), btScalar(1e30), std::numeric_limits<btScalar>::max(),
-                              std::numeric_limits<btScalar>::infinity()}) {
-    Count all, beyond;
-    shape->processAllTriangles(&all, btVector3(-half, -half, -half), btVector3(half, half, half));
-    EXPECT_EQ(all.count, shape->tree().triangles().size()) << "half extent " << half;
-    shape->processAllTriangles(&beyond, btVector3(9, -half, -half), btVector3(half, half, half));
-    EXPECT_EQ(beyond.count, 0U) << "half extent " << half;
+  // The second is one ball about the origin.
+  for (const auto& tree : {plainTree(cuboid({1, 2, 3}, 2)), plainTree(ball(1, 6), 600)}) {
+    const auto shape = treeShape(tree, btScalar(0.5));
+    for (const btScalar half : {btScalar(BT_LARGE_FLOAT), btScalar(1e30), std::numeric_limits<btScalar>::max(),
+                                std::numeric_limits<btScalar>::infinity()}) {
+      Count all, beyond;
+      shape->processAllTriangles(&all, btVector3(-half, -half, -half), btVector3(half, half, half));
+      EXPECT_EQ(all.count, tree->triangles().size()) << "half extent " << half;
+      shape->processAllTriangles(&beyond, btVector3(9, -half, -half), btVector3(half, half, half));
+      EXPECT_EQ(beyond.count, 0U) << "half extent " << half;
+    }
   }
 }
 

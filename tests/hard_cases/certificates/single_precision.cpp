@@ -150,7 +150,7 @@ Outcome runSinglePrecision(Effort effort) {
         for (std::uint64_t round = 0; round < rounds; ++round) found += traverseOnce(solid, *shape, away, engine);
     }
   }
-  const WorstPlaces worst = climbToWorstPlaces(quick ? 2 : 20, quick ? 20000 : 1000000, engine);
+  const WorstPlaces worst = climbToWorstPlaces(quick ? 2 : 20, quick ? 200000 : 1000000, engine);
   std::string byDepth = "Of the slack used by bodies, and by trees in one to four compounds:";
   for (const double used : worst.usedByDepth) byDepth += fmt::format(" {:.2f}", used);
   const std::string points = "of " + std::to_string(found.points), balls = "of " + std::to_string(found.ballPoints);

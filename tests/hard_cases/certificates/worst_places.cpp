@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certificates/worst_places.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -17,6 +18,8 @@ namespace {
 constexpr int kMostCompounds = 4;
 constexpr double kLeastScale = 1e-3;
 constexpr float kLeastRadius = 1e-6F;
+/// Of a search for one turn: so many climbs of so many steps.
+constexpr int kTurnStarts = 10, kTurnSteps = 4000;
 
 /// A body's rotation, those of the compounds' children in it, and the tree's own, one after the other; where both
 /// stand; how large the second is; a ball of it, and where on that ball the shared point is.
@@ -55,12 +58,54 @@ class Dice {
   std::mt19937_64& engine_;
 };
 
-Place randomPlace(int products, Dice& dice) {
-  Place place;
-  for (int i = 0; i <= products; ++i) {
-    place.turnsA.push_back(dice.turnNear(btQuaternion(0, 0, 0, 0), 1));
-    place.turnsB.push_back(dice.turnNear(btQuaternion(0, 0, 0, 0), 1));
+/// How much longer a matrix makes the vector that it makes longest, in parts, or shorter for `sign` -1.
+double stretchOf(const btMatrix3x3& matrix, double sign) {
+  Eigen::Matrix3d m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = double(matrix[i][j]);
+  const Eigen::Matrix3d excess = sign / 2 * (m.transpose() * m - Eigen::Matrix3d::Identity());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
+      .computeDirect(excess, Eigen::EigenvaluesOnly)
+      .eigenvalues()[2];
+}
+
+btQuaternion climbToStretch(const btMatrix3x3& before, double sign, Dice& dice) {
+  btQuaternion turn = dice.turnNear(btQuaternion(0, 0, 0, 0), 1);
+  double stretch = stretchOf(before * btMatrix3x3(turn), sign);
+  for (int i = 0; i < kTurnSteps; ++i) {
+    const btQuaternion next = dice.turnNear(turn, std::pow(10, -7 * std::abs(dice.draw())));
+    const double nextStretch = stretchOf(before * btMatrix3x3(next), sign);
+    if (nextStretch <= stretch) continue;
+    stretch = nextStretch;
+    turn = next;
   }
+  return turn;
+}
+
+/// Turns whose product stretches most, one after the other: each adds to what is there. All of them at once hardly
+/// climb.
+std::vector<btQuaternion> stretchingTurns(int count, double sign, Dice& dice) {
+  std::vector<btQuaternion> turns;
+  btMatrix3x3 product = btMatrix3x3::getIdentity();
+  while (int(turns.size()) < count) {
+    btQuaternion best = climbToStretch(product, sign, dice);
+    for (int i = 1; i < kTurnStarts; ++i) {
+      const btQuaternion other = climbToStretch(product, sign, dice);
+      if (stretchOf(product * btMatrix3x3(other), sign) > stretchOf(product * btMatrix3x3(best), sign)) best = other;
+    }
+    turns.push_back(best);
+    product = product * btMatrix3x3(best);
+  }
+  return turns;
+}
+
+/// One that stretches as much as can be found and one that does the contrary: both widen what is between a moved
+/// point and where it ought to be.
+Place stretchingPlace(int products, Dice& dice) {
+  Place place;
+  const double sign = dice.oneOf(2) == 0 ? 1 : -1;
+  place.turnsA = stretchingTurns(products + 1, sign, dice);
+  place.turnsB = stretchingTurns(products + 1, -sign, dice);
   place.scale = std::pow(10, 2 * dice.draw());
   place.at = dice.vector(10);
   place.apart = dice.vector(1);
@@ -126,7 +171,7 @@ Shared look(const Place& place) {
 }
 
 Place climb(int products, int steps, Dice& dice) {
-  Place best = randomPlace(products, dice);
+  Place best = stretchingPlace(products, dice);
   double used = look(best).used;
   for (int i = 0; i < steps; ++i) {
     const Place next = besides(best, dice);

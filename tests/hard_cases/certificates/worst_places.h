@@ -16,7 +16,8 @@ struct WorstPlaces {
 };
 
 /// A tree of one point and one of one ball that has it on its sphere, up to four compounds deep, where what Bullet's
-/// floats and ours round by adds up to most: hill climbing of `steps` steps from `starts` random places for each depth.
+/// floats and ours round by adds up to most: for each depth `starts` times rotations that stretch most, found one by
+/// one, then hill climbing of all there is by `steps` steps.
 WorstPlaces climbToWorstPlaces(int starts, int steps, std::mt19937_64& engine);
 
 }  // namespace cairn::hard

@@ -11,16 +11,6 @@ bool isBetter(double x, double y, Bound bound) {
   return bound == Bound::atMost ? x < y : x > y;
 }
 
-Figures joined(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {
-  Figures figures;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    std::vector<double> values;
-    for (const Figures& run : runs) values.push_back(run.at(i));
-    figures.push_back(quantileOf(values, asked[i].quantile, asked[i].bound));
-  }
-  return figures;
-}
-
 }  // namespace
 
 std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figures& ours,
@@ -60,6 +50,16 @@ std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
   const Figures ours = kinds.front().figures;
   kinds.erase(kinds.begin());
   return besideTheBest(asked, ours, kinds);
+}
+
+Figures joined(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {
+  Figures figures;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    std::vector<double> values;
+    for (const Figures& run : runs) values.push_back(run.at(i));
+    figures.push_back(quantileOf(values, asked[i].quantile, asked[i].bound));
+  }
+  return figures;
 }
 
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs) {

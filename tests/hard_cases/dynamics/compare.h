@@ -43,6 +43,9 @@ std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
                                   const std::function<const CaseBodies&(std::uint64_t seed)>& bodies,
                                   const std::function<Figures(const CaseBody&, std::uint64_t seed)>& run);
 
+/// Of several runs, figure by figure, the quantile that is asked for.
+Figures joined(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
+
 /// The worst of several runs, figure by figure; what is no number is worst.
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
 

@@ -139,6 +139,7 @@ Outcome runFlatMeshes(Effort effort) {
   const double blockSize = std::sqrt(1 + 0.16 + 0.09), ballSize = 2 * test::kRoller * std::sqrt(3.0);
   const std::vector<Asked> asked{{"slide, off the plane's acceleration", 2, Bound::atMost, "%"},
                                  {"slide, aside of the way on the plane", 1, Bound::atMost, "% of size"},
+                                 {"slide, aside, the five from each other", 1, Bound::atMost, "% of size"},
                                  {"slide, hop", 0.5, Bound::atMost, "% of size"},
                                  {"roll, off the plane's acceleration", 2, Bound::atMost, "%"},
                                  {"roll, aside of the way on the plane", 1, Bound::atMost, "% of size"},
@@ -148,14 +149,14 @@ Outcome runFlatMeshes(Effort effort) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Worst slide = worstOn(all, test::blockMover("", block[i].body.shape, block[i].body.margin), false);
     const Worst roll = worstOfStarts(all, test::ballMover("", ball[i].body.shape, ball[i].body.margin), starts);
-    figures.push_back({slide.slower, 100 * slide.aside / blockSize, 100 * slide.hop / blockSize, roll.slower,
-                       100 * roll.aside / ballSize, 100 * roll.apart / ballSize, 100 * roll.hop / ballSize});
+    figures.push_back({slide.slower, 100 * slide.aside / blockSize, 100 * slide.apart / blockSize,
+                       100 * slide.hop / blockSize, roll.slower, 100 * roll.aside / ballSize,
+                       100 * roll.apart / ballSize, 100 * roll.hop / ballSize});
   }
   return {
       besideTheBest(asked, figures[0], {{"box, sphere", figures[1]}, {"hull", figures[2]}, {"gimpact", figures[3]}}),
       "What rolls aside are the ball's own facets, which a mesh's contacts meet a little otherwise than a plane's: "
-      "much "
-      "the same over every triangulation, and less than a hull or GImpact; Bullet's sphere has no facets."};
+      "much the same over every triangulation, and less than a hull or GImpact; Bullet's sphere has no facets."};
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "../dynamics/compare.h"
 #include "../dynamics/pile.h"
@@ -35,10 +37,11 @@ struct Hour {
 
 constexpr double kBlow = 2;  // m/s, and of a kilogram also what it brings in J
 constexpr int kBodies = 12;
+constexpr std::uint64_t kHeaps = 5;
 
-Hour knockAbout(const test::TriedBody& rock, int seconds) {
-  Pile pile(rock, 1, {.bodies = kBodies, .doSleep = true});
-  scenes::Random random(11);
+Figures knockAbout(const test::TriedBody& rock, int seconds, std::uint64_t seed) {
+  Pile pile(rock, 1, {.bodies = kBodies, .seed = seed, .doSleep = true});
+  scenes::Random random(10 + seed);
   for (int i = 0; i < 5 * test::kStepsPerSecond; ++i) pile.step();
   Hour hour;
   double first = 0, last = 0, memory = 0;
@@ -59,19 +62,21 @@ Hour knockAbout(const test::TriedBody& rock, int seconds) {
   hour.memory = residentKib() - memory;
   hour.insane = pile.countInsane();
   hour.lost = pile.countLost();
-  return hour;
+  return {double(hour.insane), double(hour.lost), hour.energy, hour.memory, hour.operations};
 }
 
 Outcome runAnHourOfBlows(Effort effort) {
   const bool isWhole = effort == Effort::whole;
-  const Hour hour = knockAbout(rocks(1, 1).front().body, isWhole ? 3600 : 20);
-  return {{{"bodies that are no number", double(hour.insane), 0, Bound::atMost, "", "", 0},
-           {"bodies lost", double(hour.lost), 0, Bound::atMost, "", "", 0},
-           {"kinetic energy a second after a blow, most", hour.energy, kBlow / kBodies, Bound::atMost, "J/kg", "", 0},
-           {"memory grown", hour.memory, 1024, Bound::atMost, "KiB", "", 0},
-           {"narrow phase, last tenth over first, more", hour.operations, isWhole ? 10.0 : 50.0, Bound::atMost,
-            "% operations", "", 0}},
-          ""};
+  const std::vector<Asked> asked{
+      {"bodies that are no number, most", 0, Bound::atMost, "", 1},
+      {"bodies lost, most", 0, Bound::atMost, "", 1},
+      {"kinetic energy a second after a blow, most", kBlow / kBodies, Bound::atMost, "J/kg", 1},
+      {"memory grown, most", 1024, Bound::atMost, "KiB", 1},
+      {"narrow phase, last tenth over first, more, median", isWhole ? 10.0 : 50.0, Bound::atMost, "% operations"}};
+  std::vector<Figures> heaps;
+  for (std::uint64_t seed = 1; seed <= (isWhole ? kHeaps : 1); ++seed)
+    heaps.push_back(knockAbout(rocks(seed, 1).front().body, isWhole ? 3600 : 20, seed));
+  return {besideTheBest(asked, joined(asked, heaps), {}), ""};
 }
 
 }  // namespace
@@ -79,9 +84,9 @@ Outcome runAnHourOfBlows(Effort effort) {
 HardCase anHourOfBlows() {
   return {
       "L2", "an hour of blows",
-      "a heap of 12 rocks, one of them struck by 2 N s every second for an hour: no NaN, nobody lost, no more energy "
-      "than the blow's 2 J among all, no more than 1 MiB of memory more, the narrow phase's work at the end as at "
-      "first",
+      "five heaps of 12 rocks, one of each struck by 2 N s every second for an hour: no NaN, nobody lost, no more "
+      "energy than the blow's 2 J among all, no more than 1 MiB of memory more, the narrow phase's work at the end as "
+      "at first (in the median)",
       runAnHourOfBlows};
 }
 

@@ -143,7 +143,7 @@ class SphereTree {
   /// Source triangles that touch the node's region, as indices into `triangles()`.
   std::span<const std::uint32_t> regionTriangles(NodeId node) const;
   /// The source vertices of a leaf's region that its ball holds, as indices into `vertices()`, where its support points
-  /// may leave some out and they are no more than `kMaxRegionCorners`; else, and for inner nodes, nothing.
+  /// leave some out and they are no more than `kMaxRegionCorners`; else, and for inner nodes, nothing.
   std::span<const std::uint32_t> regionCorners(NodeId node) const {
     return std::span(corners_).subspan(firstCorner_[node], firstCorner_[node + 1] - firstCorner_[node]);
   }
@@ -162,7 +162,8 @@ class SphereTree {
   const Vec3d& origin() const { return data_.origin; }
   const BuildInfo& info() const { return data_.info; }
   const SphereTreeData& data() const { return data_; }
-  /// Largest distance of a node's centre from the tree frame's origin.
+  /// How far a node's ball reaches from the tree frame's origin, in its unit, to some roundings: nothing of the tree is
+  /// farther out.
   float reach() const { return reach_; }
   /// Bytes of memory the tree holds, shared by all its bodies.
   std::size_t memoryBytes() const;
@@ -177,6 +178,7 @@ class SphereTree {
   bool facesOnly(NodeId leaf) const;
   void listCorners();
   bool mayListCorners(NodeId node) const;
+  bool areSupportPoints(std::span<const std::uint32_t> corners, NodeId leaf) const;
 
   SphereTreeData data_;
   std::vector<Family> families_;
