@@ -228,7 +228,9 @@ bool ConvexCounterpart::appendCommon(NodeId leaf, const Touch& touch, std::vecto
     ++index;
   }
   // Corners that are no support points reach lower than those, by less than would make the choice flicker or by more.
-  const Vec3 lowest = tree_.extreme(leaf, -normal);
+  // What the ball certifies beyond them is another leaf's to tell: it may be the wall of a slot that the shape stands
+  // in.
+  const Vec3 lowest = tree_.farthestCorner(leaf, -normal);
   const float height = dot(normal, lowest) - touch.plane.offset;
   const auto isAsLow = [&](const Contact& c) { return c.gap <= height - margin_ + kPlaneGain * reach_; };
   if (isOnShape(lowest, height) && std::ranges::none_of(std::span(contacts).subspan(before), isAsLow))

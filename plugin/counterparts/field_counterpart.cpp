@@ -105,7 +105,7 @@ float FieldCounterpart::appendLeaf(NodeId leaf, std::vector<Contact>& contacts) 
 FieldCounterpart::Place FieldCounterpart::lowerExtreme(NodeId leaf, const Place& place) const {
   if (!place.field.hasDirection()) return place;
   const std::optional<Place> there = placeAt(tree_.extreme(leaf, -normalized(place.field.gradient)));
-  return there && there->field.value < place.field.value ? *there : place;
+  return there && canTouch(*there) && there->field.value < place.field.value ? *there : place;
 }
 
 // A planar leaf touches with its corners: which of them is lowest would change with every rounding.
@@ -119,14 +119,18 @@ void FieldCounterpart::appendCorners(NodeId leaf, const Place& lowest, std::vect
   }
 }
 
+// On the way down places may lie outside the domain, where nothing touches.
 std::optional<FieldCounterpart::Place> FieldCounterpart::lowest(NodeId leaf, const std::optional<Place>& middle) const {
-  std::optional<Place> place = lowestSupport(leaf, middle);
+  std::optional<Place> place = lowestSupport(leaf, middle), touching = place;
   for (int i = 0; place && i < kMaxDescents; ++i) {
-    const std::optional<Place> lower = descend(leaf, *place);
-    if (!lower) break;
-    place = lower;
+    place = descend(leaf, *place);
+    if (place && (canTouch(*place) || !canTouch(*touching))) touching = place;
   }
-  return place;
+  return touching;
+}
+
+bool FieldCounterpart::canTouch(const Place& place) {
+  return place.field.isInDomain && place.field.hasDirection();
 }
 
 // Where the field has no direction, all points are asked.
@@ -167,7 +171,7 @@ std::optional<FieldCounterpart::Place> FieldCounterpart::descend(NodeId leaf, co
 // What lies outside the field's domain touches nothing.
 void FieldCounterpart::appendContact(NodeId leaf, const Place& place, int pointIndex,
                                      std::vector<Contact>& contacts) const {
-  if (!place.field.isInDomain || !place.field.hasDirection()) return;
+  if (!canTouch(place)) return;
   Contact contact;
   contact.normal = normalized(place.field.gradient);
   contact.gap = place.field.height() - margin_;

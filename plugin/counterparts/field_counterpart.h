@@ -57,6 +57,7 @@ class FieldCounterpart final : public Counterpart {
   // Returns how far apart the leaf and the surface are at least.
   float appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const;
   Place lowerExtreme(NodeId leaf, const Place& place) const;
+  static bool canTouch(const Place& place);
   // `middle`: of the leaf's ball.
   std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> lowestSupport(NodeId leaf, const std::optional<Place>& middle) const;

@@ -17,10 +17,14 @@ Vec3 PlacedTree::certainReach(NodeId node, const Vec3& direction) const {
   return certainReach(node, direction, support(node, direction));
 }
 
-Vec3 PlacedTree::extreme(NodeId node, const Vec3& direction) const {
+Vec3 PlacedTree::farthestCorner(NodeId node, const Vec3& direction) const {
   const std::span<const std::uint32_t> corners = tree_->regionCorners(node);
   const Vec3 point = support(node, direction);
-  return certainReach(node, direction, corners.empty() ? point : farthestOf(corners, direction, point));
+  return corners.empty() ? point : farthestOf(corners, direction, point);
+}
+
+Vec3 PlacedTree::extreme(NodeId node, const Vec3& direction) const {
+  return certainReach(node, direction, farthestCorner(node, direction));
 }
 
 Vec3 PlacedTree::certainReach(NodeId node, const Vec3& direction, const Vec3& point) const {

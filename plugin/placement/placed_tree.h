@@ -52,6 +52,9 @@ class PlacedTree {
   std::span<const Vec3> supportPoints(NodeId node) const { return tree_->supportPoints(node); }
   /// The point of the node's region that lies farthest along `direction`.
   Vec3 support(NodeId node, const Vec3& direction) const { return regions().support(node, direction); }
+  /// The farthest along `direction` of the region's support points and, where the tree lists them, its corners: a point
+  /// of the body's own. As dear as six contacts, where there are many.
+  Vec3 farthestCorner(NodeId node, const Vec3& direction) const;
   /// Up to which the body reaches along `direction` (unit) near the node, at least: its region's farthest support
   /// point, or, if that is farther, the farthest point of its ball less the certified error. The body has points as far
   /// out as that.
