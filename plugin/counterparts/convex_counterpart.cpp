@@ -227,9 +227,9 @@ bool ConvexCounterpart::appendCommon(NodeId leaf, const Touch& touch, std::vecto
     if (height - margin_ < reach_ && isOnShape(onTree, height)) appendContact(leaf, touch, onTree, index, contacts);
     ++index;
   }
-  // Corners that are no support points reach lower than those, by less than would make the choice flicker or by more.
-  // What the ball certifies beyond them is another leaf's to tell: it may be the wall of a slot that the shape stands
-  // in.
+  // Corners that are no support points may lie lower; by less than a tenth of the reach which one is told would
+  // flicker. What the ball certifies beyond them is another leaf's to tell: it may be in the wall of a slot the shape
+  // stands in.
   const Vec3 lowest = tree_.farthestCorner(leaf, -normal);
   const float height = dot(normal, lowest) - touch.plane.offset;
   const auto isAsLow = [&](const Contact& c) { return c.gap <= height - margin_ + kPlaneGain * reach_; };

@@ -61,6 +61,7 @@ class ConvexCounterpart final : public Counterpart {
   Touch touchAlong(NodeId leaf, const Plane& plane) const;
   // Replaces the plane if the leaf lies higher above another.
   void improve(NodeId leaf, Touch& touch);
+  // To the hull of all the leaf knows of its region, in the shape's frame; nothing when GJK gives up.
   std::optional<NearestPoint> nearestToLeaf(NodeId leaf);
   void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
   void offerFaces(NodeId leaf, Touch& touch) const;

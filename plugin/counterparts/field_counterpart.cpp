@@ -12,7 +12,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Steps from a leaf's support points to where it is lowest between them; each asks the field twice.
+// Steps from a leaf's support points down to where it is lowest; each asks the field once and for its shortenings.
 constexpr int kMaxDescents = 12;
 // Of a step beyond which the field rises again; each asks the field once.
 constexpr int kMaxShortenings = 3;

@@ -56,7 +56,9 @@ class FieldCounterpart final : public Counterpart {
   std::optional<Place> placeAt(const Vec3& point) const;
   // Returns how far apart the leaf and the surface are at least.
   float appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const;
+  // `place`, or the leaf's farthest point against the gradient there, if that is lower.
   Place lowerExtreme(NodeId leaf, const Place& place) const;
+  // In the domain, and where the field has a direction: elsewhere nothing touches.
   static bool canTouch(const Place& place);
   // `middle`: of the leaf's ball.
   std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;

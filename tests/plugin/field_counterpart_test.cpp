@@ -188,6 +188,28 @@ TEST(Field_Round, CoarseLeavesNeitherFloatNorSinkIn) {
     }
 }
 
+// A field that ends under a body: what is lowest lies beyond its border, where nothing touches, and what is not does.
+TEST(Field_Border, BodyAcrossItTouchesWithinIt) {
+  const auto ground = fieldShape({{-3, -3, -1}, {1, 3, 1}, {8, 12, 4}}, [](const Vec3d& p) { return p.z; });
+  SphereTreeData data = PlainTreeBuilder(ball(1, 10), 100).build();
+  for (NodeData& node : data.nodes) {  // as a good builder's are: every leaf's ball all but the whole
+    node.center = {};
+    node.radius = 1 + 1e-5F;
+    node.error = 0.02F;
+  }
+  const auto tree = std::make_shared<const SphereTree>(std::move(SphereTree::create(std::move(data))).value());
+  for (const btScalar x : {btScalar(1.02), btScalar(1.05), btScalar(1.1), btScalar(1.2)}) {
+    BulletWorld<> w;
+    w.add(ground, 0, btVector3(0, 0, 0));
+    w.add(treeShape(tree), 1, btVector3(x, 0, btScalar(0.9)));
+    w.world.performDiscreteCollisionDetection();
+    int contacts = 0;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i)
+      contacts += w.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    EXPECT_GT(contacts, 0) << "centre " << x << " m along, the border at 1";
+  }
+}
+
 class FieldWorlds : public testing::TestWithParam<FrontEnd> {};
 INSTANTIATE_TEST_SUITE_P(FrontEnds, FieldWorlds, testing::ValuesIn(kEveryFrontEnd));
 
