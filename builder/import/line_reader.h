@@ -5,10 +5,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <locale>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "cairn/core/result.h"
@@ -18,7 +24,11 @@ namespace cairn::builder {
 /// Walks the lines of a text and the words of a line, and knows the line's number.
 class LineReader {
  public:
-  LineReader(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {}
+  /// Whether a line goes on in the next one.
+  enum class Continued { Never, ByBackslash };
+
+  LineReader(std::string file, std::string_view text, Continued continued = Continued::Never)
+      : file_(std::move(file)), rest_(text), continued_(continued) {}
 
   bool nextLine() {
     if (rest_.empty()) return false;
@@ -32,7 +42,7 @@ class LineReader {
   /// The next line that holds more than blanks and a `#` comment.
   bool nextContent() {
     while (nextLine()) {
-      line_ = line_.substr(0, line_.find('#'));
+      dropComment();
       if (line_.find_first_not_of(kBlanks) != std::string_view::npos) return true;
     }
     return false;
@@ -40,11 +50,19 @@ class LineReader {
 
   /// Empty at the end of the line.
   std::string_view nextWord() {
-    line_.remove_prefix(std::min(line_.find_first_not_of(kBlanks), line_.size()));
-    const std::string_view word = line_.substr(0, line_.find_first_of(kBlanks));
-    line_.remove_prefix(word.size());
+    std::string_view word = wordOfLine();
+    while (continued_ == Continued::ByBackslash && word.ends_with('\\') && isAtEnd()) {
+      word.remove_suffix(1);
+      if (!nextLine()) break;
+      dropComment();
+      if (!word.empty()) break;
+      word = wordOfLine();
+    }
     return word;
   }
+
+  /// The rest of the line holds nothing to read.
+  void passOver() { line_ = {}; }
 
   std::size_t number() const { return number_; }
   /// What follows the line read last.
@@ -55,10 +73,30 @@ class LineReader {
  private:
   static constexpr std::string_view kBlanks = " \t\r\v\f";
 
+  void dropComment() { line_ = line_.substr(0, line_.find('#')); }
+  bool isAtEnd() const { return line_.find_first_not_of(kBlanks) == std::string_view::npos; }
+
+  std::string_view wordOfLine() {
+    line_.remove_prefix(std::min(line_.find_first_not_of(kBlanks), line_.size()));
+    const std::string_view word = line_.substr(0, line_.find_first_of(kBlanks));
+    line_.remove_prefix(word.size());
+    return word;
+  }
+
   std::string file_;
   std::string_view rest_, line_;
   std::size_t number_ = 0;
+  Continued continued_;
 };
+
+/// Zero for what is too small for a double, endless for what is too large.
+inline double valueOutOfRange(std::string_view number) {
+  std::istringstream in{std::string(number)};
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;
+  return in.fail() ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
+}
 
 /// The number a whole word stands for.
 template <class T>
@@ -66,8 +104,11 @@ std::optional<T> parseNumber(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   T value{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
+  if (end != word.data() + word.size()) return std::nullopt;
+  if (error == std::errc{}) return value;
+  if constexpr (std::is_floating_point_v<T>)
+    if (error == std::errc::result_out_of_range) return T(valueOutOfRange(word));
+  return std::nullopt;
 }
 
 }  // namespace cairn::builder

@@ -18,8 +18,9 @@ namespace cairn::builder {
 /// Whatever is left to assimp has been checked as far as these formats go, because assimp passes over a bad number or a
 /// missing tail in silence, or stops with a message that names no line; a PLY it waits forever for the rest of, and
 /// broken headers crash it, so that it never sees one. OBJ: numbers finite, faces of three or more existing vertices.
-/// OFF: as many lines as the header promises, indices in range. STL: as long as its count says, or ended by `endsolid`.
-/// PLY: all the elements the header promises, indices in range. Errors name the file and the line. Linear.
+/// OFF: as many lines as the header promises and no more, indices in range. STL: exactly as long as its count says, or
+/// statements in the order of the grammar up to the last `endsolid`. PLY: all the elements the header promises, indices
+/// in range. Errors name the file and the line. Linear.
 Result<std::optional<PolygonSoup>> readMeshText(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace cairn::builder

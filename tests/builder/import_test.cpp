@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -124,6 +126,70 @@ TEST(Import, ReadsTheRarerFormsOfOffAndObj) {
   expectCube("decorated.off", decorated.str());
 }
 
+TEST(Import, ReadsCountsOfAnOffEachOnALineOfItsOwn) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 2, 3}, 1));
+  std::string text = offText(cube);
+  const auto expectCube = [&](const std::string& counts) {
+    std::string other = text;
+    other.replace(other.find("8 12 0"), 6, counts);
+    const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.off", other));
+    ASSERT_TRUE(read.ok()) << counts << ": " << read.error().message;
+    expectSameSurface(read.value(), cube);
+  };
+  for (const char* counts : {"8\n12\n0", "8\n12 0", "8 12\n0", "8 12", "8 # vertices\n\n12 # faces\n0"})
+    expectCube(counts);
+}
+
+TEST(Import, ReadsLinesOfAnObjThatABackslashContinues) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 2, 3}, 1));
+  std::ostringstream text;
+  for (const Vec3d& v : cube.vertices) text << "v " << v.x << " \\\n  " << v.y << "\\\r\n" << v.z << '\n';
+  for (const Triangle& t : cube.triangles)
+    text << "f \\\n" << t[0] + 1 << ' ' << t[1] + 1 << " \\\n " << t[2] + 1 << '\n';
+  const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.obj", text.str()));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectSameSurface(read.value(), cube);
+}
+
+TEST(Import, TakesWhatIsTooSmallForADoubleForZero) {
+  const test::TemporaryFolder folder;
+  const auto path = test::writeText(
+      folder.path() / "a.obj", "v 1e-400 0 -1e-4000\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const Result<TriangleMesh> read = importMesh(path);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(boundsOf(read.value()).lower.x, 0);
+  EXPECT_EQ(boundsOf(read.value()).lower.z, 0);
+}
+
+TEST(Import, ReadsTextStlOfAnyCaseAndLayout) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 2, 3}, 1));
+  std::string upper = stlText(cube), layout = " \n\t";
+  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  for (const char c : stlText(cube)) layout += c == '\n' ? "\r\n\t " : std::string(1, c);
+  std::string joined = stlText(cube);  // all but the solid's name on one line
+  std::replace(joined.begin() + std::ptrdiff_t(joined.find('\n')) + 1, joined.end(), '\n', ' ');
+  for (const std::string& text : {upper, layout, joined}) {
+    const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.stl", text));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    expectSameSurface(read.value(), cube);
+  }
+}
+
+TEST(Import, ReadsBinaryStlWhoseHeaderBeginsAsATextDoes) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh cube = meshOf(cuboid({1, 2, 3}, 1));
+  for (const char* header : {"solid", "solid facet normal 0 0 1 outer loop", "SOLID x", "COLOR=\x80\x80\x80\xff"}) {
+    std::string bytes = stlBinary(cube);
+    bytes.replace(0, std::strlen(header), header);
+    const Result<TriangleMesh> read = importMesh(test::writeText(folder.path() / "cube.stl", bytes));
+    ASSERT_TRUE(read.ok()) << header << ": " << read.error().message;
+    expectSameSurface(read.value(), cube);
+  }
+}
+
 TEST(Import, PassesOverAByteOrderMark) {
   const test::TemporaryFolder folder;
   const TriangleMesh cube = meshOf(cuboid({1, 1, 1}, 1));
@@ -244,6 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"NoTriangles", "a.obj", kTetrahedron, "a.obj"},
         BadFile{"ObjNan", "a.obj", "v 0 0 0\nv nan 0 0\n", "line 2: the coordinate nan is not finite"},
         BadFile{"ObjHuge", "a.obj", "v 0 0 0\nv 1e300 0 0\n", "line 2: the coordinate 1e300 is not finite"},
+        BadFile{"ObjHuger", "a.obj", "v 0 0 0\nv 0 -1e400 0\n", "line 2: the coordinate -1e400 is not finite"},
         BadFile{"ObjWord", "a.obj", "v 0 0 0\nv 1 x 0\n", "line 2: 'x' is not a coordinate"},
         BadFile{"ObjTruncatedVertex", "a.obj", "v 0 0 0\nv 1 2", "line 2: a vertex needs three coordinates"},
         BadFile{"ObjIndexTooLarge", "a.obj", kTetrahedron + "f 1 3 2\nf 1 2 9\n",
@@ -255,6 +322,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"OffTruncatedFaces", "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after 1 of 2 faces"},
         BadFile{"OffIndex", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n",
                 "line 6: '7' does not name one of the 3"},
+        BadFile{"OffCutFace", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n",
+                "line 6: the face ends after 2 of 3 corners"},
+        BadFile{"OffSeveralOnALine", "a.off", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n",
+                "ends after 2 of 3 vertices, one a line; it is truncated or writes several on a line"},
+        BadFile{"OffMoreFaces", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n",
+                "line 7: the file goes on after the 3 vertices and 1 faces it promises"},
+        BadFile{"OffWithoutCounts", "a.off", "OFF\n3\n", "the counts of vertices and faces are missing"},
+        BadFile{"OffBinary", "a.off", "OFF BINARY\n", "line 1: binary OFF is not supported"},
         BadFile{"OffNotOff", "a.off", "hello\n", "line 1: an OFF file begins with the word OFF"},
         BadFile{"StlTruncatedText", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0", "truncated"},
         BadFile{"StlTruncatedBinary", "a.stl",
@@ -274,7 +349,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 6: a facet needs three vertices, this one has 2"},
         BadFile{"StlWithoutEnd", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
                 "line 4: the file ends after 0 facets, without 'endsolid'"},
-        BadFile{"StlSecondWithoutEnd", "a.stl", stlText(meshOf(cuboid({1, 1, 1}, 1))) + "solid y\nfacet",
+        BadFile{"StlSecondWithoutEnd", "a.stl", stlText(meshOf(cuboid({1, 1, 1}, 1))) + "solid y\nfacet normal 0 0 1",
                 "the file ends after 12 facets, without 'endsolid'"},
         BadFile{"StlOpenFacet", "a.stl",
                 "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid\n",
@@ -283,7 +358,30 @@ INSTANTIATE_TEST_SUITE_P(
                 "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nfacet normal 0 0 1\nouter loop\nendsolid\n",
                 "line 5: 'facet' comes before the 'endloop' of facet 1"},
         BadFile{"StlFacetAfterEnd", "a.stl", stlText(meshOf(cuboid({1, 1, 1}, 1))) + "facet normal 0 0 1\n",
-                "the file ends after 12 facets, without 'endsolid'"},
+                "line 87: 'facet' comes outside of a solid"},
+        BadFile{"StlVertexAfterEnd", "a.stl", stlText(meshOf(cuboid({1, 1, 1}, 1))) + "vertex 0 0 1\n",
+                "line 87: 'vertex' comes outside of a solid"},
+        BadFile{"StlFragmentAfterEnd", "a.stl", stlText(meshOf(cuboid({1, 1, 1}, 1))) + "face",
+                "line 87: 'face' is no statement of a text STL"},
+        BadFile{"StlOpenFacetWithoutVertices", "a.stl", "solid x\nfacet normal 0 0 1\nendsolid\n",
+                "line 3: 'endsolid' comes before the 'outer loop' of facet 1"},
+        BadFile{"StlEndfacetInLoop", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nendfacet\n",
+                "line 4: 'endfacet' comes before the 'endloop' of facet 1"},
+        BadFile{
+            "StlSecondLoop", "a.stl",
+            "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nouter loop\n",
+            "line 8: 'outer' comes before the 'endfacet' of facet 1"},
+        BadFile{"StlVertexWithoutFacet", "a.stl", "solid x\nvertex 0 0 0\n",
+                "line 2: 'vertex' comes where facet 1 or 'endsolid' is due"},
+        BadFile{"StlCutNormal", "a.stl", "solid x\nfacet normal 0 0\n", "line 2: a normal needs three coordinates"},
+        BadFile{"StlNoNormal", "a.stl", "solid x\nfacet outer loop\n", "line 2: 'facet' is not followed by 'normal'"},
+        BadFile{"StlNoLoop", "a.stl", "solid x\nfacet normal 0 0 1\nouter\n",
+                "line 3: 'outer' is not followed by 'loop'"},
+        BadFile{"StlOfNothing", "a.stl", "solid x\nendsolid x\n", "a.stl: it holds no triangles"},
+        BadFile{"StlTooLong", "a.stl", stlBinary(meshOf(cuboid({1, 1, 1}, 1))) + "more",
+                "688 bytes are too many for a binary STL of 12 triangles (684 bytes)"},
+        BadFile{"StlNeither", "a.stl", "hello\n",
+                "6 bytes are too few for a binary STL of 0 triangles (84 bytes), and a text one begins with 'solid'"},
         BadFile{"StlOneLine", "a.stl", "solid x facet normal 0 0 1 outer loop vertex 0 0 0 endloop endfacet endsolid x",
                 "line 1: no facet has been read up to here"},
         BadFile{"PlyFaceOfNone", "a.ply", plyTextWithFace("0"), "line 15: face 1 has 0 vertices"},

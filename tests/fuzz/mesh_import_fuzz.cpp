@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Feeds the importer files: the first byte says which of the formats that are checked before assimp sees them, the rest
-// is the file.
+// Feeds the importer files: the first byte says which of the formats that are checked before assimp sees them, and in
+// which one a surface that was accepted is written and read again; the rest is the file.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "cairn/builder/import.h"
+#include "cairn/builder/mesh_file.h"
+#include "cairn/builder/simplify.h"
+#include "mesh_texts.h"
 #include "require.h"
 #include "run_program.h"
 
@@ -15,6 +18,36 @@
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libassimp\n";
 }
+
+namespace {
+
+using cairn::builder::TriangleMesh;
+
+// What another program would write of an accepted surface is read as the same triangles.
+void requireSameWhenWritten(const TriangleMesh& mesh, unsigned which, const std::filesystem::path& folder) {
+  struct Form {
+    const char* name;
+    std::string (*bytes)(const TriangleMesh&);
+  };
+  constexpr std::array<Form, 6> kForms{{{"again.obj", cairn::builder::objText},
+                                        {"again.off", cairn::test::offText},
+                                        {"text.ply", cairn::test::plyText},
+                                        {"float.ply", cairn::builder::plyBytes},
+                                        {"text.stl", cairn::test::stlText},
+                                        {"binary.stl", cairn::test::stlBinary}}};
+  const Form& form = kForms[which % kForms.size()];
+  std::ofstream(folder / form.name, std::ios::binary) << form.bytes(mesh);
+  const auto again = cairn::builder::importSurface(folder / form.name);
+  cairn::fuzz::require(again.ok(), std::string("a surface is refused when written as ") + form.name);
+  cairn::fuzz::require(again.value().triangles.size() == mesh.triangles.size(),
+                       "a surface lost triangles when written");
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      cairn::fuzz::require(cairn::Vec3(again.value().corners(t)[i]) == cairn::Vec3(mesh.corners(t)[i]),
+                           "a surface has other corners when written");
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cairn;
@@ -33,6 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const builder::Triangle& t : mesh.triangles)
       fuzz::require(std::ranges::all_of(t, [&](std::uint32_t v) { return v < mesh.vertices.size(); }),
                     "a triangle names a vertex that does not exist");
+    requireSameWhenWritten(mesh, data[0] / kNames.size(), folder.path());
   }
   const auto solid = builder::importMesh(path);
   if (!solid) fuzz::requireSentence(solid.error().message);

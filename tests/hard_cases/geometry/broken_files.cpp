@@ -85,18 +85,22 @@ class Breaker {
     const std::size_t step = effort_ == Effort::quick ? 23 : 1;
     for (std::size_t length = 0; length < bytes.size(); length += step) {
       const auto result = demands_.import(format.name, bytes.substr(0, length));
-      if (result && builder::checkMesh(result.value()) && result.value().triangles.size() == solid_.triangles.size()) {
-        ++complete;
-        continue;
-      }
-      truncations.note(format.name, result);
+      if (!result || !isWhole(result.value())) truncations.note(format.name, result);
     }
   }
 
   Answers elements, truncations;
-  std::uint64_t complete = 0;
 
  private:
+  /// Whether a mesh is the solid, corner by corner, as floats.
+  bool isWhole(const builder::TriangleMesh& mesh) const {
+    if (!builder::checkMesh(mesh) || mesh.triangles.size() != solid_.triangles.size()) return false;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        if (Vec3(mesh.corners(t)[i]) != Vec3(solid_.corners(t)[i])) return false;
+    return true;
+  }
+
   FamilyDemands& demands_;
   Effort effort_;
   const builder::TriangleMesh solid_ = test::meshOf(test::cuboid({1, 1, 1}, 1));

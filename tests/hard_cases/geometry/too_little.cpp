@@ -27,7 +27,7 @@ Outcome runTooLittle(Effort effort) {
   file("empty.obj", "", "is empty");
   file("empty.ply", "", "is empty");
   file("empty.stl", "", "is empty");
-  file("nothing.stl", "solid x\nendsolid x\n", "triangle");
+  file("nothing.stl", "solid x\nendsolid x\n", "holds no triangles");
   file("nothing.off", "OFF\n0 0 0\n", "no triangles");
 
   demands.refuses(builder::buildTree({}, demands.options()), "there are no triangles");
