@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "dispatch/manifold_order.h"
+#include "cairn/bullet/manifold_order.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -50,12 +50,16 @@ bool isBefore(const btPersistentManifold* a, const btPersistentManifold* b) {
 
 }  // namespace
 
-void orderManifolds(btCollisionDispatcher& dispatcher) {
-  const std::span manifolds(dispatcher.getInternalManifoldPointer(),
-                            static_cast<std::size_t>(dispatcher.getNumManifolds()));
+void orderManifolds(std::span<btPersistentManifold*> manifolds, btDispatcher& dispatcher) {
   if (std::ranges::is_sorted(manifolds, isBefore)) return;
   std::ranges::sort(manifolds, isBefore);
+  if (dispatcher.getInternalManifoldPointer() != manifolds.data()) return;
   for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i]->m_index1a = static_cast<int>(i);
+}
+
+void orderManifolds(btCollisionDispatcher& dispatcher) {
+  orderManifolds({dispatcher.getInternalManifoldPointer(), static_cast<std::size_t>(dispatcher.getNumManifolds())},
+                 dispatcher);
 }
 
 }  // namespace cairn::bullet

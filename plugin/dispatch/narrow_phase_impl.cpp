@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "cairn/bullet/manifold_order.h"
 #include "cairn/core/round_robin.h"
-#include "dispatch/manifold_order.h"
 #include "memory/written_room.h"
 
 namespace cairn::bullet {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Zlib
 // The order in which the solver meets manifolds does not tell who made them when.
-#include "dispatch/manifold_order.h"
+#include "cairn/bullet/manifold_order.h"
 
 #include <gtest/gtest.h>
 
