@@ -8,6 +8,7 @@
 
 #include "contacts/cut_face.h"
 #include "contacts/face_limits.h"
+#include "counterparts/inner_edges.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -99,9 +100,44 @@ bool ConvexCounterpart::isCertainlyApart(const Sphere& sphere) const {
 }
 
 void ConvexCounterpart::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+  const std::size_t first = contacts.size();
   for (const NodePair& pair : pairs) {
     const Sphere sphere = tree_.sphere(pair.a);
     if (!isCertainlyApart(sphere)) appendLeaf(pair.a, sphere, contacts);
+  }
+  if (contacts.size() > first + 1) measureInnerEdges(first, contacts);
+}
+
+void ConvexCounterpart::measureInnerEdges(std::size_t first, std::vector<Contact>& contacts) {
+  InnerEdges edges(tree_, reach_);
+  for (const Contact& contact : std::span(contacts).subspan(first)) edges.note(contact);
+  const std::size_t end = contacts.size();
+  for (std::size_t i = first; i < end; ++i)
+    if (const Vec3* const normal = edges.normalInstead(contacts[i]))
+      appendAlong(*normal, Contact(contacts[i]), contacts);
+  const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first),
+             old = contacts.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto isInner = [&](const Contact& contact) { return edges.normalInstead(contact) != nullptr; };
+  contacts.erase(std::remove_if(begin, old, isInner), old);
+}
+
+// The leaf's own points, where the shape is over them.
+void ConvexCounterpart::appendAlong(const Vec3& normal, const Contact& inner, std::vector<Contact>& contacts) {
+  const NodeId leaf = inner.pair.a;
+  const Vec3 onShape = pairFromShapeAxes_ * surface_.support(transpose(pairFromShapeAxes_) * normal) + shapeOrigin_;
+  Touch touch = touchAlong(leaf, {normal, dot(normal, onShape)});
+  touch.point = inner.onTree();
+  if (!tree_.isPlanar(leaf)) {
+    const Vec3 where = pulledOntoShape(touch.point, touch.point, touch.height);
+    if (isOnShape(where, touch.height)) appendContact(leaf, touch, touch.point, -1, contacts);
+    return;
+  }
+  int index = 0;
+  for (const Vec3& point : tree_.supportPoints(leaf)) {
+    const Vec3 onTree = tree_.toPair() * point;
+    if (isOnShape(pulledOntoShape(onTree, touch.point, touch.height), touch.height))
+      appendContact(leaf, touch, onTree, index, contacts);
+    ++index;
   }
 }
 

@@ -76,6 +76,10 @@ class ConvexCounterpart final : public Counterpart {
                      std::vector<Contact>& contacts);
   void append(NodeId leaf, const Vec3& normal, const Vec3& position, float gap, int pointIndex,
               std::vector<Contact>& contacts) const;
+  // Where leaves touch across borders that are no edges of the body, they are measured along the face, see
+  // `InnerEdges`.
+  void measureInnerEdges(std::size_t first, std::vector<Contact>& contacts);
+  void appendAlong(const Vec3& normal, const Contact& inner, std::vector<Contact>& contacts);
   Vec3 pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height);
   NearestPoint inPair(const NearestPoint& inShape) const;
 

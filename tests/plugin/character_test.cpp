@@ -122,25 +122,44 @@ btRigidBody& addBlock(auto& w, const Ground& floor, bool asTree) {
   return w.add(asTree ? tree : box, 5000, btVector3(2, 0, btScalar(0.5)));
 }
 
+struct Push {
+  double behind = 0, pushed = 0;  // the walker, behind the block's face; the block
+};
+
+Push pushOf(FrontEnd frontEnd, const Ground& floor, bool asTree, btScalar aside) {
+  Push push;
+  inWorldOf(frontEnd, [&](auto& w) {
+    btRigidBody& block = addBlock(w, floor, asTree);
+    Walker walker(w.world, btVector3(0, aside, btScalar(0.75)));
+    walker.character().setWalkDirection(btVector3(btScalar(0.03), 0, 0));
+    w.step(80);
+    push = {block.getWorldTransform().getOrigin().x() - 0.5 - walker.place().x(),
+            block.getWorldTransform().getOrigin().x() - 2.0};
+    EXPECT_TRUE(isSane(block));
+  });
+  return push;
+}
+
 // What can move is pushed along by the contacts of the character's ghost, at the speed at which it walks or slower; the
-// controller itself is stopped by it.
+// controller itself is stopped by it. How deep it is in the block when the steps end is chance, within 5 cm, for boxes
+// of Bullet on Bullet's floor too: the median of some places says how one pushes.
 TEST_P(Character, PushesATreeThatCanMoveAsABox) {
   const Ground floor(cuboid({8, 4, 1}, 6));
-  btScalar behind[2] = {}, pushed[2] = {};
-  for (const bool asTree : {false, true})
-    inWorldOf(GetParam(), [&](auto& w) {
-      btRigidBody& block = addBlock(w, floor, asTree);
-      Walker walker(w.world, btVector3(0, btScalar(0.13), btScalar(0.75)));
-      walker.character().setWalkDirection(btVector3(btScalar(0.03), 0, 0));
-      w.step(80);
-      behind[asTree] = block.getWorldTransform().getOrigin().x() - btScalar(0.5) - walker.place().x();
-      pushed[asTree] = block.getWorldTransform().getOrigin().x() - 2;
-      EXPECT_TRUE(isSane(block));
-    });
-  for (const int asTree : {1, 0})
-    std::printf("%s: pushed by %.3f, walker %.3f behind its face\n", asTree ? "tree" : "box", double(pushed[asTree]),
-                double(behind[asTree]));
-  EXPECT_GT(behind[1], behind[0] - btScalar(0.02)) << "no deeper in it than in a box";
+  double behind[2] = {}, pushed[2] = {};
+  for (const bool asTree : {false, true}) {
+    std::vector<double> depths, ways;
+    for (int k = -3; k <= 3; ++k) {
+      const Push push = pushOf(GetParam(), floor, asTree, btScalar(0.1) * btScalar(k));
+      depths.push_back(push.behind);
+      ways.push_back(push.pushed);
+    }
+    for (std::vector<double>* figures : {&depths, &ways}) std::ranges::sort(*figures);
+    behind[asTree] = depths[depths.size() / 2];
+    pushed[asTree] = ways[ways.size() / 2];
+    std::printf("%s: pushed by %.3f, walker %.3f behind its face\n", asTree ? "tree" : "box", pushed[asTree],
+                behind[asTree]);
+  }
+  EXPECT_GT(behind[1], behind[0] - 0.02) << "no deeper in it than in a box";
   EXPECT_NEAR(pushed[1], pushed[0], 0.05);
 }
 
