@@ -67,6 +67,7 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
 
   const Box box = ownBox(shape);
   size_ = 2 * length(box.halfExtents);
+  isSmall_ = size_ <= 2 * tree_.tree().reach() * tree_.scale();
   const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
   shapeFromPair_ = relativePose(shapePose, Pose{});
   pairFromShapeAxes_ = toSimilarity(shapePose).linear;
@@ -105,7 +106,7 @@ void ConvexCounterpart::appendContacts(std::span<const NodePair> pairs, std::vec
     const Sphere sphere = tree_.sphere(pair.a);
     if (!isCertainlyApart(sphere)) appendLeaf(pair.a, sphere, contacts);
   }
-  if (contacts.size() > first + 1) measureInnerEdges(first, contacts);
+  if (isSmall_ && contacts.size() > first + 1) measureInnerEdges(first, contacts);
 }
 
 void ConvexCounterpart::measureInnerEdges(std::size_t first, std::vector<Contact>& contacts) {

@@ -87,7 +87,8 @@ class ConvexCounterpart final : public Counterpart {
   int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float reach_ = 0;
-  float size_ = 0;  // of the shape
+  float size_ = 0;        // of the shape
+  bool isSmall_ = false;  // the shape, against the tree: it may land on one of its faces, and not the other way round
   FacingCorners facing_;
   Similarity shapeFromPair_;
   Mat3 pairFromShapeAxes_;
