@@ -27,6 +27,7 @@ class TextValues {
   explicit TextValues(LineReader& line) : line_(line) {}
 
   bool nextItem() { return line_.nextContent(); }
+  bool goesOn() { return line_.nextContent(); }
   /// Nothing at the end of the line and for words that are no number.
   std::optional<double> number(Type) { return parseNumber<double>(line_.nextWord()); }
   /// False when so many are not there.
@@ -55,6 +56,8 @@ class BinaryValues {
   BinaryValues(const LineReader& line, Encoding encoding) : line_(line), bytes_(line.rest()), encoding_(encoding) {}
 
   bool nextItem() { return true; }
+  /// Some files end with a line's end, or are padded.
+  bool goesOn() const { return bytes_.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos; }
   /// Nothing at the end of the file.
   std::optional<double> number(Type type) {
     if (bytes_.size() < type.size) return std::nullopt;
@@ -118,6 +121,10 @@ class Reader {
   }
 
   bool nextItem() { return values_.nextItem(); }
+  Status end() {
+    if (!values_.goesOn()) return {};
+    return values_.error("the file goes on after the elements it promises; correct their counts or export it again");
+  }
   PolygonSoup soup() && { return std::move(soup_); }
 
  private:
@@ -201,6 +208,7 @@ Result<PolygonSoup> readItems(const LineReader& line, const Header& header, Valu
       if (Status s = reader.readItem(element, i); !s) return s.error();
     }
   }
+  if (Status s = reader.end(); !s) return s.error();
   return std::move(reader).soup();
 }
 

@@ -266,6 +266,16 @@ std::string plyBinaryWithFace(std::uint8_t corners) {
   return bytes;
 }
 
+TEST(ImportPly, PassesOverWhatABinaryFileIsPaddedWith) {
+  const test::TemporaryFolder folder;
+  for (const std::string& padding : {std::string("\r\n"), std::string(6, '\0')}) {
+    const auto file = test::writeText(folder.path() / "a.ply", plyBinaryWithFace(3) + padding);
+    const Result<TriangleMesh> read = importSurface(file);
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read.value().triangles.size(), 2U);
+  }
+}
+
 // 0 1 2 | 1 2 3 turned | ... of a strip, and of one begun anew: the four sides of a tetrahedron, outwards.
 TEST(ImportPly, ReadsStripsAsTriangles) {
   const test::TemporaryFolder folder;
@@ -339,6 +349,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"PlyIndex", "a.ply", plyTextWithFace("3 0 1 4"), "line 15: face 1 names vertex 4 of 4"},
         BadFile{"PlyIndexNegative", "a.ply", plyTextWithFace("3 0 1 -1"), "line 15: face 1 names vertex -1 of 4"},
         BadFile{"PlyWord", "a.ply", plyTextWithFace("3 0 1 x"), "line 15: a value is missing or is no number"},
+        BadFile{"PlyMoreFaces", "a.ply", plyTextWithFace("3 0 1 3\n3 0 3 2"),
+                "line 16: the file goes on after the elements it promises"},
+        BadFile{"PlyMoreBytes", "a.ply", plyBinaryWithFace(3) + "\x03",
+                "the file goes on after the elements it promises"},
         BadFile{"PlyHuge", "a.ply", plyHeader("ascii") + "1e39 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n",
                 "triangle 0 has a coordinate that is not finite in single precision"},
         BadFile{"ObjWeight", "a.obj", "v 0 0 0 0\n", "line 1: the vertex divided by its fourth number is not finite"},
