@@ -56,6 +56,9 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
     if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
   }
   listCorners();
+  surface_.features = SurfaceFeatures(data_.vertices, data_.triangles);
+  surface_.patches = SurfacePatches(*this, surface_.features);
+  surface_.thickness = surfaceThickness(*this);
 }
 
 // A triangle without area faces nowhere and contradicts nothing.
@@ -145,7 +148,8 @@ std::size_t SphereTree::memoryBytes() const {
   return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
          bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
-         bytesOf(corners_) + bytesOf(firstCorner_) + bytesOf(familySize_) + bytesOf(nodeAt_);
+         bytesOf(corners_) + bytesOf(firstCorner_) + bytesOf(familySize_) + bytesOf(nodeAt_) +
+         surface_.features.memoryBytes() + surface_.patches.memoryBytes();
 }
 
 }  // namespace cairn

@@ -39,32 +39,32 @@ void recenter(std::span<const Contact> cluster, ClusterSeed& seed, float reach) 
 
 }  // namespace
 
-void ClusteredContacts::group(ClusterSeeds& seeds, float reach) {
+void ClusteredContacts::group(ClusterSeeds& seeds, float reach, float cosine) {
   std::sort(list_.begin(), list_.end(), deeper);
   clusterOf_.assign(list_.size(), -1);
-  keepLastClusters(seeds);
-  openNewClusters(seeds);
+  keepLastClusters(seeds, cosine);
+  openNewClusters(seeds, cosine);
   gather();
   for (int k = 0; k < kMaxClusters; ++k) recenter(cluster(k), seeds[static_cast<std::size_t>(k)], reach);
 }
 
-void ClusteredContacts::keepLastClusters(ClusterSeeds& seeds) {
+void ClusteredContacts::keepLastClusters(ClusterSeeds& seeds, float cosine) {
   std::array<bool, kMaxClusters> used{};
   for (std::size_t i = 0; i < list_.size(); ++i) {
     const Nearest nearest = nearestSeed(seeds, list_[i].normal);
-    if (nearest.cosine < kClusterCosine) continue;
+    if (nearest.cosine < cosine) continue;
     clusterOf_[i] = nearest.cluster;
     used[static_cast<std::size_t>(nearest.cluster)] = true;
   }
   for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].active = used[k];
 }
 
-void ClusteredContacts::openNewClusters(ClusterSeeds& seeds) {
+void ClusteredContacts::openNewClusters(ClusterSeeds& seeds, float cosine) {
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (clusterOf_[i] >= 0) continue;
     const Vec3& normal = list_[i].normal;
     const Nearest nearest = nearestSeed(seeds, normal);
-    const int unused = nearest.cosine >= kClusterCosine ? -1 : freeCluster(seeds);
+    const int unused = nearest.cosine >= cosine ? -1 : freeCluster(seeds);
     clusterOf_[i] = unused >= 0 ? unused : nearest.cluster;
     if (unused >= 0) seeds[static_cast<std::size_t>(unused)] = {normal, true};
   }

@@ -39,7 +39,8 @@ class ClusteredContacts {
   /// Groups the list by normal: first around last step's seeds, then greedily from the deepest contact left over; what
   /// finds no free cluster joins the nearest one. Then each seed is the depth-weighted mean normal of its members, or
   /// inactive. Every gap must be below `reach`. O(n log n).
-  void group(ClusterSeeds& seeds, float reach);
+  /// `cosine`: of the angle within which normals share a cluster.
+  void group(ClusterSeeds& seeds, float reach, float cosine = kClusterCosine);
 
   /// Valid until the list changes.
   std::span<Contact> cluster(int k) {
@@ -54,8 +55,8 @@ class ClusteredContacts {
   void join(int into, int from);
 
  private:
-  void keepLastClusters(ClusterSeeds& seeds);
-  void openNewClusters(ClusterSeeds& seeds);
+  void keepLastClusters(ClusterSeeds& seeds, float cosine);
+  void openNewClusters(ClusterSeeds& seeds, float cosine);
   void gather();
 
   std::vector<Contact> list_;

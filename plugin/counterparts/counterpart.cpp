@@ -24,7 +24,7 @@ Vec3 Counterpart::flatten(std::span<Contact> /*cluster*/, std::span<const Vec3> 
   return {};
 }
 
-std::optional<float> Counterpart::appendOfMesh(Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
+std::optional<float> Counterpart::appendOfMesh(const MeshQuestion& /*question*/, std::vector<Contact>& /*contacts*/) {
   return std::nullopt;
 }
 

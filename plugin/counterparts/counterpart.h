@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "cairn/bullet/step.h"
 #include "cairn/core/traversal.h"
 #include "contacts/contact.h"
+#include "kernel/contact_kernel.h"
 #include "placement/pair_placement.h"
 
 class btCollisionShape;
@@ -16,6 +18,13 @@ namespace cairn::bullet {
 
 /// What measuring the contact of a leaf pair is charged: both spheres are moved, and compared once more.
 inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
+
+/// What is asked of the source meshes.
+struct MeshQuestion {
+  Finest finest;
+  ContactKernel& kernel;
+  Budget& budget;
+};
 
 /// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows
 /// how a leaf touches it. It is placed anew in every step, then either started or resumed.
@@ -81,7 +90,7 @@ class Counterpart {
   /// triangles that it says more for less: appends the contacts, and returns how far the surfaces are apart at least
   /// (world length), minus infinity where that is not known. Charged whatever is left of the budget. Nothing, and
   /// nothing appended, when the leaf pairs have to be asked. Default: nothing.
-  virtual std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts);
+  virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
   /// The common normals of this step's clusters, measured between leaves; zero where there is none.
   virtual void learnNormals(std::span<const Vec3> normals);
 

@@ -112,10 +112,10 @@ void PlaneCounterpart::findLeaves() {
 }
 
 // The lowest of a mesh are vertices, whichever leaf they are in.
-std::optional<float> PlaneCounterpart::appendOfMesh(Budget& budget, std::vector<Contact>& contacts) {
+std::optional<float> PlaneCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
   if (!hasFewVertices() || traversal_.leafPairs().empty()) return std::nullopt;
   if (leafOf_.empty()) findLeaves();
-  budget.chargeAnyway(kSphereUpdateCost * leafOf_.size());
+  question.budget.chargeAnyway(kSphereUpdateCost * leafOf_.size());
   const std::size_t before = contacts.size();
   float lowest = reach_ + skin_;  // or farther: what the traversal did not look for
   for (std::size_t v = 0; v < leafOf_.size(); ++v) {

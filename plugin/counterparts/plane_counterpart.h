@@ -37,7 +37,7 @@ class PlaneCounterpart final : public Counterpart {
   bool keepsAnswer() const override { return true; }
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
-  std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;

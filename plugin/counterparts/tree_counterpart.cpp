@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "kernel/contact_tuning.h"
 #include "placement/tree_pose.h"
 #include "placement/unit_vector.h"
 
@@ -30,6 +31,7 @@ void TreeCounterpart::place(const PairPlacement& placement) {
   b_ = PlacedTree(shape.tree(), treePose(shape, placement.other));
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   reach_ = placement.reach;
+  contactDistance_ = placement.ownReach > 0 ? placement.ownReach : placement.reach;
 }
 
 float TreeCounterpart::size(const btCollisionShape& shape) const {
@@ -225,8 +227,31 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
   return tests;
 }
 
-std::optional<float> TreeCounterpart::appendOfMesh(Budget& budget, std::vector<Contact>& contacts) {
-  return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), budget, contacts);
+std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+  if (question.finest == Finest::triangles) return appendOfKernel(question, contacts);
+  return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), question.budget, contacts);
+}
+
+float TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
+  const float size = contactDistance_ / tuning::kContactDistance;
+  const float thinner = std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
+  const ContactLimits limits{contactDistance_, reach_,
+                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_};
+  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, traversal_.leafPairs(), deep_, question.budget);
+  for (const FeatureContact& found : answer.contacts) {
+    Contact contact;
+    contact.position = found.position;
+    contact.normal = found.normal;
+    contact.gap = found.separation;
+    contact.pair = found.pair;
+    const auto part = [](int feature) { return static_cast<int>(kMaxDepth) + 1 + feature; };
+    contact.id = {part(static_cast<int>(found.kind)), static_cast<int>(found.featureA), part(static_cast<int>(found.kind)),
+                  static_cast<int>(found.featureB)};
+    contact.isExact = contact.isSettled = true;
+    contact.exactError = std::max(0.0F, -found.separation);
+    contacts.push_back(contact);
+  }
+  return answer.apart;
 }
 
 void TreeCounterpart::learnNormals(std::span<const Vec3> normals) {

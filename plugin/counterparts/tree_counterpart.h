@@ -30,7 +30,7 @@ class TreeCounterpart final : public Counterpart {
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   void expect(std::span<const Vec3> normals) override;
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
-  std::optional<float> appendOfMesh(Budget& budget, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   void learnNormals(std::span<const Vec3> normals) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   bool hasTriangles() const override { return true; }
@@ -38,6 +38,7 @@ class TreeCounterpart final : public Counterpart {
   float size(const btCollisionShape& shape) const override;
 
  private:
+  float appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts);
   bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
   // Whether there is a contact; its gap is set either way, to what the surfaces are apart at least, or at least to
@@ -70,6 +71,8 @@ class TreeCounterpart final : public Counterpart {
   PlacedTree a_, b_;
   float margins_ = 0;
   float reach_ = 0;
+  float contactDistance_ = 0, smallerSize_ = 0;
+  DeepDirections deep_;
   TreePairTraversal traversal_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;

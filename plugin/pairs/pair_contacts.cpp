@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "pairs/pair_contacts.h"
 
+#include "kernel/contact_tuning.h"
+
 #include <algorithm>
 
 namespace cairn::bullet {
@@ -148,9 +150,9 @@ void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMoti
   seenLeafPairs_ = leafPairs;
 }
 
-bool PairContacts::appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+bool PairContacts::appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, const MeshQuestion& question,
                                 std::vector<Contact>& contacts) {
-  const std::optional<float> gap = counterpart.appendOfMesh(budget, contacts);
+  const std::optional<float> gap = counterpart.appendOfMesh(question, contacts);
   if (!gap) return false;
   kept_.setGap(*gap, motion);
   overlooked_ = 0;
@@ -236,7 +238,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   counterpart.expect(commonNormals_);
   if (!isDone || isResumed_) retest(counterpart, budget, scratch);
   isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
-              appendOfMesh(counterpart, motion, budget, contacts);
+              appendOfMesh(counterpart, motion, {policy.finest, scratch.kernel, budget}, contacts);
   if (!isOfMesh_) {
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
     appendFound(counterpart, budget, contacts);
@@ -257,7 +259,8 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.seeds = seeds_;
-  scratch.contacts.group(seeds_, reach);
+  const bool isOfKernel = isOfMesh_ && policy.finest == Finest::triangles;
+  scratch.contacts.group(seeds_, reach, isOfKernel ? tuning::kOneManifold : kClusterCosine);
   if (isOfMesh_)
     keepNormals(scratch.contacts);
   else

@@ -32,6 +32,7 @@ struct ContactScratch {
   std::vector<Contact> guards, wholes;
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
   std::vector<Contact> strays, moreStrays;
+  ContactKernel kernel;
 };
 
 /// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
@@ -166,7 +167,7 @@ class PairContacts {
   }
   static void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
                           std::vector<Contact>& contacts);
-  bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
+  bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, const MeshQuestion& question,
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);

@@ -12,6 +12,7 @@
 #include "cairn/core/family.h"
 #include "cairn/core/mass_properties.h"
 #include "cairn/core/result.h"
+#include "cairn/core/tree_surface.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn {
@@ -158,6 +159,8 @@ class SphereTree {
 
   std::span<const Vec3> vertices() const { return data_.vertices; }
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return data_.triangles; }
+  /// How the source mesh hangs together, leaf by leaf.
+  const TreeSurface& surface() const { return surface_; }
   const MassProperties& mass() const { return data_.mass; }
   const Vec3d& origin() const { return data_.origin; }
   const BuildInfo& info() const { return data_.info; }
@@ -190,6 +193,7 @@ class SphereTree {
   std::vector<std::uint32_t> corners_, firstCorner_;  // those of node i from firstCorner_[i] to firstCorner_[i + 1]
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
+  TreeSurface surface_;
   float reach_ = 0;
   std::uint32_t depth_ = 0;
   std::uint32_t leafCount_ = 0;

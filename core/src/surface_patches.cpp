@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Zlib
+#include "cairn/core/surface_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cairn/core/sphere_tree.h"
+
+namespace cairn {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+// Contacts lean out of the cone of a patch's normals by as much as their own cones open: 0.2 rad, and rounding.
+constexpr float kLean = 0.25F;
+
+constexpr Box kNothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+
+void makeUnique(std::vector<std::uint32_t>& list) {
+  std::ranges::sort(list);
+  list.erase(std::ranges::unique(list).begin(), list.end());
+}
+
+// Whether these are no more than `atMost` different ones. `seenBy` names who saw each one last.
+bool areFew(std::span<const std::uint32_t> triangles, std::uint32_t atMost, std::uint32_t name,
+            std::vector<std::uint32_t>& seenBy) {
+  std::uint32_t different = 0;
+  for (const std::uint32_t t : triangles) {
+    if (seenBy[t] == name) continue;
+    seenBy[t] = name;
+    if (++different > atMost) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Box::add(const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis) {
+    lower[axis] = std::min(lower[axis], p[axis]);
+    upper[axis] = std::max(upper[axis], p[axis]);
+  }
+}
+
+class SurfacePatches::Maker {
+ public:
+  Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
+      : tree_(tree), features_(features), out_(out) {}
+
+  Range add(NodeId node) {
+    const std::span<const std::uint32_t> region = tree_.regionTriangles(node);
+    std::vector<std::uint32_t> triangles(region.begin(), region.end());
+    makeUnique(triangles);
+    Range range{out_.count(), 0};
+    if (!triangles.empty()) split(triangles);
+    range.count = out_.count() - range.first;
+    return range;
+  }
+
+ private:
+  Vec3 middle(std::uint32_t triangle) const {
+    Box box = kNothing;
+    for (const std::uint32_t v : tree_.triangles()[triangle]) box.add(tree_.vertices()[v]);
+    return box.middle();
+  }
+
+  // Halves along the longest axis.
+  void split(std::span<std::uint32_t> triangles) {
+    if (triangles.size() <= SurfacePatch::kMaxTriangles) return addPatch(triangles);
+    Box box = kNothing;
+    for (const std::uint32_t t : triangles) box.add(middle(t));
+    const Vec3 extent = box.upper - box.lower;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    std::ranges::sort(triangles, {}, [&](std::uint32_t t) { return std::pair(middle(t)[axis], t); });
+    split(triangles.first(triangles.size() / 2));
+    split(triangles.subspan(triangles.size() / 2));
+  }
+
+  void addPatch(std::span<const std::uint32_t> triangles) {
+    std::vector<std::uint32_t> vertices, edges;
+    for (const std::uint32_t t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        vertices.push_back(tree_.triangles()[t][k]);
+        edges.push_back(features_.edgesOf()[t][k]);
+      }
+    makeUnique(vertices);
+    makeUnique(edges);
+    const auto firstFlat =
+        std::ranges::stable_partition(edges, [&](std::uint32_t e) { return features_.edges()[e].isConvex; }).begin();
+    Record record;
+    record.firstIndex = static_cast<std::uint32_t>(out_.indices_.size());
+    record.firstEnd = static_cast<std::uint32_t>(out_.ends_.size());
+    record.firstNumber = static_cast<std::uint32_t>(out_.numbers_.size());
+    record.vertices = static_cast<std::uint16_t>(vertices.size());
+    record.edges = static_cast<std::uint16_t>(edges.size());
+    record.triangles = static_cast<std::uint16_t>(triangles.size());
+    record.convexEdges = static_cast<std::uint16_t>(firstFlat - edges.begin());
+    record.box = kNothing;
+    for (const std::uint32_t v : vertices) record.box.add(tree_.vertices()[v]);
+    record.normals = normalsOf(triangles);
+    for (const auto& list : {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
+      out_.indices_.insert(out_.indices_.end(), list.begin(), list.end());
+    addEnds(vertices, edges);
+    addVertices(vertices);
+    addFaces(triangles);
+    addEdges(std::span(edges).first(record.convexEdges));
+    out_.records_.push_back(record);
+  }
+
+  // Of unit vectors within `angle` of `axis`, each coordinate lies within that of the axis's own angle to it.
+  Box normalsOf(std::span<const std::uint32_t> triangles) const {
+    Vec3 sum;
+    for (const std::uint32_t t : triangles) sum += features_.faces()[t].normal;
+    const float norm = length(sum);
+    Box box{{-1, -1, -1}, {1, 1, 1}};
+    if (!(norm > 0)) return box;
+    const Vec3 mean = sum / norm;
+    float angle = 0;
+    for (const std::uint32_t t : triangles) {
+      const Vec3& normal = features_.faces()[t].normal;
+      if (normal != Vec3()) angle = std::max(angle, std::acos(std::clamp(dot(normal, mean), -1.0F, 1.0F)));
+    }
+    constexpr float kHalfTurn = 3.14159265F;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float own = std::acos(std::clamp(mean[axis], -1.0F, 1.0F));
+      box.lower[axis] = std::cos(std::min(own + angle + kLean, kHalfTurn));
+      box.upper[axis] = std::cos(std::max(own - angle - kLean, 0.0F));
+    }
+    return box;
+  }
+
+  void addEnds(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> edges) {
+    const auto place = [&](std::uint32_t v) {
+      return static_cast<std::uint8_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
+    };
+    for (const std::uint32_t e : edges) {
+      const SurfaceEdge& edge = features_.edges()[e];
+      out_.ends_.push_back({place(edge.vertex[0]), place(edge.vertex[1])});
+    }
+  }
+
+  // `numberOf(i, column)` of the i-th of `count` things, or of one that pads.
+  template <class NumberOf>
+  void addColumns(std::size_t count, int columns, const NumberOf& numberOf) {
+    for (int column = 0; column < columns; ++column)
+      for (std::size_t i = 0; i < SurfacePatch::padded(count); ++i) out_.numbers_.push_back(numberOf(i, column));
+  }
+
+  void addVertices(std::span<const std::uint32_t> vertices) {
+    addColumns(vertices.size(), 3, [&](std::size_t i, int column) {
+      return tree_.vertices()[vertices[std::min(i, vertices.size() - 1)]][column];
+    });
+  }
+
+  // What pads is at minus infinity: below every range of heights.
+  void addFaces(std::span<const std::uint32_t> triangles) {
+    addColumns(triangles.size(), 16, [&](std::size_t i, int column) {
+      const SurfaceFace* const face = i < triangles.size() ? &features_.faces()[triangles[i]] : nullptr;
+      if (!face || face->normal == Vec3()) return column == 3 ? kInfinity : 0.0F;
+      if (column < 4) return column < 3 ? face->normal[column] : face->offset;
+      const auto side = static_cast<std::size_t>(column / 4 - 1);
+      return column % 4 < 3 ? face->inward[side][column % 4] : face->inwardOffset[side];
+    });
+  }
+
+  void addEdges(std::span<const std::uint32_t> edges) {
+    addColumns(edges.size(), 9, [&](std::size_t i, int column) {
+      if (i >= edges.size()) return 0.0F;
+      const SurfaceEdge& edge = features_.edges()[edges[i]];
+      if (column >= 6) return edge.outward[column - 6];
+      return tree_.vertices()[edge.vertex[static_cast<std::size_t>(column / 3)]][column % 3];
+    });
+  }
+
+  const SphereTree& tree_;
+  const SurfaceFeatures& features_;
+  SurfacePatches& out_;
+};
+
+// From the root down, so that a node whose ancestor has a patch takes that.
+SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features) {
+  Maker maker(tree, features, *this);
+  patchesOf_.assign(tree.families().size() * kFamilyWidth, {});
+  std::vector<std::uint32_t> seenBy(tree.triangles().size(), kNone);
+  for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
+    const NodeId node = tree.nodeAt(record);
+    const Range above = record == 0 ? Range() : patchesOf_[tree.nodeAt(tree.node(node).parent)];
+    if (above.count > 0)
+      patchesOf_[node] = above;
+    else if (tree.isLeaf(node) || areFew(tree.regionTriangles(node), SurfacePatch::kMaxTriangles, record, seenBy))
+      patchesOf_[node] = maker.add(node);
+  }
+}
+
+SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
+  const Record& r = records_[index];
+  const std::span<const std::uint32_t> lists(indices_);
+  SurfacePatch patch;
+  patch.vertices = lists.subspan(r.firstIndex, r.vertices);
+  patch.edges = lists.subspan(r.firstIndex + r.vertices, r.edges);
+  patch.triangles = lists.subspan(r.firstIndex + r.vertices + r.edges, r.triangles);
+  patch.convexEdges = r.convexEdges;
+  patch.edgeEnds = std::span(ends_).subspan(r.firstEnd, r.edges);
+  patch.vertexColumns = numbers_.data() + r.firstNumber;
+  patch.faceColumns = patch.vertexColumns + 3 * SurfacePatch::padded(r.vertices);
+  patch.edgeColumns = patch.faceColumns + 16 * SurfacePatch::padded(r.triangles);
+  patch.box = r.box;
+  patch.normals = r.normals;
+  return patch;
+}
+
+std::size_t SurfacePatches::memoryBytes() const {
+  return patchesOf_.capacity() * sizeof(Range) + records_.capacity() * sizeof(Record) +
+         indices_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(ends_[0]) +
+         numbers_.capacity() * sizeof(float);
+}
+
+}  // namespace cairn

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+namespace cairn::bullet::tuning {
+
+// Every number that decides which contacts two surfaces have. "Size" is the box diagonal of the smaller body; a
+// "contact distance" is `kContactDistance` of it. docs/algorithms/contacts.md has a table of what fails without each.
+
+/// Surfaces no farther apart than this are told to the solver, which lets them close and no more. Sizes. At 0.1 %
+/// heaps of cubes keep 3 to 4 mJ/kg; what is farther off brakes rolling bodies.
+inline constexpr float kContactDistance = 0.002F;
+
+/// Depth to which local minima are trusted; deeper, regions of overlap answer. Sizes. At 1 % heaps of cubes keep 2.5 to
+/// 8.7 mJ/kg.
+inline constexpr float kTrustedDepth = 0.02F;
+/// And never more than this part of the thinner body's thickness: beyond its middle the other side is nearer.
+inline constexpr float kTrustedThickness = 0.5F;
+
+/// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact distances.
+/// Rounding, and corners that lie on corners. Where they overlap it is the depth, up to one contact distance.
+inline constexpr float kBeside = 0.02F;
+
+/// A feature's cone of normals opens with depth: a neighbour may be below the tangent plane by the depth, up to this
+/// part of its own distance (11 degrees). Without, heaps of cubes keep 49 mJ/kg; without the cap a nut rattles.
+inline constexpr float kConeOpening = 0.2F;
+
+/// Sine of the angle below which two edges are parallel: their faces and vertices touch instead.
+inline constexpr float kParallelSine = 0.02F;
+
+/// A penetrating contact gives way to one near it that is shallower than this part of its depth, if their normals are
+/// farther apart than this (50 degrees), and they are within so many of its depths and contact distances of each other.
+inline constexpr float kShallower = 0.9F;
+inline constexpr float kOtherWayCosine = 0.642787610F;
+inline constexpr float kNearDepths = 2;
+inline constexpr float kNearDistances = 0.1F;
+
+/// A point inside the other body is explained by a contact near it if its depth below the contact's plane is at least
+/// minus this many contact distances, and at most so many of the contact's depths and as many contact distances.
+inline constexpr float kExplainedSlack = 0.5F;
+inline constexpr float kExplainedDepths = 1.5F;
+
+/// Of a region of overlap that is not explained, points deeper than this part of its least width are contacts.
+inline constexpr float kDeepPart = 0.3F;
+/// The direction of the last step counts as if the region were this much narrower along it.
+inline constexpr float kKeptDirection = 0.8F;
+/// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
+inline constexpr float kLeastWidth = 0.5F;
+/// Bodies that are wrapped around each other: a region wider than so many of both thicknesses, whose faces' normals have
+/// a mean shorter than this, has no direction to be pushed along.
+inline constexpr float kWrappedThicknesses = 1.5F;
+inline constexpr float kWrappedMean = 0.3F;
+
+/// Contacts nearer to each other than this are one if their normals are within 10 degrees. Sizes.
+inline constexpr float kSamePlace = 1e-4F;
+inline constexpr float kSameWay = 0.984807753F;
+
+/// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
+inline constexpr float kOneManifold = 0.906307787F;
+
+}  // namespace cairn::bullet::tuning

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/feature_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "kernel/contact_tuning.h"
+
+namespace cairn::bullet {
+
+float ContactLimits::besideAt(float separation) const {
+  const float depth = separation < 0 ? std::min(-separation, contactDistance) : 0;
+  return std::max(tuning::kBeside * contactDistance, depth);
+}
+
+float ContactLimits::belowAt(float separation, float neighbourDistance) const {
+  const float opening = separation < 0 ? std::min(-separation, tuning::kConeOpening * neighbourDistance) : 0;
+  return contactDistance + opening;
+}
+
+namespace {
+
+// Whether a point is over a face, or no farther beside it: past a sharp corner it can be near both sides and far off.
+bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t index, const Vec3& p, float beside) {
+  bool isInside = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float inside = dot(face.inward[k], p) - face.inwardOffset[k];
+    if (inside < -beside) return false;
+    isInside = isInside && inside >= 0;
+  }
+  if (isInside) return true;
+  const auto& corners = faced.tree->triangles()[index];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& from = faced.vertex(corners[k]);
+    const Vec3 way = faced.vertex(corners[(k + 1) % 3]) - from, to = p - from;
+    const Vec3 off = to - way * std::clamp(dot(to, way) / lengthSq(way), 0.0F, 1.0F);
+    const float height = dot(face.normal, off);
+    if (lengthSq(off) - height * height <= beside * beside) return true;
+  }
+  return false;
+}
+
+// Two lines' nearest points, as ways along them.
+struct Nearest {
+  float alongA = 0, alongB = 0;
+};
+
+struct Line {
+  Vec3 from, way;
+};
+
+// Precondition: not parallel.
+Nearest nearestOf(const Line& a, const Line& b) {
+  const Vec3 between = a.from - b.from;
+  const float aa = lengthSq(a.way), bb = lengthSq(b.way), ab = dot(a.way, b.way);
+  const float da = dot(a.way, between), db = dot(b.way, between);
+  const float det = aa * bb - ab * ab;
+  return {(ab * db - bb * da) / det, (aa * db - ab * da) / det};
+}
+
+bool isWithin(float along, float length, float beside) {
+  return along * length >= -beside && (along - 1) * length <= beside;
+}
+
+}  // namespace
+
+void FeatureContacts::append(const PatchPair& patches, const NodePair& leaves,
+                             std::vector<FeatureContact>& contacts) const {
+  const SurfacePatch &a = patches.a, &b = patches.b;
+  for (const auto& [vertex, face] : patches.verticesOnFaces.all())
+    appendVertexFace(surfaces_.a, surfaces_.b, a.vertices[vertex], b.triangles[face], patches.aInB[vertex], leaves,
+                     contacts);
+  for (const auto& [face, vertex] : patches.facesOnVertices.all())
+    appendVertexFace(surfaces_.b, surfaces_.a, b.vertices[vertex], a.triangles[face], patches.bInA[vertex], leaves,
+                     contacts);
+  for (const auto& [ofA, ofB] : patches.edgesOnEdges.all()) appendEdgeEdge(a.edges[ofA], b.edges[ofB], leaves, contacts);
+}
+
+// Neighbours of the vertex that are nearer to the other surface than it is touch in its place. `towards`: unit, own
+// frame, from the vertex to the other surface.
+bool FeatureContacts::isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards,
+                                    float separation) const {
+  const SurfaceFeatures& features = side.features();
+  const Vec3& here = side.vertex(vertex);
+  for (const std::uint32_t edge : features.edgesAround(vertex)) {
+    const Vec3 way = side.vertex(features.across(edge, vertex)) - here;
+    if (dot(towards, way) * side.scale > limits_.belowAt(separation, length(way) * side.scale)) return false;
+  }
+  return true;
+}
+
+void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
+                                       std::uint32_t index, const Vec3& placed, const NodePair& leaves,
+                                       std::vector<FeatureContact>& contacts) const {
+  const bool isOfA = &pointed == &surfaces_.a;
+  const SurfaceFace& face = faced.features().faces()[index];
+  const float height = dot(face.normal, placed) - face.offset;
+  const float separation = height * faced.scale - limits_.margins;
+  if (!limits_.trusts(separation) || !isOver(face, faced, index, placed, limits_.besideAt(separation) / faced.scale))
+    return;
+  if (!isVertexAlong(pointed, vertex, -(faced.axesToOther * face.normal), separation)) return;
+  const Vec3 normal = faced.directionToPair(face.normal);
+  FeatureContact contact;
+  contact.position = faced.toPair * (placed - face.normal * (0.5F * height));
+  contact.normal = isOfA ? normal : -normal;
+  contact.separation = separation;
+  contact.kind = isOfA ? FeatureKind::vertexOnFace : FeatureKind::faceOnVertex;
+  contact.featureA = isOfA ? vertex : index;
+  contact.featureB = isOfA ? index : vertex;
+  contact.pair = leaves;
+  contacts.push_back(contact);
+}
+
+// The same of an edge and the far corners of its two faces.
+bool FeatureContacts::isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards,
+                                  float separation) const {
+  const Vec3& here = side.vertex(edge.vertex[0]);
+  const Vec3 along = side.vertex(edge.vertex[1]) - here;
+  for (const std::uint32_t v : edge.opposite) {
+    if (v == SurfaceEdge::kNone) continue;
+    const Vec3 way = side.vertex(v) - here;
+    const Vec3 beside = way - along * (dot(way, along) / lengthSq(along));
+    if (dot(towards, way) * side.scale > limits_.belowAt(separation, length(beside) * side.scale)) return false;
+  }
+  return true;
+}
+
+// In B's frame.
+void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, const NodePair& leaves,
+                                     std::vector<FeatureContact>& contacts) const {
+  const PlacedSurface &a = surfaces_.a, &b = surfaces_.b;
+  const SurfaceEdge &edgeA = a.features().edges()[ofA], &edgeB = b.features().edges()[ofB];
+  const auto line = [](const Vec3& from, const Vec3& to) { return Line{from, to - from}; };
+  const Line lineA = line(a.toOther * a.vertex(edgeA.vertex[0]), a.toOther * a.vertex(edgeA.vertex[1]));
+  const Line lineB = line(b.vertex(edgeB.vertex[0]), b.vertex(edgeB.vertex[1]));
+  const Vec3 outwardA = a.axesToOther * edgeA.outward, across = cross(lineA.way, lineB.way);
+  const float lengthA = length(lineA.way), lengthB = length(lineB.way), norm = length(across);
+  if (!(norm > tuning::kParallelSine * lengthA * lengthB)) return;
+  const Vec3 normal = across * ((dot(across, edgeB.outward) < 0 ? -1 : 1) / norm);
+  if (!(dot(normal, edgeB.outward) > 0 && dot(normal, outwardA) < 0)) return;
+  const float separation = dot(normal, lineA.from - lineB.from) * b.scale - limits_.margins;
+  if (!limits_.trusts(separation)) return;
+  const Nearest at = nearestOf(lineA, lineB);
+  const float beside = limits_.besideAt(separation) / b.scale;
+  if (!isWithin(at.alongA, lengthA, beside) || !isWithin(at.alongB, lengthB, beside)) return;
+  if (!isEdgeAlong(b, edgeB, normal, separation)) return;
+  if (!isEdgeAlong(a, edgeA, -(b.axesToOther * normal), separation)) return;
+  FeatureContact contact;
+  contact.position = b.toPair * ((lineA.from + lineA.way * at.alongA + lineB.from + lineB.way * at.alongB) * 0.5F);
+  contact.normal = b.directionToPair(normal);
+  contact.separation = separation;
+  contact.kind = FeatureKind::edgeOnEdge;
+  contact.featureA = ofA;
+  contact.featureB = ofB;
+  contact.pair = leaves;
+  contacts.push_back(contact);
+}
+
+}  // namespace cairn::bullet

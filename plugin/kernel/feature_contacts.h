@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "cairn/core/traversal.h"
+#include "kernel/patch_tests.h"
+
+namespace cairn::bullet {
+
+enum class FeatureKind : std::uint8_t { vertexOnFace, faceOnVertex, edgeOnEdge, overlap };
+
+/// Where the distance between two surfaces is locally least; pair frame, world lengths.
+struct FeatureContact {
+  Vec3 position;         ///< half-way between the surfaces
+  Vec3 normal;           ///< unit, from B to A
+  float separation = 0;  ///< along the normal, negative where they overlap
+  FeatureKind kind = FeatureKind::vertexOnFace;
+  std::uint32_t featureA = 0, featureB = 0;  ///< of the kind's kinds
+  NodePair pair;                             ///< the leaves it was found by
+
+  auto name() const { return std::tuple(kind, featureA, featureB); }
+};
+
+/// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges. The same one may be
+/// found by several pairs of patches.
+class FeatureContacts {
+ public:
+  FeatureContacts(const SurfacePair& surfaces, const ContactLimits& limits) : surfaces_(surfaces), limits_(limits) {}
+
+  /// `leaves`: by which the patches were found.
+  void append(const PatchPair& patches, const NodePair& leaves, std::vector<FeatureContact>& contacts) const;
+
+ private:
+  void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
+                        std::uint32_t face, const Vec3& placed, const NodePair& leaves,
+                        std::vector<FeatureContact>& contacts) const;
+  bool isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards, float separation) const;
+  void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, const NodePair& leaves,
+                      std::vector<FeatureContact>& contacts) const;
+  bool isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards, float separation) const;
+
+  const SurfacePair& surfaces_;
+  const ContactLimits& limits_;
+};
+
+}  // namespace cairn::bullet

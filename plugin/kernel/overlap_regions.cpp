@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/overlap_regions.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cairn::bullet {
+
+namespace {
+
+constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
+
+bool isSamePlace(const Crossing& x, const Crossing& y) {
+  return x.isEdgeOfA == y.isEdgeOfA && x.edge == y.edge && x.face == y.face;
+}
+
+bool isSameEdge(const Crossing& x, const Crossing& y) {
+  return x.isEdgeOfA == y.isEdgeOfA && x.edge == y.edge;
+}
+
+const PlacedSurface& sideOf(const SurfacePair& surfaces, bool isOfA) {
+  return isOfA ? surfaces.a : surfaces.b;
+}
+
+const SurfaceEdge& edgeOf(const SurfacePair& surfaces, const Crossing& c) {
+  return sideOf(surfaces, c.isEdgeOfA).features().edges()[c.edge];
+}
+
+}  // namespace
+
+std::uint32_t OverlapRegions::rootOf(std::uint32_t region) {
+  while (parent_[region] != region) region = parent_[region] = parent_[parent_[region]];
+  return region;
+}
+
+void OverlapRegions::join(std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t rootX = rootOf(x), rootY = rootOf(y);
+  parent_[std::max(rootX, rootY)] = std::min(rootX, rootY);
+}
+
+std::span<const OverlapPoint> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings) {
+  points_.clear();
+  if (crossings.empty()) return {};
+  std::ranges::sort(crossings, {}, &Crossing::place);
+  crossings.erase(std::ranges::unique(crossings, isSamePlace).begin(), crossings.end());
+  parent_.resize(crossings.size());
+  std::iota(parent_.begin(), parent_.end(), 0U);
+  joinCrossings(surfaces, crossings);
+  for (std::uint32_t i = 0; i < crossings.size(); ++i) {
+    const Crossing& c = crossings[i];
+    points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i, c.pair});
+  }
+  flood(surfaces, crossings);
+  for (OverlapPoint& point : points_) point.region = rootOf(point.region);
+  std::ranges::stable_sort(points_, {}, &OverlapPoint::region);
+  return points_;
+}
+
+// Two triangles cross along a line, whose ends are crossings of their edges.
+void OverlapRegions::joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
+  trianglePairs_.clear();
+  for (std::uint32_t i = 0; i < crossings.size(); ++i) {
+    const Crossing& c = crossings[i];
+    for (const std::uint32_t t : edgeOf(surfaces, c).triangle) {
+      if (t == SurfaceEdge::kNone) continue;
+      const std::uint64_t ofA = c.isEdgeOfA ? t : c.face, ofB = c.isEdgeOfA ? c.face : t;
+      trianglePairs_.emplace_back(ofA << 32 | ofB, i);
+    }
+    const bool goesOn = i > 0 && isSameEdge(crossings[i - 1], c);
+    if (goesOn && crossings[i - 1].enters && !c.enters) join(i - 1, i);
+  }
+  std::ranges::sort(trianglePairs_);
+  for (std::size_t i = 1; i < trianglePairs_.size(); ++i)
+    if (trianglePairs_[i].first == trianglePairs_[i - 1].first) join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
+}
+
+bool OverlapRegions::crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const {
+  const auto key = [](const Crossing& c) { return std::pair(c.isEdgeOfA, c.edge); };
+  const auto at = std::ranges::lower_bound(crossings, std::pair(isOfA, edge), {}, key);
+  return at != crossings.end() && key(*at) == std::pair(isOfA, edge);
+}
+
+// Adds the vertex to the region if it is new and inside, and says which point it is.
+std::uint32_t OverlapRegions::visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex,
+                                    std::uint32_t region, const NodePair& pair) {
+  Visit& visited = visited_[isOfA ? 0 : 1][vertex];
+  if (visited.search == search_) return visited.point;
+  const PlacedSurface& side = sideOf(surfaces, isOfA);
+  const PlacedSurface& other = sideOf(surfaces, !isOfA);
+  const Vec3& own = side.vertex(vertex);
+  visited = {search_, kOutside};
+  if (!ray_.isInside(*other.tree, side.toOther * own)) return kOutside;
+  visited.point = static_cast<std::uint32_t>(points_.size());
+  points_.push_back({side.toPair * own, isOfA, false, vertex, 0, region, pair});
+  waiting_.push_back(visited.point);
+  return visited.point;
+}
+
+void OverlapRegions::seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex,
+                          std::uint32_t region) {
+  const std::uint32_t point = visit(surfaces, crossing.isEdgeOfA, vertex, region, crossing.pair);
+  if (point != kOutside) join(points_[point].region, region);
+}
+
+void OverlapRegions::flood(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
+  if (++search_ == 0) {  // all stamps are old
+    for (std::vector<Visit>& visited : visited_) visited.clear();
+    search_ = 1;
+  }
+  for (const bool isOfA : {true, false}) {
+    std::vector<Visit>& visited = visited_[isOfA ? 0 : 1];
+    const std::size_t count = sideOf(surfaces, isOfA).tree->vertices().size();
+    if (visited.size() < count) visited.resize(count);
+  }
+  waiting_.clear();
+  for (std::uint32_t i = 0; i < crossings.size(); ++i) {
+    const Crossing& c = crossings[i];
+    const SurfaceEdge& edge = edgeOf(surfaces, c);
+    const bool isFirst = i == 0 || !isSameEdge(crossings[i - 1], c);
+    const bool isLast = i + 1 == crossings.size() || !isSameEdge(c, crossings[i + 1]);
+    if (isLast && c.enters) seed(surfaces, c, edge.vertex[1], i);
+    if (isFirst && !c.enters) seed(surfaces, c, edge.vertex[0], i);
+  }
+  while (!waiting_.empty()) {
+    const OverlapPoint here = points_[waiting_.back()];
+    waiting_.pop_back();
+    const SurfaceFeatures& features = sideOf(surfaces, here.isOfA).features();
+    for (const std::uint32_t edge : features.edgesAround(here.feature)) {
+      if (crosses(crossings, here.isOfA, edge)) continue;
+      const std::uint32_t next = visit(surfaces, here.isOfA, features.across(edge, here.feature), here.region, here.pair);
+      if (next != kOutside) join(points_[next].region, here.region);
+    }
+  }
+}
+
+}  // namespace cairn::bullet

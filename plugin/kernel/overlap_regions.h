@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "cairn/core/surface_ray.h"
+#include "kernel/crossings.h"
+
+namespace cairn::bullet {
+
+/// A point of one body that lies inside the other, or on its surface.
+struct OverlapPoint {
+  Vec3 position;  ///< pair frame
+  bool isOfA = false;
+  bool isCrossing = false;
+  std::uint32_t feature = 0;  ///< the vertex, or of a crossing the edge
+  std::uint32_t face = 0;     ///< of a crossing: the other body's
+  std::uint32_t region = 0;
+  NodePair pair;
+};
+
+/// Which points of two bodies are inside each other, and which of these belong together: where surfaces cross, the
+/// vertices on the inner sides, and all that these are joined with by edges which do not cross.
+class OverlapRegions {
+ public:
+  /// Ordered by region. `crossings` are sorted and made unique.
+  std::span<const OverlapPoint> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings);
+
+ private:
+  void joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings);
+  void flood(const SurfacePair& surfaces, std::span<const Crossing> crossings);
+  void seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex, std::uint32_t region);
+  std::uint32_t visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex, std::uint32_t region,
+                      const NodePair& pair);
+  bool crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const;
+  std::uint32_t rootOf(std::uint32_t region);
+  void join(std::uint32_t x, std::uint32_t y);
+
+  std::vector<std::uint32_t> parent_;  // of regions, by crossing
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> trianglePairs_;
+  std::vector<OverlapPoint> points_;
+  std::vector<std::uint32_t> waiting_;  // points whose neighbours are to be visited
+  // By vertex of A and of B: the point it is, or kOutside, in the search that its stamp names.
+  struct Visit {
+    std::uint32_t search = 0, point = 0;
+  };
+  std::vector<Visit> visited_[2];
+  std::uint32_t search_ = 0;
+  SurfaceRay ray_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/sphere_tree.h"
+#include "placement/placed_tree.h"
+
+namespace cairn::bullet {
+
+/// One of the two surfaces of a pair, and how to get from its own frame and unit (its mesh's) to the other's.
+struct PlacedSurface {
+  const SphereTree* tree = nullptr;
+  Similarity toPair;
+  Similarity toOther;
+  Mat3 axesToOther;  ///< rotation alone
+  float scale = 1;   ///< world length of the mesh's unit
+
+  const TreeSurface& surface() const { return tree->surface(); }
+  const SurfaceFeatures& features() const { return tree->surface().features; }
+  const Vec3& vertex(std::uint32_t index) const { return tree->vertices()[index]; }
+  Vec3 directionToPair(const Vec3& unit) const { return toPair.linear * unit * (1 / scale); }
+};
+
+/// Both surfaces of a pair. Precondition: the trees outlive it.
+struct SurfacePair {
+  PlacedSurface a, b;
+
+  static SurfacePair of(const PlacedTree& a, const PlacedTree& b) {
+    SurfacePair pair;
+    pair.a = {&a.tree(), a.toPair(), relativePose(b.pose(), a.pose()), b.axesFromPair() * transpose(a.axesFromPair()),
+              a.scale()};
+    pair.b = {&b.tree(), b.toPair(), relativePose(a.pose(), b.pose()), a.axesFromPair() * transpose(b.axesFromPair()),
+              b.scale()};
+    return pair;
+  }
+};
+
+/// World lengths that decide what counts as a contact of a pair; see `contact_tuning.h`.
+struct ContactLimits {
+  float contactDistance = 0;  ///< the scale of all tolerances, however far a query looks
+  float reach = 0;            ///< contacts no farther apart than this are wanted; at least `contactDistance`
+  float trustedDepth = 0;     ///< what overlaps more is no local minimum of the distance
+  float margins = 0;          ///< grow both surfaces together
+
+  /// Whether a separation is one of a contact.
+  bool trusts(float separation) const { return separation <= reach && separation >= -trustedDepth; }
+  /// How far beside a feature a point may be that is so far from it.
+  float besideAt(float separation) const;
+  /// How far a neighbour at this distance may be on the wrong side of the contact's tangent plane.
+  float belowAt(float separation, float neighbourDistance) const;
+};
+
+}  // namespace cairn::bullet
