@@ -10,23 +10,15 @@ namespace cairn::bullet {
 
 namespace {
 
-struct Box {
-  Vec3 lower, upper;
-
-  bool isNear(const Vec3& p, float reach) const {
-    for (int axis = 0; axis < 3; ++axis)
-      if (p[axis] < lower[axis] - reach || p[axis] > upper[axis] + reach) return false;
-    return true;
-  }
-};
+bool isNear(const Box& box, const Vec3& p, float reach) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < box.lower[axis] - reach || p[axis] > box.upper[axis] + reach) return false;
+  return true;
+}
 
 Box boxOf(std::span<const OverlapPoint> points) {
   Box box{points[0].position, points[0].position};
-  for (const OverlapPoint& p : points)
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = std::min(box.lower[axis], p.position[axis]);
-      box.upper[axis] = std::max(box.upper[axis], p.position[axis]);
-    }
+  for (const OverlapPoint& p : points) box.add(p.position);
   return box;
 }
 
@@ -50,7 +42,7 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
                          std::vector<FeatureContact>& contacts) {
   const DeepDirections last = kept;
   kept.count = 0;
-  const std::size_t explaining = contacts.size();
+  std::size_t explaining = contacts.size();
   while (!points.empty()) {
     const auto end = std::ranges::find_if(points, [&](const OverlapPoint& p) { return p.region != points[0].region; });
     const auto region = points.first(static_cast<std::size_t>(end - points.begin()));
@@ -59,25 +51,42 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
     if (region_.empty()) continue;
     gatherDirections(surfaces);
     if (directions_.empty()) continue;
-    const Width least = leastWidth(last);
+    Width least = leastWidth(last);
     if (least.width < tuning::kLeastWidth * limits.contactDistance) continue;
     const bool isWrapped = least.width > tuning::kWrappedThicknesses * thickness &&
                            length(mean_) < tuning::kWrappedMean * static_cast<float>(faces_);
-    if (isWrapped) continue;
+    if (isWrapped) {
+      const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
+      if (!(length(bodies) > 0)) continue;
+      least = widthAlong(normalized(bodies));
+    }
+    dropOpposed(region, least.normal, limits, contacts, explaining);
     appendRegion(least, contacts);
     if (kept.count < kept.normal.size()) kept.normal[kept.count++] = least.normal;
   }
+}
+
+// What pushes against the way out is the far side of something thin.
+void DeepOverlap::dropOpposed(std::span<const OverlapPoint> region, const Vec3& normal, const ContactLimits& limits,
+                              std::vector<FeatureContact>& contacts, std::size_t& explaining) {
+  const Box box = boxOf(region);
+  const auto first = contacts.begin(), end = first + static_cast<std::ptrdiff_t>(explaining);
+  const auto kept = std::remove_if(first, end, [&](const FeatureContact& c) {
+    return dot(c.normal, normal) < 0 && isNear(box, c.position, limits.contactDistance);
+  });
+  explaining = static_cast<std::size_t>(kept - first);
+  contacts.erase(kept, end);
 }
 
 void DeepOverlap::leaveUnexplained(std::span<const OverlapPoint> region, const ContactLimits& limits,
                                    std::span<const FeatureContact> explaining) {
   region_.clear();
   const Box box = boxOf(region);
-  const auto isNear = [&](const FeatureContact& c) {
-    return box.isNear(c.position, tuning::kNearDepths * std::max(-c.separation, 0.0F) + limits.contactDistance);
+  const auto isOfRegion = [&](const FeatureContact& c) {
+    return isNear(box, c.position, tuning::kNearDepths * std::max(-c.separation, 0.0F) + limits.contactDistance);
   };
   for (const OverlapPoint& point : region)
-    if (std::ranges::none_of(explaining, [&](const auto& c) { return isNear(c) && explains(c, point, limits); }))
+    if (std::ranges::none_of(explaining, [&](const auto& c) { return isOfRegion(c) && explains(c, point, limits); }))
       region_.push_back(point);
 }
 

@@ -34,6 +34,8 @@ class DeepOverlap {
 
   void leaveUnexplained(std::span<const OverlapPoint> region, const ContactLimits& limits,
                         std::span<const FeatureContact> explaining);
+  static void dropOpposed(std::span<const OverlapPoint> region, const Vec3& normal, const ContactLimits& limits,
+                          std::vector<FeatureContact>& contacts, std::size_t& explaining);
   void gatherDirections(const SurfacePair& surfaces);
   void offer(const Vec3& normal);
   Width widthAlong(const Vec3& normal) const;
