@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "cairn/core/sphere_tree.h"
 
@@ -11,7 +12,6 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Contacts lean out of the cone of a patch's normals by as much as their own cones open: 0.2 rad, and rounding.
 constexpr float kLean = 0.25F;
@@ -21,18 +21,6 @@ constexpr Box kNothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinit
 void makeUnique(std::vector<std::uint32_t>& list) {
   std::ranges::sort(list);
   list.erase(std::ranges::unique(list).begin(), list.end());
-}
-
-// Whether these are no more than `atMost` different ones. `seenBy` names who saw each one last.
-bool areFew(std::span<const std::uint32_t> triangles, std::uint32_t atMost, std::uint32_t name,
-            std::vector<std::uint32_t>& seenBy) {
-  std::uint32_t different = 0;
-  for (const std::uint32_t t : triangles) {
-    if (seenBy[t] == name) continue;
-    seenBy[t] = name;
-    if (++different > atMost) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -49,14 +37,10 @@ class SurfacePatches::Maker {
   Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
       : tree_(tree), features_(features), out_(out) {}
 
-  Range add(NodeId node) {
-    const std::span<const std::uint32_t> region = tree_.regionTriangles(node);
-    std::vector<std::uint32_t> triangles(region.begin(), region.end());
-    makeUnique(triangles);
-    Range range{out_.count(), 0};
-    if (!triangles.empty()) split(triangles);
-    range.count = out_.count() - range.first;
-    return range;
+  void run() {
+    std::vector<std::uint32_t> triangles(tree_.triangles().size());
+    std::iota(triangles.begin(), triangles.end(), 0U);
+    split(triangles);
   }
 
  private:
@@ -68,14 +52,33 @@ class SurfacePatches::Maker {
 
   // Halves along the longest axis.
   void split(std::span<std::uint32_t> triangles) {
-    if (triangles.size() <= SurfacePatch::kMaxTriangles) return addPatch(triangles);
+    const std::size_t self = out_.nodes_.size();
+    out_.nodes_.emplace_back();
+    if (triangles.size() <= SurfacePatch::kMaxTriangles) {
+      out_.nodes_[self].patch = out_.count();
+      addPatch(triangles);
+      out_.nodes_[self].box = out_.records_.back().box;
+      out_.nodes_[self].normals = out_.records_.back().normals;
+      return;
+    }
     Box box = kNothing;
     for (const std::uint32_t t : triangles) box.add(middle(t));
     const Vec3 extent = box.upper - box.lower;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     std::ranges::sort(triangles, {}, [&](std::uint32_t t) { return std::pair(middle(t)[axis], t); });
     split(triangles.first(triangles.size() / 2));
+    const std::size_t second = out_.nodes_.size();
     split(triangles.subspan(triangles.size() / 2));
+    Node& node = out_.nodes_[self];
+    node.second = static_cast<std::uint32_t>(second);
+    node.box = joined(out_.nodes_[self + 1].box, out_.nodes_[second].box);
+    node.normals = joined(out_.nodes_[self + 1].normals, out_.nodes_[second].normals);
+  }
+
+  static Box joined(Box box, const Box& other) {
+    box.add(other.lower);
+    box.add(other.upper);
+    return box;
   }
 
   void addPatch(std::span<const std::uint32_t> triangles) {
@@ -99,7 +102,15 @@ class SurfacePatches::Maker {
     record.convexEdges = static_cast<std::uint16_t>(firstFlat - edges.begin());
     record.box = kNothing;
     for (const std::uint32_t v : vertices) record.box.add(tree_.vertices()[v]);
-    record.normals = normalsOf(triangles);
+    const Vec3 mean = facingOf(triangles);
+    record.normals = normalsOf(triangles, mean);
+    record.facing = isBent(triangles, mean) ? Vec3() : mean;
+    record.lowest = kInfinity;
+    record.highest = -kInfinity;
+    for (const std::uint32_t v : vertices) {
+      record.lowest = std::min(record.lowest, dot(record.facing, tree_.vertices()[v]));
+      record.highest = std::max(record.highest, dot(record.facing, tree_.vertices()[v]));
+    }
     for (const auto& list : {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
       out_.indices_.insert(out_.indices_.end(), list.begin(), list.end());
     addEnds(vertices, edges);
@@ -109,14 +120,22 @@ class SurfacePatches::Maker {
     out_.records_.push_back(record);
   }
 
-  // Of unit vectors within `angle` of `axis`, each coordinate lies within that of the axis's own angle to it.
-  Box normalsOf(std::span<const std::uint32_t> triangles) const {
+  Vec3 facingOf(std::span<const std::uint32_t> triangles) const {
     Vec3 sum;
     for (const std::uint32_t t : triangles) sum += features_.faces()[t].normal;
     const float norm = length(sum);
+    return norm > 0 ? sum / norm : Vec3();
+  }
+
+  // Whether what a contact's normal may be here is not on one side.
+  bool isBent(std::span<const std::uint32_t> triangles, const Vec3& mean) const {
+    return std::ranges::any_of(triangles, [&](std::uint32_t t) { return dot(features_.faces()[t].normal, mean) < kLean; });
+  }
+
+  // Of unit vectors within `angle` of `mean`, each coordinate lies within that of the axis's own angle to it.
+  Box normalsOf(std::span<const std::uint32_t> triangles, const Vec3& mean) const {
     Box box{{-1, -1, -1}, {1, 1, 1}};
-    if (!(norm > 0)) return box;
-    const Vec3 mean = sum / norm;
+    if (mean == Vec3()) return box;
     float angle = 0;
     for (const std::uint32_t t : triangles) {
       const Vec3& normal = features_.faces()[t].normal;
@@ -179,19 +198,8 @@ class SurfacePatches::Maker {
   SurfacePatches& out_;
 };
 
-// From the root down, so that a node whose ancestor has a patch takes that.
 SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features) {
-  Maker maker(tree, features, *this);
-  patchesOf_.assign(tree.families().size() * kFamilyWidth, {});
-  std::vector<std::uint32_t> seenBy(tree.triangles().size(), kNone);
-  for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
-    const NodeId node = tree.nodeAt(record);
-    const Range above = record == 0 ? Range() : patchesOf_[tree.nodeAt(tree.node(node).parent)];
-    if (above.count > 0)
-      patchesOf_[node] = above;
-    else if (tree.isLeaf(node) || areFew(tree.regionTriangles(node), SurfacePatch::kMaxTriangles, record, seenBy))
-      patchesOf_[node] = maker.add(node);
-  }
+  Maker(tree, features, *this).run();
 }
 
 SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
@@ -208,11 +216,14 @@ SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
   patch.edgeColumns = patch.faceColumns + 16 * SurfacePatch::padded(r.triangles);
   patch.box = r.box;
   patch.normals = r.normals;
+  patch.facing = r.facing;
+  patch.lowest = r.lowest;
+  patch.highest = r.highest;
   return patch;
 }
 
 std::size_t SurfacePatches::memoryBytes() const {
-  return patchesOf_.capacity() * sizeof(Range) + records_.capacity() * sizeof(Record) +
+  return nodes_.capacity() * sizeof(Node) + records_.capacity() * sizeof(Record) +
          indices_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(ends_[0]) +
          numbers_.capacity() * sizeof(float);
 }

@@ -91,6 +91,8 @@ class Counterpart {
   /// (world length), minus infinity where that is not known. Charged whatever is left of the budget. Nothing, and
   /// nothing appended, when the leaf pairs have to be asked. Default: nothing.
   virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
+  /// The leaf pair to be asked first next time, of a contact that was told.
+  virtual NodePair leavesOf(const Contact& contact) const { return contact.pair; }
   /// The common normals of this step's clusters, measured between leaves; zero where there is none.
   virtual void learnNormals(std::span<const Vec3> normals);
 

@@ -232,18 +232,26 @@ std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question,
   return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), question.budget, contacts);
 }
 
+// Contacts of meshes know no leaves: those are taken whose balls are nearest.
+NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
+  const std::span<const NodePair> pairs = traversal_.leafPairs();
+  if (contact.pair != NodePair{kRootNode, kRootNode} || pairs.empty()) return contact.pair;
+  return *std::ranges::min_element(pairs, {}, [&](const NodePair& pair) {
+    return lengthSq(a_.sphere(pair.a).center - contact.position) + lengthSq(b_.sphere(pair.b).center - contact.position);
+  });
+}
+
 float TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
   const float size = contactDistance_ / tuning::kContactDistance;
   const float thinner = std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
   const ContactLimits limits{contactDistance_, reach_,
                              std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_};
-  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, traversal_.leafPairs(), deep_, question.budget);
+  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, deep_, question.budget);
   for (const FeatureContact& found : answer.contacts) {
     Contact contact;
     contact.position = found.position;
     contact.normal = found.normal;
     contact.gap = found.separation;
-    contact.pair = found.pair;
     const auto part = [](int feature) { return static_cast<int>(kMaxDepth) + 1 + feature; };
     contact.id = {part(static_cast<int>(found.kind)), static_cast<int>(found.featureA), part(static_cast<int>(found.kind)),
                   static_cast<int>(found.featureB)};

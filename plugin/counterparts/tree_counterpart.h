@@ -30,6 +30,7 @@ class TreeCounterpart final : public Counterpart {
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
   void expect(std::span<const Vec3> normals) override;
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
+  NodePair leavesOf(const Contact& contact) const override;
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   void learnNormals(std::span<const Vec3> normals) override;
   bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;

@@ -9,51 +9,27 @@
 
 namespace cairn::bullet {
 
-namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-}  // namespace
-
 ContactKernel::Answer ContactKernel::run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
-                                         std::span<const NodePair> leafPairs, DeepDirections& deep, Budget& budget) {
+                                         DeepDirections& deep, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
   const FeatureContacts features(surfaces, limits);
-  listPatchPairs(surfaces, leafPairs);
   contacts_.clear();
   crossings_.clear();
-  float apart = kInfinity;
   const SurfacePatches &ofA = a.tree().surface().patches, &ofB = b.tree().surface().patches;
-  for (const auto& [patchPair, leaves] : patchPairs_) {
-    budget.chargeAnyway(kSphereUpdateCost);
-    patches_.a = ofA.patch(static_cast<std::uint32_t>(patchPair >> 32));
-    patches_.b = ofB.patch(static_cast<std::uint32_t>(patchPair));
-    const BoxTest boxes = testBoxes(surfaces, limits, patches_.a, patches_.b);
-    apart = std::min(apart, boxes.apart);
-    if (!boxes.mayTouch) continue;
+  const std::span<const NearPatches::Pair> near = nearPatches_.find(surfaces, limits, budget);
+  for (const NearPatches::Pair& pair : near) {
+    patches_.a = ofA.patch(pair.a);
+    patches_.b = ofB.patch(pair.b);
     testPatches(surfaces, limits, patches_);
-    features.append(patches_, leaves, contacts_);
-    appendCrossings(surfaces, patches_, leaves, crossings_);
+    features.append(patches_, contacts_);
+    appendCrossings(surfaces, patches_, crossings_);
   }
+  budget.chargeAnyway(kOverlapTestCost * near.size());
   makeUnique();
   dropDeeper(a, b, limits);
   const float thickness = a.tree().surface().thickness * a.scale() + b.tree().surface().thickness * b.scale();
   deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), deep, contacts_);
-  if (!contacts_.empty()) apart = -kInfinity;
-  return {contacts_, apart};
-}
-
-void ContactKernel::listPatchPairs(const SurfacePair& surfaces, std::span<const NodePair> leafPairs) {
-  patchPairs_.clear();
-  const SurfacePatches &ofA = surfaces.a.surface().patches, &ofB = surfaces.b.surface().patches;
-  for (const NodePair& pair : leafPairs) {
-    const SurfacePatches::Range rangeA = ofA.patchesOf(pair.a), rangeB = ofB.patchesOf(pair.b);
-    for (std::uint64_t i = rangeA.first; i < rangeA.first + rangeA.count; ++i)
-      for (std::uint64_t j = rangeB.first; j < rangeB.first + rangeB.count; ++j) patchPairs_.emplace_back(i << 32 | j, pair);
-  }
-  std::ranges::stable_sort(patchPairs_, {}, [](const auto& p) { return p.first; });
-  const auto isSame = [](const auto& x, const auto& y) { return x.first == y.first; };
-  patchPairs_.erase(std::ranges::unique(patchPairs_, isSame).begin(), patchPairs_.end());
+  return {contacts_, near.empty() ? nearPatches_.apart() : -std::numeric_limits<float>::infinity()};
 }
 
 void ContactKernel::makeUnique() {

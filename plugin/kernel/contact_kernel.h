@@ -3,39 +3,38 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cairn/core/budget.h"
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"
 #include "kernel/feature_contacts.h"
+#include "kernel/near_patches.h"
 #include "kernel/overlap_regions.h"
 
 namespace cairn::bullet {
 
-/// From the leaf pairs of a finished traversal to the contacts of two surfaces: the local minima of the distance between
+/// The contacts of two surfaces: the local minima of the distance between
 /// them, and what overlaps deeper. See docs/algorithms/contacts.md. One object serves many pairs, one after the other.
 class ContactKernel {
  public:
   /// What `run` finds. Valid until the next one.
   struct Answer {
     std::span<const FeatureContact> contacts;
-    float apart = 0;  ///< world length: the surfaces near the leaf pairs are no nearer; minus infinity if in contact
+    float apart = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
   };
 
   /// `deep`: what the pair remembers from step to step. Charged to the budget, whatever is left of it.
-  Answer run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, std::span<const NodePair> leafPairs,
-             DeepDirections& deep, Budget& budget);
+  Answer run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, DeepDirections& deep,
+             Budget& budget);
 
  private:
-  void listPatchPairs(const SurfacePair& surfaces, std::span<const NodePair> leafPairs);
   void makeUnique();
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
   bool staysInside(const PlacedTree& a, const PlacedTree& b, const FeatureContact& contact, const FeatureContact& other,
                    float more);
 
-  std::vector<std::pair<std::uint64_t, NodePair>> patchPairs_;
+  NearPatches nearPatches_;
   PatchPair patches_;
   std::vector<FeatureContact> contacts_, shallow_;
   std::vector<Crossing> crossings_;

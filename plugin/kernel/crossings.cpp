@@ -19,12 +19,11 @@ Crossing crossingOf(const PlacedSurface& faced, std::uint32_t face, const Vec3& 
 
 }  // namespace
 
-void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches, const NodePair& leaves,
+void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches,
                      std::vector<Crossing>& crossings) {
   const auto append = [&](Crossing crossing, std::uint32_t edge, bool isEdgeOfA) {
     crossing.edge = edge;
     crossing.isEdgeOfA = isEdgeOfA;
-    crossing.pair = leaves;
     crossings.push_back(crossing);
   };
   for (const auto& [edge, face] : patches.edgesThroughFaces.all()) {

@@ -16,14 +16,12 @@ struct Crossing {
   std::uint32_t edge = 0, face = 0;
   bool isEdgeOfA = false;  ///< then the face is B's
   bool enters = false;     ///< the edge's second vertex is on the inner side of the face
-  NodePair pair;           ///< the leaves it was found by
 
   auto place() const { return std::tuple(isEdgeOfA, edge, along, face); }
 };
 
-/// Appends all crossings between two patches. The same one may be found by several pairs of patches. `leaves`: by which
-/// the patches were found.
-void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches, const NodePair& leaves,
+/// Appends all crossings between two patches. The same one may be found by several pairs of patches.
+void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches,
                      std::vector<Crossing>& crossings);
 
 }  // namespace cairn::bullet

@@ -179,7 +179,6 @@ void DeepOverlap::appendRegion(const Width& least, std::vector<FeatureContact>& 
     contact.kind = FeatureKind::overlap;
     contact.featureA = point.isOfA ? point.feature : point.face;
     contact.featureB = point.isOfA ? point.face : point.feature;
-    contact.pair = point.pair;
     contacts.push_back(contact);
   }
 }

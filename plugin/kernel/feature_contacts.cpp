@@ -65,16 +65,16 @@ bool isWithin(float along, float length, float beside) {
 
 }  // namespace
 
-void FeatureContacts::append(const PatchPair& patches, const NodePair& leaves,
+void FeatureContacts::append(const PatchPair& patches,
                              std::vector<FeatureContact>& contacts) const {
   const SurfacePatch &a = patches.a, &b = patches.b;
   for (const auto& [vertex, face] : patches.verticesOnFaces.all())
-    appendVertexFace(surfaces_.a, surfaces_.b, a.vertices[vertex], b.triangles[face], patches.aInB[vertex], leaves,
+    appendVertexFace(surfaces_.a, surfaces_.b, a.vertices[vertex], b.triangles[face], patches.aInB[vertex],
                      contacts);
   for (const auto& [face, vertex] : patches.facesOnVertices.all())
-    appendVertexFace(surfaces_.b, surfaces_.a, b.vertices[vertex], a.triangles[face], patches.bInA[vertex], leaves,
+    appendVertexFace(surfaces_.b, surfaces_.a, b.vertices[vertex], a.triangles[face], patches.bInA[vertex],
                      contacts);
-  for (const auto& [ofA, ofB] : patches.edgesOnEdges.all()) appendEdgeEdge(a.edges[ofA], b.edges[ofB], leaves, contacts);
+  for (const auto& [ofA, ofB] : patches.edgesOnEdges.all()) appendEdgeEdge(a.edges[ofA], b.edges[ofB], contacts);
 }
 
 // Neighbours of the vertex that are nearer to the other surface than it is touch in its place. `towards`: unit, own
@@ -91,7 +91,7 @@ bool FeatureContacts::isVertexAlong(const PlacedSurface& side, std::uint32_t ver
 }
 
 void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
-                                       std::uint32_t index, const Vec3& placed, const NodePair& leaves,
+                                       std::uint32_t index, const Vec3& placed,
                                        std::vector<FeatureContact>& contacts) const {
   const bool isOfA = &pointed == &surfaces_.a;
   const SurfaceFace& face = faced.features().faces()[index];
@@ -108,7 +108,6 @@ void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const Place
   contact.kind = isOfA ? FeatureKind::vertexOnFace : FeatureKind::faceOnVertex;
   contact.featureA = isOfA ? vertex : index;
   contact.featureB = isOfA ? index : vertex;
-  contact.pair = leaves;
   contacts.push_back(contact);
 }
 
@@ -127,7 +126,7 @@ bool FeatureContacts::isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& 
 }
 
 // In B's frame.
-void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, const NodePair& leaves,
+void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
                                      std::vector<FeatureContact>& contacts) const {
   const PlacedSurface &a = surfaces_.a, &b = surfaces_.b;
   const SurfaceEdge &edgeA = a.features().edges()[ofA], &edgeB = b.features().edges()[ofB];
@@ -153,7 +152,6 @@ void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, const
   contact.kind = FeatureKind::edgeOnEdge;
   contact.featureA = ofA;
   contact.featureB = ofB;
-  contact.pair = leaves;
   contacts.push_back(contact);
 }
 

@@ -20,7 +20,6 @@ struct FeatureContact {
   float separation = 0;  ///< along the normal, negative where they overlap
   FeatureKind kind = FeatureKind::vertexOnFace;
   std::uint32_t featureA = 0, featureB = 0;  ///< of the kind's kinds
-  NodePair pair;                             ///< the leaves it was found by
 
   auto name() const { return std::tuple(kind, featureA, featureB); }
 };
@@ -31,15 +30,14 @@ class FeatureContacts {
  public:
   FeatureContacts(const SurfacePair& surfaces, const ContactLimits& limits) : surfaces_(surfaces), limits_(limits) {}
 
-  /// `leaves`: by which the patches were found.
-  void append(const PatchPair& patches, const NodePair& leaves, std::vector<FeatureContact>& contacts) const;
+  void append(const PatchPair& patches, std::vector<FeatureContact>& contacts) const;
 
  private:
   void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
-                        std::uint32_t face, const Vec3& placed, const NodePair& leaves,
+                        std::uint32_t face, const Vec3& placed,
                         std::vector<FeatureContact>& contacts) const;
   bool isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards, float separation) const;
-  void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, const NodePair& leaves,
+  void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
                       std::vector<FeatureContact>& contacts) const;
   bool isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards, float separation) const;
 

@@ -48,7 +48,7 @@ std::span<const OverlapPoint> OverlapRegions::find(const SurfacePair& surfaces, 
   joinCrossings(surfaces, crossings);
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
-    points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i, c.pair});
+    points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(surfaces, crossings);
   for (OverlapPoint& point : points_) point.region = rootOf(point.region);
@@ -82,7 +82,7 @@ bool OverlapRegions::crosses(std::span<const Crossing> crossings, bool isOfA, st
 
 // Adds the vertex to the region if it is new and inside, and says which point it is.
 std::uint32_t OverlapRegions::visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex,
-                                    std::uint32_t region, const NodePair& pair) {
+                                    std::uint32_t region) {
   Visit& visited = visited_[isOfA ? 0 : 1][vertex];
   if (visited.search == search_) return visited.point;
   const PlacedSurface& side = sideOf(surfaces, isOfA);
@@ -91,14 +91,14 @@ std::uint32_t OverlapRegions::visit(const SurfacePair& surfaces, bool isOfA, std
   visited = {search_, kOutside};
   if (!ray_.isInside(*other.tree, side.toOther * own)) return kOutside;
   visited.point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back({side.toPair * own, isOfA, false, vertex, 0, region, pair});
+  points_.push_back({side.toPair * own, isOfA, false, vertex, 0, region});
   waiting_.push_back(visited.point);
   return visited.point;
 }
 
 void OverlapRegions::seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex,
                           std::uint32_t region) {
-  const std::uint32_t point = visit(surfaces, crossing.isEdgeOfA, vertex, region, crossing.pair);
+  const std::uint32_t point = visit(surfaces, crossing.isEdgeOfA, vertex, region);
   if (point != kOutside) join(points_[point].region, region);
 }
 
@@ -127,7 +127,7 @@ void OverlapRegions::flood(const SurfacePair& surfaces, std::span<const Crossing
     const SurfaceFeatures& features = sideOf(surfaces, here.isOfA).features();
     for (const std::uint32_t edge : features.edgesAround(here.feature)) {
       if (crosses(crossings, here.isOfA, edge)) continue;
-      const std::uint32_t next = visit(surfaces, here.isOfA, features.across(edge, here.feature), here.region, here.pair);
+      const std::uint32_t next = visit(surfaces, here.isOfA, features.across(edge, here.feature), here.region);
       if (next != kOutside) join(points_[next].region, here.region);
     }
   }

@@ -19,7 +19,6 @@ struct OverlapPoint {
   std::uint32_t feature = 0;  ///< the vertex, or of a crossing the edge
   std::uint32_t face = 0;     ///< of a crossing: the other body's
   std::uint32_t region = 0;
-  NodePair pair;
 };
 
 /// Which points of two bodies are inside each other, and which of these belong together: where surfaces cross, the
@@ -33,8 +32,7 @@ class OverlapRegions {
   void joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings);
   void flood(const SurfacePair& surfaces, std::span<const Crossing> crossings);
   void seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex, std::uint32_t region);
-  std::uint32_t visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex, std::uint32_t region,
-                      const NodePair& pair);
+  std::uint32_t visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex, std::uint32_t region);
   bool crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const;
   std::uint32_t rootOf(std::uint32_t region);
   void join(std::uint32_t x, std::uint32_t y);

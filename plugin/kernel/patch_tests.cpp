@@ -18,6 +18,7 @@
 #include <hwy/highway.h>
 
 #include "kernel/contact_tuning.h"
+#include "kernel/near_box.h"
 
 #ifndef CAIRN_PATCH_TESTS_ONCE
 #define CAIRN_PATCH_TESTS_ONCE
@@ -25,8 +26,11 @@ namespace cairn::bullet {
 
 // One side's share of the question, in the frame and unit of the other, whose faces are asked.
 struct PatchFrame {
-  Box near;      // of what may touch the faces
-  Box exact;     // of the faces
+  Box near;   // of what may touch the faces
+  Box exact;  // of the faces
+  Vec3 facing;
+  float lowest = 0, highest = 0;          // of the faces, along `facing`
+  float nearLowest = 0, nearHighest = 0;  // of what may touch them
   float reach = 0, depth = 0;  // heights above a face that may be contacts: at most, at least
   float margins = 0, contactDistance = 0;
 };
@@ -54,7 +58,7 @@ struct Codes {
   alignas(64) std::int32_t of[SurfacePatch::kMaxFeatures];
 };
 
-constexpr std::int32_t kNear = 0x3F, kExact = 0x3F00;
+constexpr std::int32_t kNear = 0xFF, kExact = 0xFF00;
 
 HWY_INLINE Points all(const Vec3& p) {
   const Tag d;
@@ -91,14 +95,18 @@ HWY_INLINE hn::Vec<IntTag> codeIf(hn::Mask<Tag> mask, std::int32_t bit) {
   return hn::IfThenElseZero(hn::RebindMask(d, mask), hn::Set(d, bit));
 }
 
-HWY_INLINE hn::Vec<IntTag> codesOf(const Points& p, const Box& box, int shift) {
+HWY_INLINE hn::Vec<IntTag> codesOf(const Points& p, const Box& box, Lanes height, float lowest, float highest,
+                                   int shift) {
   const Points lower = all(box.lower), upper = all(box.upper);
   const auto below = hn::Or(codeIf(hn::Lt(p.x, lower.x), 1 << shift),
                             hn::Or(codeIf(hn::Lt(p.y, lower.y), 2 << shift), codeIf(hn::Lt(p.z, lower.z), 4 << shift)));
   const auto above =
       hn::Or(codeIf(hn::Gt(p.x, upper.x), 8 << shift),
              hn::Or(codeIf(hn::Gt(p.y, upper.y), 16 << shift), codeIf(hn::Gt(p.z, upper.z), 32 << shift)));
-  return hn::Or(below, above);
+  const Tag d;
+  const auto slab = hn::Or(codeIf(hn::Lt(height, hn::Set(d, lowest)), 64 << shift),
+                           codeIf(hn::Gt(height, hn::Set(d, highest)), 128 << shift));
+  return hn::Or(hn::Or(below, above), slab);
 }
 
 // Puts the vertices into the other's frame. Returns the bits of all planes that every vertex is beyond.
@@ -116,7 +124,9 @@ HWY_INLINE std::int32_t place(const SurfacePatch& patch, const Similarity& to, c
     hn::Store(q.x, d, placed.x + i);
     hn::Store(q.y, d, placed.y + i);
     hn::Store(q.z, d, placed.z + i);
-    const auto code = hn::Or(codesOf(q, frame.near, 0), codesOf(q, frame.exact, 8));
+    const auto height = dotOf(all(frame.facing), q);
+    const auto code = hn::Or(codesOf(q, frame.near, height, frame.nearLowest, frame.nearHighest, 0),
+                             codesOf(q, frame.exact, height, frame.lowest, frame.highest, 8));
     common = hn::And(common, code);
     hn::Store(code, IntTag(), codes.of + i);
   }
@@ -198,7 +208,7 @@ HWY_INLINE hn::Mask<Tag> areBoxesNear(const Points& p, const Points& q, const Bo
 // An edge of A, `p` to `q`, against all convex ones of B.
 template <class Add>
 HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwardOfA, const SurfacePatch& edges,
-                            const PatchFrame& frame, const Add& add) {
+                            std::uint32_t nearEdges, const PatchFrame& frame, const Add& add) {
   const Tag d;
   const std::uint32_t stride = SurfacePatch::padded(edges.convexEdges);
   const auto zero = hn::Zero(d);
@@ -214,8 +224,10 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
   constexpr float kSineSq = tuning::kParallelSine * tuning::kParallelSine / (kMore * kMore);
   for (std::uint32_t at = 0; at < stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const Points r = load(edges.edgeColumns, stride, at), s = load(edges.edgeColumns + 3 * stride, stride, at);
+    const std::uint32_t nearHere = nearEdges >> at & ((1U << hn::Lanes(d)) - 1);
+    if (nearHere == 0) continue;
     auto mask = areBoxesNear(r, s, box);
-    if (hn::AllFalse(d, mask)) continue;
+    if ((bitsOf(mask) & nearHere) == 0) continue;
     const Points wayB = minus(s, r), across = crossOf(way, wayB);
     const auto lengthSqB = dotOf(wayB, wayB), normSq = dotOf(across, across);
     mask = hn::And(mask, hn::Gt(normSq, hn::Mul(hn::Set(d, kSineSq), hn::Mul(lengthSqA, lengthSqB))));
@@ -239,7 +251,7 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     const auto besideA = hn::Div(beside, hn::Sqrt(lengthSqA)), besideB = hn::Div(beside, hn::Sqrt(lengthSqB));
     mask = hn::And(mask, hn::And(hn::Ge(onA, hn::Neg(besideA)), hn::Le(hn::Sub(onA, det), besideA)));
     mask = hn::And(mask, hn::And(hn::Ge(onB, hn::Neg(besideB)), hn::Le(hn::Sub(onB, det), besideB)));
-    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
+    for (std::uint32_t bits = bitsOf(mask) & nearHere; bits != 0; bits &= bits - 1)
       add(at + static_cast<std::uint32_t>(std::countr_zero(bits)));
   }
 }
@@ -260,11 +272,16 @@ void testPlaced(const SurfacePair& surfaces, const PatchFrame& inB, const PatchF
   for (std::uint32_t i = 0; i < countB; ++i)
     if ((codesB.of[i] & kNear) == 0)
       vertexOnFaces(patches.bInA[i], patches.a, inA, [&](std::uint32_t f) { patches.facesOnVertices.add(f, i); });
-  for (std::uint32_t e = 0; e < patches.a.convexEdges; ++e) {
+  std::uint32_t nearEdges = 0;  // of B's convex ones, a bit each
+  for (std::uint32_t e = 0; e < patches.b.convexEdges; ++e) {
+    const auto [from, to] = patches.b.edgeEnds[e];
+    nearEdges |= static_cast<std::uint32_t>((codesB.of[from] & codesB.of[to] & kNear) == 0) << e;
+  }
+  for (std::uint32_t e = 0; e < patches.a.convexEdges && nearEdges != 0; ++e) {
     const auto [from, to] = patches.a.edgeEnds[e];
     if ((codesA.of[from] & codesA.of[to] & kNear) != 0) continue;
     const Vec3 outward = surfaces.a.axesToOther * surfaces.a.features().edges()[patches.a.edges[e]].outward;
-    edgeOnEdges(patches.aInB[from], patches.aInB[to], outward, patches.b, inB,
+    edgeOnEdges(patches.aInB[from], patches.aInB[to], outward, patches.b, nearEdges, inB,
                 [&](std::uint32_t f) { patches.edgesOnEdges.add(e, f); });
   }
   if (((beyondA | beyondB) & kExact) != 0) return;
@@ -292,59 +309,24 @@ HWY_EXPORT(testPlaced);
 
 namespace {
 
-// The patch's box, and all that is within the limits of its faces along their normals; own frame and unit.
-Box nearOf(const SurfacePatch& patch, float reach, float depth) {
-  Box box = patch.box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float low = patch.normals.lower[axis], high = patch.normals.upper[axis];
-    box.lower[axis] += std::min({0.0F, reach * low, depth * high});
-    box.upper[axis] += std::max({0.0F, reach * high, depth * low});
-  }
-  return box;
-}
-
-// Rounding of lengths; whoever decides does so by itself.
-constexpr float kReachSlack = 1 + 1e-5F;
-
 PatchFrame frameOf(const PlacedSurface& faced, const ContactLimits& limits, const SurfacePatch& faces) {
-  const float unit = 1 / faced.scale;
+  const NearLimits near(faced.scale, limits);
   PatchFrame frame;
-  frame.reach = (limits.reach + limits.margins) * unit * kReachSlack;
-  frame.depth = (limits.margins - limits.trustedDepth * kReachSlack) * unit;
-  frame.margins = limits.margins * unit;
-  frame.contactDistance = limits.contactDistance * unit;
+  frame.reach = near.reach;
+  frame.depth = (limits.margins - limits.trustedDepth) / faced.scale + (near.depth * 1e-5F);
+  frame.margins = limits.margins / faced.scale;
+  frame.contactDistance = near.beside;
   frame.exact = faces.box;
-  frame.near = nearOf(faces, frame.reach, std::min(frame.depth, 0.0F));
-  // What lies a little beside a face touches it.
-  for (int axis = 0; axis < 3; ++axis) {
-    frame.near.lower[axis] -= frame.contactDistance;
-    frame.near.upper[axis] += frame.contactDistance;
-  }
+  frame.near = near.around(faces.box, faces.normals);
+  frame.facing = faces.facing;
+  frame.lowest = faces.lowest;
+  frame.highest = faces.highest;
+  frame.nearLowest = faces.lowest + std::min(near.depth, -near.reach) - near.beside;
+  frame.nearHighest = faces.highest + near.reach + near.beside;
   return frame;
 }
 
-// A box in the other's frame: how far it is from another at most on one of that frame's axes.
-float apartAlongAxes(const Box& box, const Similarity& to, const Box& other) {
-  const Vec3 middle = to * box.middle(), half = (box.upper - box.lower) * 0.5F;
-  float most = -std::numeric_limits<float>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3& row = to.linear.rows[static_cast<std::size_t>(axis)];
-    const float reach = std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
-    most = std::max({most, middle[axis] - reach - other.upper[axis], other.lower[axis] - middle[axis] - reach});
-  }
-  return most;
-}
-
 }  // namespace
-
-BoxTest testBoxes(const SurfacePair& surfaces, const ContactLimits& limits, const SurfacePatch& a,
-                  const SurfacePatch& b) {
-  const float apartInB = apartAlongAxes(a.box, surfaces.a.toOther, b.box) * surfaces.b.scale;
-  const float apartInA = apartAlongAxes(b.box, surfaces.b.toOther, a.box) * surfaces.a.scale;
-  const bool mayTouch = apartAlongAxes(a.box, surfaces.a.toOther, frameOf(surfaces.b, limits, b).near) <= 0 &&
-                        apartAlongAxes(b.box, surfaces.b.toOther, frameOf(surfaces.a, limits, a).near) <= 0;
-  return {mayTouch, std::max(apartInA, apartInB) - limits.margins};
-}
 
 void testPatches(const SurfacePair& surfaces, const ContactLimits& limits, PatchPair& patches) {
   for (FeaturePairs* found : {&patches.verticesOnFaces, &patches.facesOnVertices, &patches.edgesOnEdges,

@@ -42,13 +42,6 @@ struct PatchPair {
   FeaturePairs facesThroughEdges;  ///< a face of A is crossed by an edge of B, exactly these
 };
 
-/// What the boxes of two patches say, in both frames.
-struct BoxTest {
-  bool mayTouch = false;  ///< within the limits
-  float apart = 0;        ///< the patches' surfaces are no nearer, world length
-};
-BoxTest testBoxes(const SurfacePair& surfaces, const ContactLimits& limits, const SurfacePatch& a, const SurfacePatch& b);
-
 /// Fills in all of `patches` but the patches themselves. The same on every instruction set.
 void testPatches(const SurfacePair& surfaces, const ContactLimits& limits, PatchPair& patches);
 

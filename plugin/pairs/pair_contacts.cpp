@@ -271,20 +271,21 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);
 }
 
-void PairContacts::remember(const Contact& chosen) {
-  if (!chosen.ofSpheres && !isKnown(chosen.pair)) known_.push_back(chosen.pair);
+void PairContacts::remember(const NodePair& leaves) {
+  if (!isKnown(leaves)) known_.push_back(leaves);
 }
 
 bool PairContacts::isKnown(const NodePair& pair) const {
   return std::find(known_.begin(), known_.end(), pair) != known_.end();
 }
 
-void PairContacts::rememberDeepest(ContactScratch& scratch) {
+void PairContacts::rememberDeepest(const Counterpart& counterpart, ContactScratch& scratch) {
   makeRoomForRetests();
   std::vector<Contact>& contacts = scratch.contacts.list();
   const std::size_t count = std::min(contacts.size(), kMaxKnownPairs);
   std::partial_sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count), contacts.end(), deeper);
-  for (std::size_t i = 0; i < count && known_.size() < kMaxKnownPairs; ++i) remember(contacts[i]);
+  for (std::size_t i = 0; i < count && known_.size() < kMaxKnownPairs; ++i)
+    if (!contacts[i].ofSpheres) remember(counterpart.leavesOf(contacts[i]));
 }
 
 }  // namespace cairn::bullet

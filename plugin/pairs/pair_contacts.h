@@ -133,12 +133,12 @@ class PairContacts {
   bool hasAnswer(const RelativeMotion& motion) const;
 
   /// Tells that this contact was handed to Bullet.
-  void remember(const Contact& chosen);
+  void remember(const NodePair& leaves);
   /// Allocates, once, what only steps that may be interrupted need: more than all the rest of a pair.
   void makeRoomForRetests();
   /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted,
   /// and makes room for these.
-  void rememberDeepest(ContactScratch& scratch);
+  void rememberDeepest(const Counterpart& counterpart, ContactScratch& scratch);
 
  private:
   bool isGuardedWithin(float moved, float smallerSize) const;

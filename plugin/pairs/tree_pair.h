@@ -284,8 +284,8 @@ class alignas(64) TreePair {
   void lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
                  const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget);
   void forgetImpulsesAhead();
-  void writeCluster(int k, std::span<Contact> members, btDispatcher& dispatcher, btManifoldResult& result,
-                    PairReport& report);
+  void writeCluster(int k, std::span<Contact> members, const AnswerPolicy& policy, btDispatcher& dispatcher,
+                    btManifoldResult& result, PairReport& report);
 
   // First what tells whether anything has to be done in a step. Of most pairs of a heap nothing else is looked at.
   CounterpartKind kind_;

@@ -16,6 +16,10 @@ namespace {
 // A manifold holds points up to the reach; a little more, so that rounding does not refuse one.
 constexpr float kBreakingFactor = 1.01F;
 
+bool isOfPatches(const Contact& contact) {
+  return contact.isExact && contact.pair == NodePair{kRootNode, kRootNode};
+}
+
 }  // namespace
 
 // Null only when Bullet's pool is used up and the user forbade it to grow.
@@ -44,8 +48,8 @@ TreePair::Clusters TreePair::clustersOf(ClusteredContacts& contacts) {
   return clusters;
 }
 
-void TreePair::writeCluster(int k, std::span<Contact> members, btDispatcher& dispatcher, btManifoldResult& result,
-                            PairReport& report) {
+void TreePair::writeCluster(int k, std::span<Contact> members, const AnswerPolicy& policy, btDispatcher& dispatcher,
+                            btManifoldResult& result, PairReport& report) {
   const bool isHeld = manifolds_[static_cast<std::size_t>(k)] != nullptr;
   if (members.empty() && !isHeld) return;
   btPersistentManifold* const m = manifold(dispatcher, k);
@@ -59,7 +63,8 @@ void TreePair::writeCluster(int k, std::span<Contact> members, btDispatcher& dis
   std::uint32_t exact = 0;
   for (int i = 0; i < choice.count; ++i) {
     const Contact& chosen = members[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])];
-    contacts_.remember(chosen);
+    const bool isRemembered = policy.mayBeInterrupted || !isOfPatches(chosen);
+    if (!chosen.ofSpheres && isRemembered) contacts_.remember(counterpart_->leavesOf(chosen));
     const float ofPair = counterpart_->traversal().pairError(chosen.pair);
     const float error = chosen.isExact ? std::min(chosen.exactError, ofPair) : ofPair;
     report.errorFraction = std::max(report.errorFraction, double(error) / double(smallerSize_));
@@ -97,8 +102,8 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   const Clusters clusters =
       policy.finest == Finest::triangles ? pastLeaves(result, budget, scratch, report) : clustersOf(scratch.contacts);
   for (std::size_t k = 0; k < clusters.size(); ++k)
-    writeCluster(static_cast<int>(k), clusters[k], dispatcher, result, report);
-  if (policy.mayBeInterrupted) contacts_.rememberDeepest(scratch);
+    writeCluster(static_cast<int>(k), clusters[k], policy, dispatcher, result, report);
+  if (policy.mayBeInterrupted) contacts_.rememberDeepest(*counterpart_, scratch);
   if (policy.mayBeInterrupted) surviveRefresh();
   if (areGuardsLoaded()) stayAwake();
   report.errorFraction += double(contacts_.overlooked() / smallerSize_);

@@ -24,7 +24,7 @@ struct Box {
 /// features; rows of numbers hold one column after the other, each padded to whole batches.
 struct SurfacePatch {
   static constexpr std::uint32_t kBatch = 8;
-  static constexpr std::uint32_t kMaxTriangles = 16;
+  static constexpr std::uint32_t kMaxTriangles = 8;
   static constexpr std::uint32_t kMaxFeatures = 3 * kMaxTriangles;  ///< vertices, and edges
 
   std::span<const std::uint32_t> vertices, edges, triangles;
@@ -36,39 +36,49 @@ struct SurfacePatch {
   const float* edgeColumns = nullptr;    ///< of convex ones: first end, second end, outward; what pads has no length
   Box box;                               ///< of the vertices
   Box normals;                           ///< of all directions within the cone of the patch's normals
+  Vec3 facing;                           ///< unit, the mean of the normals; zero where they do not lie on one side
+  float lowest = 0, highest = 0;         ///< of the vertices, along `facing`
 
   static constexpr std::uint32_t padded(std::size_t count) {
     return (static_cast<std::uint32_t>(count) + kBatch - 1) / kBatch * kBatch;
   }
 };
 
-/// Every leaf's patches: they hold all triangles the leaf has a piece of, at most `kMaxTriangles` each. Where an
-/// ancestor holds no more than that, all leaves below the topmost such node have its patch in common: a cube is one
-/// patch, however many leaves it has. Immutable.
+/// A surface cut into patches of at most `kMaxTriangles`, each triangle in one, and a binary tree of boxes above them.
+/// Immutable.
 class SurfacePatches {
  public:
+  /// A box around patches: those of its two children, or a single one.
+  struct Node {
+    static constexpr std::uint32_t kNoPatch = 0xFFFFFFFFU;
+
+    Box box;
+    Box normals;                      ///< as of a patch
+    std::uint32_t patch = kNoPatch;   ///< of a leaf
+    std::uint32_t second = 0;         ///< where the second child is; the first one follows its parent
+    bool isLeaf() const { return patch != kNoPatch; }
+  };
+
   SurfacePatches() = default;
   SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features);
 
-  struct Range {
-    std::uint32_t first = 0, count = 0;
-  };
-  /// By `NodeId` of a leaf.
-  Range patchesOf(std::uint32_t leaf) const { return patchesOf_[leaf]; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
   SurfacePatch patch(std::uint32_t index) const;
-  const Box& box(std::uint32_t index) const { return records_[index].box; }
+  /// The first is the root.
+  std::span<const Node> nodes() const { return nodes_; }
   std::size_t memoryBytes() const;
 
  private:
   struct Record {
     Box box, normals;
+    Vec3 facing;
+    float lowest = 0, highest = 0;
     std::uint32_t firstIndex = 0, firstEnd = 0, firstNumber = 0;
     std::uint16_t vertices = 0, edges = 0, triangles = 0, convexEdges = 0;
   };
   class Maker;
 
-  std::vector<Range> patchesOf_;
+  std::vector<Node> nodes_;
   std::vector<Record> records_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::array<std::uint8_t, 2>> ends_;
