@@ -23,6 +23,7 @@ constexpr int kMaxWholeSplits = 8;
 void TreeCounterpart::reset() {
   Counterpart::reset();
   fewFaces_.reset();
+  kernelMemory_ = {};
 }
 
 void TreeCounterpart::place(const PairPlacement& placement) {
@@ -40,6 +41,8 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
 
 void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
   fewFaces_.start(a_.tree(), b_.tree());
+  skin_ = skin;
+  kernelMemory_.isListed = false;
   traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 
@@ -245,8 +248,8 @@ float TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<
   const float size = contactDistance_ / tuning::kContactDistance;
   const float thinner = std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
   const ContactLimits limits{contactDistance_, reach_,
-                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_};
-  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, deep_, question.budget);
+                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_, skin_, size};
+  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, kernelMemory_, question.budget);
   for (const FeatureContact& found : answer.contacts) {
     Contact contact;
     contact.position = found.position;

@@ -73,7 +73,8 @@ class TreeCounterpart final : public Counterpart {
   float margins_ = 0;
   float reach_ = 0;
   float contactDistance_ = 0, smallerSize_ = 0;
-  DeepDirections deep_;
+  KernelMemory kernelMemory_;
+  float skin_ = 0;  // of the traversal at hand
   TreePairTraversal traversal_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;

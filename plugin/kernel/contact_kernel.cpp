@@ -10,32 +10,18 @@
 namespace cairn::bullet {
 
 ContactKernel::Answer ContactKernel::run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
-                                         DeepDirections& deep, Budget& budget) {
+                                         KernelMemory& memory, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
-  const FeatureContacts features(surfaces, limits);
+  if (!memory.isListed) lister_.list(surfaces, limits, memory.lists, budget);
+  memory.isListed = limits.skin > 0;
   contacts_.clear();
   crossings_.clear();
-  const SurfacePatches &ofA = a.tree().surface().patches, &ofB = b.tree().surface().patches;
-  const std::span<const NearPatches::Pair> near = nearPatches_.find(surfaces, limits, budget);
-  for (const NearPatches::Pair& pair : near) {
-    patches_.a = ofA.patch(pair.a);
-    patches_.b = ofB.patch(pair.b);
-    testPatches(surfaces, limits, patches_);
-    features.append(patches_, contacts_);
-    appendCrossings(surfaces, patches_, crossings_);
-  }
-  budget.chargeAnyway(kOverlapTestCost * near.size());
-  makeUnique();
+  FeatureContacts(surfaces, limits).append(memory.lists, contacts_);
+  appendCrossings(surfaces, memory.lists, crossings_);
   dropDeeper(a, b, limits);
   const float thickness = a.tree().surface().thickness * a.scale() + b.tree().surface().thickness * b.scale();
-  deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), deep, contacts_);
-  return {contacts_, near.empty() ? nearPatches_.apart() : -std::numeric_limits<float>::infinity()};
-}
-
-void ContactKernel::makeUnique() {
-  std::ranges::sort(contacts_, {}, &FeatureContact::name);
-  const auto isSame = [](const FeatureContact& x, const FeatureContact& y) { return x.name() == y.name(); };
-  contacts_.erase(std::ranges::unique(contacts_, isSame).begin(), contacts_.end());
+  deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), memory.deep, contacts_);
+  return {contacts_, memory.lists.apart};
 }
 
 // Whether what a contact says to be inside the other body is so once A has moved out along `other`, and a little more.

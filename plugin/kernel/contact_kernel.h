@@ -9,10 +9,17 @@
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"
 #include "kernel/feature_contacts.h"
-#include "kernel/near_patches.h"
 #include "kernel/overlap_regions.h"
 
 namespace cairn::bullet {
+
+/// What a pair remembers from step to step.
+struct KernelMemory {
+  FeatureLists lists;
+  /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other since.
+  bool isListed = false;
+  DeepDirections deep;
+};
 
 /// The contacts of two surfaces: the local minima of the distance between
 /// them, and what overlaps deeper. See docs/algorithms/contacts.md. One object serves many pairs, one after the other.
@@ -24,18 +31,16 @@ class ContactKernel {
     float apart = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
   };
 
-  /// `deep`: what the pair remembers from step to step. Charged to the budget, whatever is left of it.
-  Answer run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, DeepDirections& deep,
+  /// Charged to the budget, whatever is left of it.
+  Answer run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, KernelMemory& memory,
              Budget& budget);
 
  private:
-  void makeUnique();
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
   bool staysInside(const PlacedTree& a, const PlacedTree& b, const FeatureContact& contact, const FeatureContact& other,
                    float more);
 
-  NearPatches nearPatches_;
-  PatchPair patches_;
+  FeatureLister lister_;
   std::vector<FeatureContact> contacts_, shallow_;
   std::vector<Crossing> crossings_;
   OverlapRegions regions_;

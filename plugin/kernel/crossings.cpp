@@ -5,37 +5,27 @@ namespace cairn::bullet {
 
 namespace {
 
-// Precondition: the edge crosses the face's plane, from `from` to `to`, both in the faces' frame.
-Crossing crossingOf(const PlacedSurface& faced, std::uint32_t face, const Vec3& from, const Vec3& to) {
-  const SurfaceFace& plane = faced.features().faces()[face];
-  const float first = dot(plane.normal, from) - plane.offset, second = dot(plane.normal, to) - plane.offset;
-  Crossing crossing;
-  crossing.along = first / (first - second);
-  crossing.position = faced.toPair * (from + (to - from) * crossing.along);
-  crossing.face = face;
-  crossing.enters = second < 0;
-  return crossing;
+void append(const PlacedSurface& edged, const PlacedSurface& faced, std::uint32_t edge, std::uint32_t index,
+            bool isEdgeOfA, std::vector<Crossing>& crossings) {
+  const SurfaceFace& face = faced.features().faces()[index];
+  const auto& [v, w] = edged.features().edges()[edge].vertex;
+  const Vec3 from = edged.toOther * edged.vertex(v), to = edged.toOther * edged.vertex(w);
+  const float first = dot(face.normal, from) - face.offset, second = dot(face.normal, to) - face.offset;
+  if ((first < 0) == (second < 0)) return;
+  const float along = first / (first - second);
+  const Vec3 place = from + (to - from) * along;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (dot(face.inward[k], place) < face.inwardOffset[k]) return;
+  crossings.push_back({faced.toPair * place, along, edge, index, isEdgeOfA, second < 0});
 }
 
 }  // namespace
 
-void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches,
-                     std::vector<Crossing>& crossings) {
-  const auto append = [&](Crossing crossing, std::uint32_t edge, bool isEdgeOfA) {
-    crossing.edge = edge;
-    crossing.isEdgeOfA = isEdgeOfA;
-    crossings.push_back(crossing);
-  };
-  for (const auto& [edge, face] : patches.edgesThroughFaces.all()) {
-    const auto [from, to] = patches.a.edgeEnds[edge];
-    append(crossingOf(surfaces.b, patches.b.triangles[face], patches.aInB[from], patches.aInB[to]),
-           patches.a.edges[edge], true);
-  }
-  for (const auto& [face, edge] : patches.facesThroughEdges.all()) {
-    const auto [from, to] = patches.b.edgeEnds[edge];
-    append(crossingOf(surfaces.a, patches.a.triangles[face], patches.bInA[from], patches.bInA[to]),
-           patches.b.edges[edge], false);
-  }
+void appendCrossings(const SurfacePair& surfaces, const FeatureLists& lists, std::vector<Crossing>& crossings) {
+  for (const auto& [edge, face] : lists.edgesThroughFaces)
+    append(surfaces.a, surfaces.b, edge, face, true, crossings);
+  for (const auto& [face, edge] : lists.facesThroughEdges)
+    append(surfaces.b, surfaces.a, edge, face, false, crossings);
 }
 
 }  // namespace cairn::bullet

@@ -20,8 +20,7 @@ struct Crossing {
   auto place() const { return std::tuple(isEdgeOfA, edge, along, face); }
 };
 
-/// Appends all crossings between two patches. The same one may be found by several pairs of patches.
-void appendCrossings(const SurfacePair& surfaces, const PatchPair& patches,
-                     std::vector<Crossing>& crossings);
+/// Appends all crossings among what is listed.
+void appendCrossings(const SurfacePair& surfaces, const FeatureLists& lists, std::vector<Crossing>& crossings);
 
 }  // namespace cairn::bullet

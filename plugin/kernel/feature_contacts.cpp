@@ -65,16 +65,12 @@ bool isWithin(float along, float length, float beside) {
 
 }  // namespace
 
-void FeatureContacts::append(const PatchPair& patches,
-                             std::vector<FeatureContact>& contacts) const {
-  const SurfacePatch &a = patches.a, &b = patches.b;
-  for (const auto& [vertex, face] : patches.verticesOnFaces.all())
-    appendVertexFace(surfaces_.a, surfaces_.b, a.vertices[vertex], b.triangles[face], patches.aInB[vertex],
-                     contacts);
-  for (const auto& [face, vertex] : patches.facesOnVertices.all())
-    appendVertexFace(surfaces_.b, surfaces_.a, b.vertices[vertex], a.triangles[face], patches.bInA[vertex],
-                     contacts);
-  for (const auto& [ofA, ofB] : patches.edgesOnEdges.all()) appendEdgeEdge(a.edges[ofA], b.edges[ofB], contacts);
+void FeatureContacts::append(const FeatureLists& lists, std::vector<FeatureContact>& contacts) const {
+  for (const auto& [vertex, face] : lists.verticesOnFaces)
+    appendVertexFace(surfaces_.a, surfaces_.b, vertex, face, contacts);
+  for (const auto& [face, vertex] : lists.facesOnVertices)
+    appendVertexFace(surfaces_.b, surfaces_.a, vertex, face, contacts);
+  for (const auto& [ofA, ofB] : lists.edgesOnEdges) appendEdgeEdge(ofA, ofB, contacts);
 }
 
 // Neighbours of the vertex that are nearer to the other surface than it is touch in its place. `towards`: unit, own
@@ -91,10 +87,10 @@ bool FeatureContacts::isVertexAlong(const PlacedSurface& side, std::uint32_t ver
 }
 
 void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
-                                       std::uint32_t index, const Vec3& placed,
-                                       std::vector<FeatureContact>& contacts) const {
+                                       std::uint32_t index, std::vector<FeatureContact>& contacts) const {
   const bool isOfA = &pointed == &surfaces_.a;
   const SurfaceFace& face = faced.features().faces()[index];
+  const Vec3 placed = pointed.toOther * pointed.vertex(vertex);
   const float height = dot(face.normal, placed) - face.offset;
   const float separation = height * faced.scale - limits_.margins;
   if (!limits_.trusts(separation) || !isOver(face, faced, index, placed, limits_.besideAt(separation) / faced.scale))

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cairn/core/traversal.h"
-#include "kernel/patch_tests.h"
+#include "kernel/feature_lists.h"
 
 namespace cairn::bullet {
 
@@ -24,18 +24,16 @@ struct FeatureContact {
   auto name() const { return std::tuple(kind, featureA, featureB); }
 };
 
-/// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges. The same one may be
-/// found by several pairs of patches.
+/// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges.
 class FeatureContacts {
  public:
   FeatureContacts(const SurfacePair& surfaces, const ContactLimits& limits) : surfaces_(surfaces), limits_(limits) {}
 
-  void append(const PatchPair& patches, std::vector<FeatureContact>& contacts) const;
+  void append(const FeatureLists& lists, std::vector<FeatureContact>& contacts) const;
 
  private:
   void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
-                        std::uint32_t face, const Vec3& placed,
-                        std::vector<FeatureContact>& contacts) const;
+                        std::uint32_t face, std::vector<FeatureContact>& contacts) const;
   bool isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards, float separation) const;
   void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
                       std::vector<FeatureContact>& contacts) const;

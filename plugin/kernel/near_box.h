@@ -4,35 +4,45 @@
 #include <algorithm>
 
 #include "cairn/core/surface_patches.h"
+#include "kernel/contact_tuning.h"
 #include "kernel/placed_surface.h"
 
 namespace cairn::bullet {
 
-/// What may touch a piece of surface, as a box around it; in that surface's frame and unit.
+/// What may come to touch a piece of surface, in that surface's frame and unit.
 struct NearLimits {
-  float reach = 0, depth = 0;  ///< heights above a face that may be those of contacts: at most, at least (below 0)
-  float beside = 0;            ///< what lies so far beside a face touches it
+  float reach = 0, depth = 0;  ///< heights above a face that may be those of contacts: at most, at least
+  float margins = 0;
+  float beside = 0;  ///< what lies so far beside a face may touch it, at least and, where it is deep, at most
+  float besideDeep = 0;
+  float skin = 0;
 
   NearLimits() = default;
-  NearLimits(float scale, const ContactLimits& limits)
-      : reach((limits.reach + limits.margins) * kRoundings / scale),
-        depth((std::min(limits.margins, 0.0F) - limits.trustedDepth * kRoundings) / scale),
-        beside(limits.contactDistance / scale) {}
+  NearLimits(float scale, const ContactLimits& limits) {
+    const float unit = kRoundings / scale;
+    skin = limits.skin * unit;
+    reach = (limits.reach + limits.margins) * unit + skin;
+    depth = limits.margins / scale - limits.trustedDepth * unit - skin;
+    margins = limits.margins / scale;
+    beside = tuning::kBeside * limits.contactDistance * unit + skin;
+    besideDeep = limits.contactDistance * unit + skin;
+  }
 
-  /// `normals` bound the directions that the piece faces.
+  /// A box around all that may touch the piece. `normals` bound the directions that it faces.
   Box around(const Box& piece, const Box& normals) const {
+    const float deep = std::min(depth, 0.0F);
     Box box = piece;
     for (int axis = 0; axis < 3; ++axis) {
       const float low = normals.lower[axis], high = normals.upper[axis];
-      box.lower[axis] += std::min({0.0F, reach * low, depth * high}) - beside;
-      box.upper[axis] += std::max({0.0F, reach * high, depth * low}) + beside;
+      box.lower[axis] += std::min({0.0F, reach * low, deep * high}) - besideDeep;
+      box.upper[axis] += std::max({0.0F, reach * high, deep * low}) + besideDeep;
     }
     return box;
   }
 
  private:
-  // Whoever decides does so by itself.
-  static constexpr float kRoundings = 1 + 1e-5F;
+  // Of lengths; whoever decides does so by itself.
+  static constexpr float kRoundings = 1 + 1e-4F;
 };
 
 }  // namespace cairn::bullet

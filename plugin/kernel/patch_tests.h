@@ -38,8 +38,8 @@ struct PatchPair {
   FeaturePairs verticesOnFaces;  ///< a vertex of A, a face of B
   FeaturePairs facesOnVertices;  ///< a face of A, a vertex of B
   FeaturePairs edgesOnEdges;     ///< convex ones
-  FeaturePairs edgesThroughFaces;  ///< an edge of A crosses a face of B, exactly these
-  FeaturePairs facesThroughEdges;  ///< a face of A is crossed by an edge of B, exactly these
+  FeaturePairs edgesThroughFaces;  ///< an edge of A, a face of B
+  FeaturePairs facesThroughEdges;  ///< a face of A, an edge of B
 };
 
 /// Fills in all of `patches` but the patches themselves. The same on every instruction set.

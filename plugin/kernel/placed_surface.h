@@ -40,7 +40,12 @@ struct ContactLimits {
   float reach = 0;            ///< contacts no farther apart than this are wanted; at least `contactDistance`
   float trustedDepth = 0;     ///< what overlaps more is no local minimum of the distance
   float margins = 0;          ///< grow both surfaces together
+  /// What is listed is all that may be in contact until a point of one body has moved so far against the other.
+  float skin = 0;
+  float size = 0;  ///< of the smaller body
 
+  /// How far, in radians, directions may turn meanwhile: a turn about the middle moves what is farthest by half the size.
+  float turn() const { return 1e-6F + (size > 0 ? 4 * skin / size : 0.0F); }
   /// Whether a separation is one of a contact.
   bool trusts(float separation) const { return separation <= reach && separation >= -trustedDepth; }
   /// How far beside a feature a point may be that is so far from it.

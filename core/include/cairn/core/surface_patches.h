@@ -17,6 +17,7 @@ struct Box {
   Vec3 lower, upper;
 
   void add(const Vec3& p);
+  Box grown(float by) const { return {lower - Vec3(by, by, by), upper + Vec3(by, by, by)}; }
   Vec3 middle() const { return (lower + upper) * 0.5F; }
 };
 
