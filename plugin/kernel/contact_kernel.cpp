@@ -20,7 +20,7 @@ ContactKernel::Answer ContactKernel::run(const PlacedTree& a, const PlacedTree& 
   appendCrossings(surfaces, memory.lists, crossings_);
   dropDeeper(a, b, limits);
   const float thickness = a.tree().surface().thickness * a.scale() + b.tree().surface().thickness * b.scale();
-  deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), memory.deep, contacts_);
+  deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), contacts_);
   return {contacts_, memory.lists.apart};
 }
 

@@ -18,7 +18,6 @@ struct KernelMemory {
   FeatureLists lists;
   /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other since.
   bool isListed = false;
-  DeepDirections deep;
 };
 
 /// The contacts of two surfaces: the local minima of the distance between

@@ -10,9 +10,9 @@ namespace cairn::bullet {
 
 namespace {
 
-bool isNear(const Box& box, const Vec3& p, float reach) {
+bool isIn(const Box& box, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis)
-    if (p[axis] < box.lower[axis] - reach || p[axis] > box.upper[axis] + reach) return false;
+    if (p[axis] < box.lower[axis] || p[axis] > box.upper[axis]) return false;
   return true;
 }
 
@@ -35,146 +35,93 @@ bool explains(const FeatureContact& contact, const OverlapPoint& point, const Co
   return depth >= -slack && depth <= tuning::kExplainedDepths * std::max(-contact.separation, 0.0F) + slack;
 }
 
+// What pushes against the way out is the far side of something thin.
+void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, std::vector<FeatureContact>& contacts) {
+  const Box box = boxOf(region.points).grown(near);
+  std::erase_if(contacts, [&](const FeatureContact& c) {
+    return c.kind != FeatureKind::overlap && dot(c.normal, normal) < 0 && isIn(box, c.position);
+  });
+}
+
 }  // namespace
 
 void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limits, float thickness,
-                         std::span<const OverlapPoint> points, DeepDirections& kept,
-                         std::vector<FeatureContact>& contacts) {
-  const DeepDirections last = kept;
-  kept.count = 0;
-  std::size_t explaining = contacts.size();
-  while (!points.empty()) {
-    const auto end = std::ranges::find_if(points, [&](const OverlapPoint& p) { return p.region != points[0].region; });
-    const auto region = points.first(static_cast<std::size_t>(end - points.begin()));
-    points = points.subspan(region.size());
-    leaveUnexplained(region, limits, std::span(contacts).first(explaining));
-    if (region_.empty()) continue;
-    gatherDirections(surfaces);
-    if (directions_.empty()) continue;
-    Width least = leastWidth(last);
-    if (least.width < tuning::kLeastWidth * limits.contactDistance) continue;
-    const bool isWrapped = least.width > tuning::kWrappedThicknesses * thickness &&
-                           length(mean_) < tuning::kWrappedMean * static_cast<float>(faces_);
-    if (isWrapped) {
-      const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
-      if (!(length(bodies) > 0)) continue;
-      least = widthAlong(normalized(bodies));
-    }
-    dropOpposed(region, least.normal, limits, contacts, explaining);
-    appendRegion(least, contacts);
-    if (kept.count < kept.normal.size()) kept.normal[kept.count++] = least.normal;
+                         std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts) {
+  for (const OverlapRegion& region : regions) {
+    leaveUnexplained(region, limits, contacts);
+    if (deep_.empty()) continue;
+    const Vec3 out = wayOut(surfaces, region, thickness);
+    if (out == Vec3() || widthAlong(out).width() < tuning::kLeastWidth * limits.contactDistance) continue;
+    dropOpposed(region, out, limits.contactDistance, contacts);
+    appendAlong(out, contacts);
   }
 }
 
-// What pushes against the way out is the far side of something thin.
-void DeepOverlap::dropOpposed(std::span<const OverlapPoint> region, const Vec3& normal, const ContactLimits& limits,
-                              std::vector<FeatureContact>& contacts, std::size_t& explaining) {
-  const Box box = boxOf(region);
-  const auto first = contacts.begin(), end = first + static_cast<std::ptrdiff_t>(explaining);
-  const auto kept = std::remove_if(first, end, [&](const FeatureContact& c) {
-    return dot(c.normal, normal) < 0 && isNear(box, c.position, limits.contactDistance);
-  });
-  explaining = static_cast<std::size_t>(kept - first);
-  contacts.erase(kept, end);
-}
-
-void DeepOverlap::leaveUnexplained(std::span<const OverlapPoint> region, const ContactLimits& limits,
+void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                                    std::span<const FeatureContact> explaining) {
-  region_.clear();
-  const Box box = boxOf(region);
-  const auto isOfRegion = [&](const FeatureContact& c) {
-    return isNear(box, c.position, tuning::kNearDepths * std::max(-c.separation, 0.0F) + limits.contactDistance);
-  };
-  for (const OverlapPoint& point : region)
-    if (std::ranges::none_of(explaining, [&](const auto& c) { return isOfRegion(c) && explains(c, point, limits); }))
-      region_.push_back(point);
+  deep_.clear();
+  for (const OverlapPoint& point : region.points)
+    if (std::ranges::none_of(explaining, [&](const FeatureContact& c) {
+          return c.kind != FeatureKind::overlap && explains(c, point, limits);
+        }))
+      deep_.push_back(point);
 }
 
-void DeepOverlap::offer(const Vec3& normal) {
-  mean_ += normal;
-  ++faces_;
-  if (std::ranges::none_of(directions_, [&](const Vec3& d) { return dot(d, normal) > tuning::kSameWay; }))
-    directions_.push_back(normal);
+// Bodies that are wrapped around each other overlap no less whichever way they move a little: they are parted along the
+// line of their middles.
+Vec3 DeepOverlap::wayOut(const SurfacePair& surfaces, const OverlapRegion& region, float thickness) const {
+  const float area = length(region.area);
+  const Vec3 out = area > 0 ? -region.area / area : Vec3();
+  const bool isWide = out == Vec3() || widthAlong(out).width() > tuning::kWrappedThicknesses * thickness;
+  if (!isWide || meanNormal(surfaces) >= tuning::kWrappedMean) return out;
+  const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
+  return length(bodies) > 0 ? normalized(bodies) : out;
 }
 
-// The faces that edges cross, and those around vertices inside.
-void DeepOverlap::gatherDirections(const SurfacePair& surfaces) {
-  directions_.clear();
-  mean_ = {};
-  faces_ = 0;
-  const auto offerFace = [&](bool isOfA, std::uint32_t face) {
+// How long the mean is of the normals of faces that edges cross, and of those around vertices inside: A's turned round.
+float DeepOverlap::meanNormal(const SurfacePair& surfaces) const {
+  Vec3 sum;
+  std::size_t count = 0;
+  const auto add = [&](bool isOfA, std::uint32_t face) {
+    if (face == SurfaceEdge::kNone) return;
     const PlacedSurface& side = isOfA ? surfaces.a : surfaces.b;
-    if (face == SurfaceEdge::kNone || side.features().faces()[face].normal == Vec3()) return;
     const Vec3 normal = side.directionToPair(side.features().faces()[face].normal);
-    offer(isOfA ? -normal : normal);
+    sum += isOfA ? -normal : normal;
+    ++count;
   };
-  for (const OverlapPoint& point : region_) {
+  for (const OverlapPoint& point : deep_) {
     const SurfaceFeatures& own = (point.isOfA ? surfaces.a : surfaces.b).features();
-    if (point.isCrossing) {
-      offerFace(!point.isOfA, point.face);
-      for (const std::uint32_t t : own.edges()[point.feature].triangle) offerFace(point.isOfA, t);
-    } else {
-      for (const std::uint32_t e : own.edgesAround(point.feature))
-        for (const std::uint32_t t : own.edges()[e].triangle) offerFace(point.isOfA, t);
-    }
+    if (point.isCrossing) add(!point.isOfA, point.face);
+    const std::span<const std::uint32_t> edges =
+        point.isCrossing ? std::span(&point.feature, 1) : own.edgesAround(point.feature);
+    for (const std::uint32_t e : edges)
+      for (const std::uint32_t t : own.edges()[e].triangle) add(point.isOfA, t);
   }
-  if (length(mean_) > 0) {
-    const Vec3 mean = normalized(mean_);
-    if (std::ranges::none_of(directions_, [&](const Vec3& d) { return dot(d, mean) > tuning::kSameWay; }))
-      directions_.push_back(mean);
-  }
+  return count > 0 ? length(sum) / static_cast<float>(count) : 0;
 }
 
-// Crossings are of both bodies.
+// Crossings are points of both. Where only one body has any, all are to come up to the highest.
 DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  Width width{normal, 0, kInfinity, -kInfinity};
-  for (const OverlapPoint& point : region_) {
+  Width width{kInfinity, -kInfinity}, ofAll = width;
+  for (const OverlapPoint& point : deep_) {
     const float height = dot(normal, point.position);
+    ofAll = {std::min(ofAll.lowest, height), std::max(ofAll.highest, height)};
     if (point.isOfA || point.isCrossing) width.lowest = std::min(width.lowest, height);
     if (!point.isOfA || point.isCrossing) width.highest = std::max(width.highest, height);
   }
-  if (width.lowest < kInfinity && width.highest > -kInfinity) {
-    width.width = width.highest - width.lowest;
-    return width;
-  }
-  // Vertices of one body alone, whose crossings are explained: they have to come up to the highest of them, or down.
-  const bool isOfA = width.lowest < kInfinity;
-  for (const OverlapPoint& point : region_) {
+  return width.lowest < kInfinity && width.highest > -kInfinity ? width : ofAll;
+}
+
+void DeepOverlap::appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const {
+  const Width width = widthAlong(normal);
+  for (const OverlapPoint& point : deep_) {
     const float height = dot(normal, point.position);
-    width.lowest = std::min(width.lowest, height);
-    width.highest = std::max(width.highest, height);
-  }
-  static_cast<void>(isOfA);
-  width.width = width.highest - width.lowest;
-  return width;
-}
-
-DeepOverlap::Width DeepOverlap::leastWidth(const DeepDirections& kept) const {
-  Width least = widthAlong(directions_[0]);
-  float merit = least.width;
-  const auto compare = [&](const Vec3& normal, float share) {
-    const Width width = widthAlong(normal);
-    if (share * width.width >= merit) return;
-    merit = share * width.width;
-    least = width;
-  };
-  for (const Vec3& normal : directions_) compare(normal, 1);
-  for (const Vec3& normal : std::span(kept.normal).first(kept.count)) {
-    const bool isFaced = std::ranges::any_of(directions_, [&](const Vec3& d) { return dot(d, normal) > 0; });
-    if (isFaced) compare(normal, tuning::kKeptDirection);
-  }
-  return least;
-}
-
-void DeepOverlap::appendRegion(const Width& least, std::vector<FeatureContact>& contacts) const {
-  for (const OverlapPoint& point : region_) {
-    const float height = dot(least.normal, point.position);
-    const float depth = point.isOfA ? least.highest - height : height - least.lowest;
-    if (depth < tuning::kDeepPart * least.width) continue;
+    const float depth = point.isOfA ? width.highest - height : height - width.lowest;
+    if (depth < tuning::kDeepPart * width.width()) continue;
     FeatureContact contact;
-    contact.position = point.position + least.normal * ((point.isOfA ? 0.5F : -0.5F) * depth);
-    contact.normal = least.normal;
+    contact.position = point.position + normal * ((point.isOfA ? 0.5F : -0.5F) * depth);
+    contact.normal = normal;
     contact.separation = -depth;
     contact.kind = FeatureKind::overlap;
     contact.featureA = point.isOfA ? point.feature : point.face;

@@ -11,41 +11,31 @@
 
 namespace cairn::bullet {
 
-/// The directions in which deep regions of a pair were pushed in the last step, pair frame.
-struct DeepDirections {
-  std::array<Vec3, 4> normal;
-  std::size_t count = 0;
-};
-
-/// Contacts of what overlaps deeper than local minima explain: each region is pushed out along the direction in which it
-/// is least wide.
+/// Contacts of what overlaps deeper than local minima explain: each region is pushed out the way in which the overlap
+/// grows less fastest.
 class DeepOverlap {
  public:
-  /// Appends to `contacts`, whose first ones explain what they can. `kept`: last step's directions, replaced by this
-  /// one's. `thickness`: of both bodies together, world length.
+  /// Appends to `contacts`, whose first ones explain what they can; of these, what pushes against the way out goes.
+  /// `thickness`: of both bodies together, world length.
   void append(const SurfacePair& surfaces, const ContactLimits& limits, float thickness,
-              std::span<const OverlapPoint> points, DeepDirections& kept, std::vector<FeatureContact>& contacts);
+              std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts);
 
  private:
+  // How far a region reaches along the way out: A's points from the lowest up, B's from the highest down.
   struct Width {
-    Vec3 normal;
-    float width = 0, lowest = 0, highest = 0;  // of A's points, of B's
+    float lowest = 0, highest = 0;
+
+    float width() const { return highest - lowest; }
   };
 
-  void leaveUnexplained(std::span<const OverlapPoint> region, const ContactLimits& limits,
+  void leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                         std::span<const FeatureContact> explaining);
-  static void dropOpposed(std::span<const OverlapPoint> region, const Vec3& normal, const ContactLimits& limits,
-                          std::vector<FeatureContact>& contacts, std::size_t& explaining);
-  void gatherDirections(const SurfacePair& surfaces);
-  void offer(const Vec3& normal);
+  Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region, float thickness) const;
+  float meanNormal(const SurfacePair& surfaces) const;
   Width widthAlong(const Vec3& normal) const;
-  Width leastWidth(const DeepDirections& kept) const;
-  void appendRegion(const Width& least, std::vector<FeatureContact>& contacts) const;
+  void appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const;
 
-  std::vector<OverlapPoint> region_;
-  std::vector<Vec3> directions_;
-  Vec3 mean_;
-  std::size_t faces_ = 0;
+  std::vector<OverlapPoint> deep_;  // of the region at hand
 };
 
 }  // namespace cairn::bullet

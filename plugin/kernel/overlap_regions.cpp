@@ -38,8 +38,9 @@ void OverlapRegions::join(std::uint32_t x, std::uint32_t y) {
   parent_[std::max(rootX, rootY)] = std::min(rootX, rootY);
 }
 
-std::span<const OverlapPoint> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings) {
+std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings) {
   points_.clear();
+  regions_.clear();
   if (crossings.empty()) return {};
   std::ranges::sort(crossings, {}, &Crossing::place);
   crossings.erase(std::ranges::unique(crossings, isSamePlace).begin(), crossings.end());
@@ -51,9 +52,36 @@ std::span<const OverlapPoint> OverlapRegions::find(const SurfacePair& surfaces, 
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(surfaces, crossings);
+  gather(surfaces, crossings);
+  return regions_;
+}
+
+void OverlapRegions::gather(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
   for (OverlapPoint& point : points_) point.region = rootOf(point.region);
   std::ranges::stable_sort(points_, {}, &OverlapPoint::region);
-  return points_;
+  areas_.assign(crossings.size(), {});
+  for (std::size_t i = 1; i < trianglePairs_.size(); ++i)
+    if (trianglePairs_[i].first == trianglePairs_[i - 1].first)
+      areas_[rootOf(trianglePairs_[i].second)] += areaBetween(surfaces, crossings, i);
+  for (std::span<const OverlapPoint> points = points_; !points.empty();) {
+    const std::uint32_t region = points[0].region;
+    const auto end = std::ranges::find_if(points, [&](const OverlapPoint& p) { return p.region != region; });
+    const auto own = points.first(static_cast<std::size_t>(end - points.begin()));
+    regions_.push_back({own, areas_[region]});
+    points = points.subspan(own.size());
+  }
+}
+
+// Two triangles cross between two crossings of their edges. On A's surface the border of what is inside B runs along
+// the product of their normals.
+Vec3 OverlapRegions::areaBetween(const SurfacePair& surfaces, std::span<const Crossing> crossings,
+                                 std::size_t at) const {
+  const auto& [key, second] = trianglePairs_[at];
+  const Vec3 origin = crossings[0].position;
+  const Vec3 from = crossings[trianglePairs_[at - 1].second].position - origin, to = crossings[second].position - origin;
+  const Vec3 a = surfaces.a.directionToPair(surfaces.a.features().faces()[key >> 32].normal);
+  const Vec3 b = surfaces.b.directionToPair(surfaces.b.features().faces()[key & 0xFFFFFFFFU].normal);
+  return cross(from, to) * (dot(to - from, cross(a, b)) < 0 ? -0.5F : 0.5F);
 }
 
 // Two triangles cross along a line, whose ends are crossings of their edges.

@@ -21,15 +21,24 @@ struct OverlapPoint {
   std::uint32_t region = 0;
 };
 
+/// What belongs together: a piece of the overlap of two bodies.
+struct OverlapRegion {
+  std::span<const OverlapPoint> points;
+  /// The vector area of A's surface inside B, pair frame: by how much the overlap grows when A moves.
+  Vec3 area;
+};
+
 /// Which points of two bodies are inside each other, and which of these belong together: where surfaces cross, the
 /// vertices on the inner sides, and all that these are joined with by edges which do not cross.
 class OverlapRegions {
  public:
-  /// Ordered by region. `crossings` are sorted and made unique.
-  std::span<const OverlapPoint> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings);
+  /// `crossings` are sorted and made unique. Valid until the next call.
+  std::span<const OverlapRegion> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings);
 
  private:
   void joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings);
+  void gather(const SurfacePair& surfaces, std::span<const Crossing> crossings);
+  Vec3 areaBetween(const SurfacePair& surfaces, std::span<const Crossing> crossings, std::size_t at) const;
   void flood(const SurfacePair& surfaces, std::span<const Crossing> crossings);
   void seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex, std::uint32_t region);
   std::uint32_t visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex, std::uint32_t region);
@@ -40,6 +49,8 @@ class OverlapRegions {
   std::vector<std::uint32_t> parent_;  // of regions, by crossing
   std::vector<std::pair<std::uint64_t, std::uint32_t>> trianglePairs_;
   std::vector<OverlapPoint> points_;
+  std::vector<Vec3> areas_;  // by crossing, where that is its region's root
+  std::vector<OverlapRegion> regions_;
   std::vector<std::uint32_t> waiting_;  // points whose neighbours are to be visited
   // By vertex of A and of B: the point it is, or kOutside, in the search that its stamp names.
   struct Visit {
