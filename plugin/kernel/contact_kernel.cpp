@@ -16,11 +16,11 @@ ContactKernel::Answer ContactKernel::run(const PlacedTree& a, const PlacedTree& 
   memory.isListed = limits.skin > 0;
   contacts_.clear();
   crossings_.clear();
-  FeatureContacts(surfaces, limits).append(memory.lists, contacts_);
-  appendCrossings(surfaces, memory.lists, crossings_);
+  placed_.begin(surfaces);
+  FeatureContacts(surfaces, placed_, limits).append(memory.lists, contacts_);
+  appendCrossings(surfaces, placed_, memory.lists, crossings_);
   dropDeeper(a, b, limits);
-  const float thickness = a.tree().surface().thickness * a.scale() + b.tree().surface().thickness * b.scale();
-  deepOverlap_.append(surfaces, limits, thickness, regions_.find(surfaces, crossings_), contacts_);
+  deepOverlap_.append(surfaces, limits, regions_.find(surfaces, crossings_), contacts_);
   return {contacts_, memory.lists.apart};
 }
 

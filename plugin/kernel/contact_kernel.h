@@ -40,6 +40,7 @@ class ContactKernel {
                    float more);
 
   FeatureLister lister_;
+  PlacedPair placed_;
   std::vector<FeatureContact> contacts_, shallow_;
   std::vector<Crossing> crossings_;
   OverlapRegions regions_;

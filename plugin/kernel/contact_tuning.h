@@ -41,15 +41,8 @@ inline constexpr float kExplainedDepths = 1.5F;
 
 /// Of a region of overlap that is not explained, points deeper than this part of its least width are contacts.
 inline constexpr float kDeepPart = 0.3F;
-/// The direction of the last step counts as if the region were this much narrower along it.
-inline constexpr float kKeptDirection = 0.8F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
-/// Bodies that are wrapped around each other: a region wider than so many of both thicknesses, whose faces' normals have
-/// a mean shorter than this, has no direction to be pushed along.
-inline constexpr float kWrappedThicknesses = 1.5F;
-inline constexpr float kWrappedMean = 0.3F;
-
 /// Contacts nearer to each other than this are one if their normals are within 10 degrees. Sizes.
 inline constexpr float kSamePlace = 1e-4F;
 inline constexpr float kSameWay = 0.984807753F;

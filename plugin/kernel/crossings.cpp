@@ -5,11 +5,11 @@ namespace cairn::bullet {
 
 namespace {
 
-void append(const PlacedSurface& edged, const PlacedSurface& faced, std::uint32_t edge, std::uint32_t index,
+void append(const PlacedSurface& edged, PlacedVertices& placed, const PlacedSurface& faced, std::uint32_t edge, std::uint32_t index,
             bool isEdgeOfA, std::vector<Crossing>& crossings) {
   const SurfaceFace& face = faced.features().faces()[index];
   const auto& [v, w] = edged.features().edges()[edge].vertex;
-  const Vec3 from = edged.toOther * edged.vertex(v), to = edged.toOther * edged.vertex(w);
+  const Vec3 from = placed[v], to = placed[w];
   const float first = dot(face.normal, from) - face.offset, second = dot(face.normal, to) - face.offset;
   if ((first < 0) == (second < 0)) return;
   const float along = first / (first - second);
@@ -21,11 +21,12 @@ void append(const PlacedSurface& edged, const PlacedSurface& faced, std::uint32_
 
 }  // namespace
 
-void appendCrossings(const SurfacePair& surfaces, const FeatureLists& lists, std::vector<Crossing>& crossings) {
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists,
+                     std::vector<Crossing>& crossings) {
   for (const auto& [edge, face] : lists.edgesThroughFaces)
-    append(surfaces.a, surfaces.b, edge, face, true, crossings);
+    append(surfaces.a, placed.aInB, surfaces.b, edge, face, true, crossings);
   for (const auto& [face, edge] : lists.facesThroughEdges)
-    append(surfaces.b, surfaces.a, edge, face, false, crossings);
+    append(surfaces.b, placed.bInA, surfaces.a, edge, face, false, crossings);
 }
 
 }  // namespace cairn::bullet

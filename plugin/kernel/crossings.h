@@ -21,6 +21,7 @@ struct Crossing {
 };
 
 /// Appends all crossings among what is listed.
-void appendCrossings(const SurfacePair& surfaces, const FeatureLists& lists, std::vector<Crossing>& crossings);
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists,
+                     std::vector<Crossing>& crossings);
 
 }  // namespace cairn::bullet

@@ -43,14 +43,21 @@ void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, st
   });
 }
 
+// Where the overlap grows no less whichever way the bodies move they are parted along the line of their middles.
+Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
+  const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
+  const Vec3 way = region.area != Vec3() ? -region.area : bodies;
+  return way != Vec3() ? normalized(way) : way;
+}
+
 }  // namespace
 
-void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limits, float thickness,
+void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limits,
                          std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts) {
   for (const OverlapRegion& region : regions) {
     leaveUnexplained(region, limits, contacts);
     if (deep_.empty()) continue;
-    const Vec3 out = wayOut(surfaces, region, thickness);
+    const Vec3 out = wayOut(surfaces, region);
     if (out == Vec3() || widthAlong(out).width() < tuning::kLeastWidth * limits.contactDistance) continue;
     dropOpposed(region, out, limits.contactDistance, contacts);
     appendAlong(out, contacts);
@@ -65,39 +72,6 @@ void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLim
           return c.kind != FeatureKind::overlap && explains(c, point, limits);
         }))
       deep_.push_back(point);
-}
-
-// Bodies that are wrapped around each other overlap no less whichever way they move a little: they are parted along the
-// line of their middles.
-Vec3 DeepOverlap::wayOut(const SurfacePair& surfaces, const OverlapRegion& region, float thickness) const {
-  const float area = length(region.area);
-  const Vec3 out = area > 0 ? -region.area / area : Vec3();
-  const bool isWide = out == Vec3() || widthAlong(out).width() > tuning::kWrappedThicknesses * thickness;
-  if (!isWide || meanNormal(surfaces) >= tuning::kWrappedMean) return out;
-  const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
-  return length(bodies) > 0 ? normalized(bodies) : out;
-}
-
-// How long the mean is of the normals of faces that edges cross, and of those around vertices inside: A's turned round.
-float DeepOverlap::meanNormal(const SurfacePair& surfaces) const {
-  Vec3 sum;
-  std::size_t count = 0;
-  const auto add = [&](bool isOfA, std::uint32_t face) {
-    if (face == SurfaceEdge::kNone) return;
-    const PlacedSurface& side = isOfA ? surfaces.a : surfaces.b;
-    const Vec3 normal = side.directionToPair(side.features().faces()[face].normal);
-    sum += isOfA ? -normal : normal;
-    ++count;
-  };
-  for (const OverlapPoint& point : deep_) {
-    const SurfaceFeatures& own = (point.isOfA ? surfaces.a : surfaces.b).features();
-    if (point.isCrossing) add(!point.isOfA, point.face);
-    const std::span<const std::uint32_t> edges =
-        point.isCrossing ? std::span(&point.feature, 1) : own.edgesAround(point.feature);
-    for (const std::uint32_t e : edges)
-      for (const std::uint32_t t : own.edges()[e].triangle) add(point.isOfA, t);
-  }
-  return count > 0 ? length(sum) / static_cast<float>(count) : 0;
 }
 
 // Crossings are points of both. Where only one body has any, all are to come up to the highest.

@@ -12,13 +12,12 @@
 namespace cairn::bullet {
 
 /// Contacts of what overlaps deeper than local minima explain: each region is pushed out the way in which the overlap
-/// grows less fastest.
+/// shrinks fastest.
 class DeepOverlap {
  public:
   /// Appends to `contacts`, whose first ones explain what they can; of these, what pushes against the way out goes.
-  /// `thickness`: of both bodies together, world length.
-  void append(const SurfacePair& surfaces, const ContactLimits& limits, float thickness,
-              std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts);
+  void append(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
+              std::vector<FeatureContact>& contacts);
 
  private:
   // How far a region reaches along the way out: A's points from the lowest up, B's from the highest down.
@@ -30,8 +29,6 @@ class DeepOverlap {
 
   void leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                         std::span<const FeatureContact> explaining);
-  Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region, float thickness) const;
-  float meanNormal(const SurfacePair& surfaces) const;
   Width widthAlong(const Vec3& normal) const;
   void appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const;
 

@@ -90,7 +90,7 @@ void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const Place
                                        std::uint32_t index, std::vector<FeatureContact>& contacts) const {
   const bool isOfA = &pointed == &surfaces_.a;
   const SurfaceFace& face = faced.features().faces()[index];
-  const Vec3 placed = pointed.toOther * pointed.vertex(vertex);
+  const Vec3 placed = (isOfA ? placed_.aInB : placed_.bInA)[vertex];
   const float height = dot(face.normal, placed) - face.offset;
   const float separation = height * faced.scale - limits_.margins;
   if (!limits_.trusts(separation) || !isOver(face, faced, index, placed, limits_.besideAt(separation) / faced.scale))
@@ -127,13 +127,14 @@ void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
   const PlacedSurface &a = surfaces_.a, &b = surfaces_.b;
   const SurfaceEdge &edgeA = a.features().edges()[ofA], &edgeB = b.features().edges()[ofB];
   const auto line = [](const Vec3& from, const Vec3& to) { return Line{from, to - from}; };
-  const Line lineA = line(a.toOther * a.vertex(edgeA.vertex[0]), a.toOther * a.vertex(edgeA.vertex[1]));
+  const Line lineA = line(placed_.aInB[edgeA.vertex[0]], placed_.aInB[edgeA.vertex[1]]);
   const Line lineB = line(b.vertex(edgeB.vertex[0]), b.vertex(edgeB.vertex[1]));
   const Vec3 outwardA = a.axesToOther * edgeA.outward, across = cross(lineA.way, lineB.way);
+  const float alongB = dot(across, edgeB.outward);
+  if (!(alongB * dot(across, outwardA) < 0)) return;
   const float lengthA = length(lineA.way), lengthB = length(lineB.way), norm = length(across);
   if (!(norm > tuning::kParallelSine * lengthA * lengthB)) return;
-  const Vec3 normal = across * ((dot(across, edgeB.outward) < 0 ? -1 : 1) / norm);
-  if (!(dot(normal, edgeB.outward) > 0 && dot(normal, outwardA) < 0)) return;
+  const Vec3 normal = across * ((alongB < 0 ? -1 : 1) / norm);
   const float separation = dot(normal, lineA.from - lineB.from) * b.scale - limits_.margins;
   if (!limits_.trusts(separation)) return;
   const Nearest at = nearestOf(lineA, lineB);

@@ -8,6 +8,7 @@
 
 #include "cairn/core/traversal.h"
 #include "kernel/feature_lists.h"
+#include "kernel/placed_vertices.h"
 
 namespace cairn::bullet {
 
@@ -27,7 +28,8 @@ struct FeatureContact {
 /// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges.
 class FeatureContacts {
  public:
-  FeatureContacts(const SurfacePair& surfaces, const ContactLimits& limits) : surfaces_(surfaces), limits_(limits) {}
+  FeatureContacts(const SurfacePair& surfaces, PlacedPair& placed, const ContactLimits& limits)
+      : surfaces_(surfaces), placed_(placed), limits_(limits) {}
 
   void append(const FeatureLists& lists, std::vector<FeatureContact>& contacts) const;
 
@@ -40,6 +42,7 @@ class FeatureContacts {
   bool isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards, float separation) const;
 
   const SurfacePair& surfaces_;
+  PlacedPair& placed_;
   const ContactLimits& limits_;
 };
 

@@ -204,9 +204,9 @@ HWY_INLINE Lanes clamped(Lanes v) {
   return hn::Max(hn::Zero(d), hn::Min(v, hn::Set(d, 1.0F)));
 }
 
-// The square of the distance of two edges; `between`: from the second's first end to the first's. Where they are
+// From one edge to another where they are nearest; `between`: from the second's first end to the first's. Where they are
 // parallel any place along them does.
-HWY_INLINE Lanes distanceSqOf(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
+HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
                               Lanes lengthSqB) {
   const Tag d;
   const auto tiny = hn::Set(d, std::numeric_limits<float>::min());
@@ -215,11 +215,13 @@ HWY_INLINE Lanes distanceSqOf(const Points& between, const Points& way, const Po
   const auto first = clamped(hn::Div(hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da)), det));
   const auto onB = clamped(hn::Div(hn::Add(hn::Mul(ab, first), db), hn::Max(lengthSqB, tiny)));
   const auto onA = clamped(hn::Div(hn::Sub(hn::Mul(ab, onB), da), hn::Max(lengthSqA, tiny)));
-  const Points apart{hn::Sub(hn::Add(between.x, hn::Mul(way.x, onA)), hn::Mul(wayB.x, onB)),
-                     hn::Sub(hn::Add(between.y, hn::Mul(way.y, onA)), hn::Mul(wayB.y, onB)),
-                     hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
-  return dotOf(apart, apart);
+  return {hn::Sub(hn::Add(between.x, hn::Mul(way.x, onA)), hn::Mul(wayB.x, onB)),
+          hn::Sub(hn::Add(between.y, hn::Mul(way.y, onA)), hn::Mul(wayB.y, onB)),
+          hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
 }
+
+// Sine of the angle from which a normal of two edges turns little when they do.
+constexpr float kClearSine = 0.1F;
 
 // An edge of A against the convex ones of B that `nearEdges` names: what is no farther than contacts are, and may face
 // each other once the bodies have turned a little.
@@ -242,15 +244,23 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     if ((bitsOf(mask) & nearHere) == 0) continue;
     const Points wayB = minus(s, r), across = crossOf(way, wayB);
     const auto lengthSqB = dotOf(wayB, wayB), lengths = hn::Sqrt(hn::Mul(lengthSqA, lengthSqB));
-    const auto slack = hn::Mul(hn::Set(d, turn), hn::Add(hn::Sqrt(dotOf(across, across)), lengths));
+    const auto norm = hn::Sqrt(dotOf(across, across));
+    const auto slack = hn::Mul(hn::Set(d, turn), hn::Add(norm, lengths));
     const auto alongA = dotOf(across, outwardA),
                alongB = dotOf(across, load(edges.edgeColumns + 6 * stride, stride, at));
     const auto up = hn::And(hn::Ge(alongB, hn::Neg(slack)), hn::Le(alongA, slack));
     const auto down = hn::And(hn::Le(alongB, slack), hn::Ge(alongA, hn::Neg(slack)));
     mask = hn::And(mask, hn::Or(up, down));
     if ((bitsOf(mask) & nearHere) == 0) continue;
-    const auto distanceSq = distanceSqOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
+    const Points apart = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
+    const auto distanceSq = dotOf(apart, apart), upwards = dotOf(apart, across);
     mask = hn::And(mask, hn::Le(distanceSq, hn::Set(d, grown * grown)));
+    // What is clearly in front, and not nearly parallel, stays so.
+    const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
+    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, hn::Sqrt(distanceSq)))),
+                                   hn::Gt(norm, hn::Mul(hn::Set(d, kClearSine), lengths)));
+    const float ahead = limits.reach + limits.besideDeep;
+    mask = hn::AndNot(hn::And(isInFront, hn::Gt(distanceSq, hn::Set(d, ahead * ahead))), mask);
     addEach(bitsOf(mask) & nearHere, at, add);
   }
 }
