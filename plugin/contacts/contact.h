@@ -37,8 +37,6 @@ struct Contact {
   /// more than its depth: what has crossed in its direction may be past each other.
   float exactError = 0;
   bool isExact = false;     ///< measured between source triangles
-  bool isCrossing = false;  ///< of triangles that cross, which does not tell how deep the bodies are in each other
-  bool isSettled = false;   ///< exact, or nothing finer can be told
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
   bool isLater = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
   bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart

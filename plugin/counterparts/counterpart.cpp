@@ -30,15 +30,6 @@ std::optional<float> Counterpart::appendOfMesh(const MeshQuestion& /*question*/,
 
 void Counterpart::learnNormals(std::span<const Vec3> /*normals*/) {}
 
-std::optional<float> Counterpart::appendCrossing(float /*ofInterest*/, Budget& /*budget*/,
-                                                 std::vector<Contact>& /*contacts*/) {
-  return {};
-}
-
-bool Counterpart::sharpen(const Contact& /*rough*/, Budget& /*budget*/, std::vector<Contact>& /*contacts*/) {
-  return false;
-}
-
 namespace {
 
 // Concave by name, but its `processAllTriangles` is empty. Others may share its type number.

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTe
 struct MeshQuestion {
   Finest finest;
   ContactKernel& kernel;
+  const RelativePlacement& placement;  ///< how the bodies stand to each other
   Budget& budget;
 };
 
@@ -88,27 +89,13 @@ class Counterpart {
 
   /// In place of `appendContacts` for all leaf pairs of a traversal that is done, where the source mesh has so few
   /// triangles that it says more for less: appends the contacts, and returns how far the surfaces are apart at least
-  /// (world length), minus infinity where that is not known. Charged whatever is left of the budget. Nothing, and
-  /// nothing appended, when the leaf pairs have to be asked. Default: nothing.
+  /// (world length), minus infinity where that is not known. Nothing, and nothing appended, when the leaf pairs have to
+  /// be asked, or the budget does not cover triangles that the question asks for. Default: nothing.
   virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
   /// The leaf pair to be asked first next time, of a contact that was told.
   virtual NodePair leavesOf(const Contact& contact) const { return contact.pair; }
   /// The common normals of this step's clusters, measured between leaves; zero where there is none.
   virtual void learnNormals(std::span<const Vec3> normals);
-
-  /// Whether there are source triangles on both sides, to go on to past the leaves.
-  virtual bool hasTriangles() const { return false; }
-  /// Past the leaves, where nothing is said to touch: appends contacts of all leaf pairs whose source triangles cross,
-  /// as these say, or where they say nothing with a gap of zero, and returns how far the triangles of all others are
-  /// apart (world length), or some bound of it above `ofInterest` (at least 0). Nothing when the budget does not cover
-  /// it, or there are no triangles on both sides: then what was not asked may still overlap. Precondition: the
-  /// traversal is done. Default: nothing.
-  virtual std::optional<float> appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts);
-
-  /// Past the leaves: replaces the contact of two regions by what their source triangles say, appended to `contacts`:
-  /// nothing when they are not below the reach apart. False when the budget does not cover it or the triangles say
-  /// nothing; then the contact is all that is known. Default: false, there are no triangles on both sides.
-  virtual bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts);
 
   /// Diagonal of such a shape's box, world length; infinite when it has no size of its own to speak of.
   virtual float size(const btCollisionShape& shape) const = 0;

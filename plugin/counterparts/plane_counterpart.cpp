@@ -53,12 +53,15 @@ void PlaneCounterpart::placeObstacle() {
 
 void PlaneCounterpart::reset() {
   Counterpart::reset();
-  leafOf_.clear();
+  areFound_ = false;
 }
 
 void PlaneCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
-  leafOf_.clear();
-  if (hasFewVertices()) leafOf_.reserve(tree_.tree().vertices().size());
+  areFound_ = false;
+  if (hasFewVertices()) {
+    leafOf_.reserve(tree_.tree().vertices().size());
+    nearVertices_.reserve(tree_.tree().vertices().size());
+  }
   skin_ = skin;
   placeObstacle();
   traversal_.start(tree_.tree(), tree_.scale(), obstacle_);
@@ -99,32 +102,37 @@ bool PlaneCounterpart::hasFewVertices() const {
 }
 
 // Of the leaves that are near, the first that holds a vertex stands for it.
-void PlaneCounterpart::findLeaves() {
+void PlaneCounterpart::findVertices() {
   const SphereTree& tree = tree_.tree();
-  const std::span<const NodePair> leafPairs = traversal_.leafPairs();
+  areFound_ = true;
+  nearVertices_.clear();
   leafOf_.assign(tree.vertices().size(), kNoLeaf);
-  for (const NodePair& pair : leafPairs)
+  for (const NodePair& pair : traversal_.leafPairs())
     for (const std::uint32_t triangle : tree.regionTriangles(pair.a))
       for (const std::uint32_t v : tree.triangles()[triangle]) {
         const Sphere ball = tree.sphere(pair.a);
-        if (leafOf_[v] == kNoLeaf && distance(tree.vertices()[v], ball.center) <= ball.radius) leafOf_[v] = pair.a;
+        if (leafOf_[v] != kNoLeaf || distance(tree.vertices()[v], ball.center) > ball.radius) continue;
+        leafOf_[v] = pair.a;
+        nearVertices_.push_back({v, pair.a});
       }
 }
 
 // The lowest of a mesh are vertices, whichever leaf they are in.
 std::optional<float> PlaneCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
-  if (!hasFewVertices() || traversal_.leafPairs().empty()) return std::nullopt;
-  if (leafOf_.empty()) findLeaves();
-  question.budget.chargeAnyway(kSphereUpdateCost * leafOf_.size());
+  if (traversal_.leafPairs().empty()) return std::nullopt;
+  if (!hasFewVertices() && question.finest != Finest::triangles) return std::nullopt;
+  if (!areFound_) findVertices();
+  const std::uint64_t cost = kSphereUpdateCost * nearVertices_.size();
+  if (!hasFewVertices() && !question.budget.charge(cost)) return std::nullopt;
+  if (hasFewVertices()) question.budget.chargeAnyway(cost);
   const std::size_t before = contacts.size();
   float lowest = reach_ + skin_;  // or farther: what the traversal did not look for
-  for (std::size_t v = 0; v < leafOf_.size(); ++v) {
-    if (leafOf_[v] == kNoLeaf) continue;
-    const Vec3 vertex = tree_.toPair() * tree_.tree().vertices()[v];
+  for (const NearVertex& near : nearVertices_) {
+    const Vec3 vertex = tree_.toPair() * tree_.tree().vertices()[near.vertex];
     lowest = std::min(lowest, dot(normal_, vertex) - offset_ - margin_);
-    appendContact({leafOf_[v], kRootNode}, vertex, static_cast<int>(v), contacts);
+    appendContact({near.leaf, kRootNode}, vertex, static_cast<int>(near.vertex), contacts);
   }
-  for (Contact& contact : std::span(contacts).subspan(before)) contact.isExact = contact.isSettled = true;
+  for (Contact& contact : std::span(contacts).subspan(before)) contact.isExact = true;
   return lowest;
 }
 
@@ -138,31 +146,6 @@ void PlaneCounterpart::appendContact(const NodePair& pair, const Vec3& onTree, i
   contact.position = onTree - normal_ * (margin_ + 0.5F * contact.gap);
   contact.id = {static_cast<int>(tree_.tree().level(pair.a)), static_cast<int>(pair.a), pointIndex, otherIndex_};
   contacts.push_back(contact);
-}
-
-// What was measured is a point of the mesh and stays: a flat leaf stands on all its corners. The lowest corner of the
-// triangles joins it where it is lower, if it is in the leaf's ball: others see what is beyond.
-bool PlaneCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
-  const SphereTree& tree = tree_.tree();
-  const auto region = tree.regionTriangles(rough.pair.a);
-  if (!budget.charge(static_cast<std::uint32_t>(kSphereUpdateCost * region.size()))) return false;
-  const Sphere ball = tree_.sphere(rough.pair.a);
-  Contact contact = rough;
-  contact.isExact = true;
-  contacts.push_back(contact);
-  std::optional<Vec3> lowest;
-  for (const std::uint32_t triangle : region)
-    for (const std::uint32_t vertex : tree.triangles()[triangle]) {
-      const Vec3 corner = tree_.toPair() * tree.vertices()[vertex];
-      const float gap = dot(normal_, corner) - offset_ - margin_;
-      if (gap >= contact.gap || distance(corner, ball.center) > ball.radius) continue;
-      contact.gap = gap;
-      lowest = corner;
-    }
-  if (!lowest) return true;
-  contact.position = *lowest - normal_ * (margin_ + 0.5F * contact.gap);
-  contacts.push_back(contact);
-  return true;
 }
 
 Contact PlaneCounterpart::boundingContact(const NodePair& pair) {

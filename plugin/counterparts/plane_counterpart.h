@@ -38,7 +38,6 @@ class PlaneCounterpart final : public Counterpart {
   using Counterpart::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
-  bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
@@ -46,7 +45,7 @@ class PlaneCounterpart final : public Counterpart {
  private:
   void placeObstacle();
   bool hasFewVertices() const;
-  void findLeaves();
+  void findVertices();
   void appendContact(const NodePair& pair, const Vec3& onTree, int pointIndex, std::vector<Contact>& contacts) const;
 
   PlacedTree tree_;
@@ -58,7 +57,13 @@ class PlaneCounterpart final : public Counterpart {
   float offset_ = 0;
   PlaneObstacle obstacle_;
   ObstacleTraversal traversal_;
-  std::vector<NodeId> leafOf_;  // by vertex, of the traversal at hand once it is done
+  struct NearVertex {
+    std::uint32_t vertex;
+    NodeId leaf;
+  };
+  std::vector<NearVertex> nearVertices_;  // of the traversal at hand once it is done
+  bool areFound_ = false;
+  std::vector<NodeId> leafOf_;  // by vertex; working memory
 };
 
 }  // namespace cairn::bullet

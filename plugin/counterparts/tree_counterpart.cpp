@@ -244,13 +244,15 @@ NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
   });
 }
 
-float TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
   const float size = contactDistance_ / tuning::kContactDistance;
   const float thinner = std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
   const ContactLimits limits{contactDistance_, reach_,
                              std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_, skin_, size};
-  const ContactKernel::Answer answer = question.kernel.run(a_, b_, limits, kernelMemory_, question.budget);
-  for (const FeatureContact& found : answer.contacts) {
+  const std::optional<ContactKernel::Answer> answer =
+      question.kernel.run(a_, b_, limits, kernelMemory_, question.placement, question.budget);
+  if (!answer) return {};
+  for (const FeatureContact& found : answer->contacts) {
     Contact contact;
     contact.position = found.position;
     contact.normal = found.normal;
@@ -258,54 +260,15 @@ float TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<
     const auto part = [](int feature) { return static_cast<int>(kMaxDepth) + 1 + feature; };
     contact.id = {part(static_cast<int>(found.kind)), static_cast<int>(found.featureA), part(static_cast<int>(found.kind)),
                   static_cast<int>(found.featureB)};
-    contact.isExact = contact.isSettled = true;
+    contact.isExact = true;
     contact.exactError = std::max(0.0F, -found.separation);
     contacts.push_back(contact);
   }
-  return answer.apart;
+  return answer->apart;
 }
 
 void TreeCounterpart::learnNormals(std::span<const Vec3> normals) {
   fewFaces_.learn(a_, b_, normals);
-}
-
-bool TreeCounterpart::sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) {
-  return exactContacts_.replace(a_, b_, margins_, reach_, rough, budget, contacts);
-}
-
-// Sixteen support points leave out some of a region: where they say that two are apart, these may still overlap.
-std::optional<float> TreeCounterpart::appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts) {
-  constexpr float kExactly = std::numeric_limits<float>::infinity();
-  float least = std::numeric_limits<float>::infinity();
-  for (const NodePair& pair : traversal_.leafPairs()) {
-    if (!budget.charge(kContactCost)) return {};
-    Contact contact;
-    contact.pair = pair;
-    touch(contact, kExactly);
-    const std::optional<float> apart =
-        regionDistance_.atLeast(a_, b_, pair, {contact.normal, margins_, ofInterest}, budget);
-    if (!apart) return {};
-    if (*apart > 0)
-      least = std::min(least, *apart);
-    else if (!appendCrossing(contact, budget, contacts))
-      return {};
-  }
-  return least;
-}
-
-// What crosses without facing each other says nothing of how deep it is; that it touches is certain.
-bool TreeCounterpart::appendCrossing(Contact contact, Budget& budget, std::vector<Contact>& contacts) {
-  name(contact);
-  const std::size_t before = contacts.size();
-  if (!exactContacts_.replace(a_, b_, margins_, reach_, contact, budget, contacts)) return false;
-  if (contacts.size() == before) {
-    contact.gap = 0;
-    contact.position =
-        (a_.support(contact.pair.a, -contact.normal) + b_.support(contact.pair.b, contact.normal)) * 0.5F;
-    contacts.push_back(contact);
-  }
-  for (Contact& c : std::span(contacts).subspan(before)) c.isSettled = true;
-  return true;
 }
 
 // What does not face the normal lies on a border where it is about as near along it: its neighbour knows better. Where

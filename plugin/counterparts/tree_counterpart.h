@@ -8,8 +8,6 @@
 #include "counterparts/counterpart.h"
 #include "faces/few_faces.h"
 #include "faces/planar_normal.h"
-#include "triangles/exact_contacts.h"
-#include "triangles/region_distance.h"
 
 namespace cairn::bullet {
 
@@ -33,13 +31,10 @@ class TreeCounterpart final : public Counterpart {
   NodePair leavesOf(const Contact& contact) const override;
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   void learnNormals(std::span<const Vec3> normals) override;
-  bool sharpen(const Contact& rough, Budget& budget, std::vector<Contact>& contacts) override;
-  bool hasTriangles() const override { return true; }
-  std::optional<float> appendCrossing(float ofInterest, Budget& budget, std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
-  float appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts);
+  std::optional<float> appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts);
   bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
   // Whether there is a contact; its gap is set either way, to what the surfaces are apart at least, or at least to
@@ -53,8 +48,6 @@ class TreeCounterpart final : public Counterpart {
   enum class Expected : std::uint8_t { nothing, apart, touching };
   Expected touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const;
   void name(Contact& contact) const;
-  // The contact of two leaves whose triangles cross. False when the budget does not cover it.
-  bool appendCrossing(Contact contact, Budget& budget, std::vector<Contact>& contacts);
   // How far apart the two regions are along a unit vector, at least.
   float separation(const NodePair& pair, const Vec3& along) const;
   // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
@@ -80,8 +73,6 @@ class TreeCounterpart final : public Counterpart {
   PlanarNormal planarNormal_;
   std::array<Vec3, kMaxClusters> expected_;
   std::size_t expectedCount_ = 0;
-  ExactContacts exactContacts_;
-  RegionDistance regionDistance_;
   FewFaces fewFaces_;
 };
 

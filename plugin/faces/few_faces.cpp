@@ -303,7 +303,7 @@ void FewFaces::append(const Question& question, std::size_t k, const NodePair& l
   contact.pair = leaves;
   contact.id = {static_cast<int>(question.a.tree().level(leaves.a)), static_cast<int>(leaves.a),
                 static_cast<int>(question.b.tree().level(leaves.b)), static_cast<int>(leaves.b)};
-  contact.isExact = contact.isSettled = true;
+  contact.isExact = true;
   contacts.push_back(contact);
 }
 

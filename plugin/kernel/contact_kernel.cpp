@@ -9,19 +9,45 @@
 
 namespace cairn::bullet {
 
-ContactKernel::Answer ContactKernel::run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
-                                         KernelMemory& memory, Budget& budget) {
+std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, const PlacedTree& b,
+                                                        const ContactLimits& limits, KernelMemory& memory,
+                                                        const RelativePlacement& placement, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
-  if (!memory.isListed) lister_.list(surfaces, limits, memory.lists, budget);
+  const bool isListed = memory.isListed;
+  memory.isListed = false;
+  if (!isListed && !lister_.list(surfaces, limits, memory.lists, budget)) return {};
+  const bool isStill = isListed && memory.isStillAt(placement, limits);
+  const FeatureLists& asked = isStill ? memory.touching : memory.lists;
+  if (!budget.charge(kOverlapTestCost * asked.size())) return {};
   memory.isListed = limits.skin > 0;
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
-  FeatureContacts(surfaces, placed_, limits).append(memory.lists, contacts_);
-  appendCrossings(surfaces, placed_, memory.lists, crossings_);
+  FeatureContacts(surfaces, placed_, limits).append(asked, contacts_);
   dropDeeper(a, b, limits);
+  if (isStill) return Answer{contacts_, memory.lists.apart};
+  appendCrossings(surfaces, placed_, asked, crossings_);
   deepOverlap_.append(surfaces, limits, regions_.find(surfaces, crossings_), contacts_);
-  return {contacts_, memory.lists.apart};
+  memory.remember(contacts_, placement);
+  return Answer{contacts_, memory.lists.apart};
+}
+
+// Of those alone that a look at all of them found. What overlaps deeper changes from step to step.
+bool KernelMemory::isStillAt(const RelativePlacement& placement, const ContactLimits& limits) const {
+  const auto moved = static_cast<float>(placement.displacementSince(lookedAt));
+  return !isDeep && moved <= tuning::kStill * limits.contactDistance;
+}
+
+void KernelMemory::remember(std::span<const FeatureContact> contacts, const RelativePlacement& placement) {
+  touching.clear();
+  lookedAt = placement;
+  isDeep = false;
+  for (const FeatureContact& c : contacts) {
+    isDeep = isDeep || c.kind == FeatureKind::overlap;
+    if (c.kind == FeatureKind::vertexOnFace) touching.verticesOnFaces.push_back({c.featureA, c.featureB});
+    if (c.kind == FeatureKind::faceOnVertex) touching.facesOnVertices.push_back({c.featureA, c.featureB});
+    if (c.kind == FeatureKind::edgeOnEdge) touching.edgesOnEdges.push_back({c.featureA, c.featureB});
+  }
 }
 
 // Whether what a contact says to be inside the other body is so once A has moved out along `other`, and a little more.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "cairn/core/budget.h"
+#include "contacts/relative_placement.h"
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"
 #include "kernel/feature_contacts.h"
@@ -18,6 +20,14 @@ struct KernelMemory {
   FeatureLists lists;
   /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other since.
   bool isListed = false;
+  /// The contacts of the last look at all that is listed, how the bodies stood, and whether any were of deep overlap.
+  FeatureLists touching;
+  RelativePlacement lookedAt;
+  bool isDeep = false;
+
+  /// Whether the bodies have hardly moved since: then these are asked again, and nothing else.
+  bool isStillAt(const RelativePlacement& placement, const ContactLimits& limits) const;
+  void remember(std::span<const FeatureContact> contacts, const RelativePlacement& placement);
 };
 
 /// The contacts of two surfaces: the local minima of the distance between
@@ -30,9 +40,9 @@ class ContactKernel {
     float apart = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
   };
 
-  /// Charged to the budget, whatever is left of it.
-  Answer run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, KernelMemory& memory,
-             Budget& budget);
+  /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.
+  std::optional<Answer> run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
+                            KernelMemory& memory, const RelativePlacement& placement, Budget& budget);
 
  private:
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);

@@ -43,9 +43,9 @@ inline constexpr float kExplainedDepths = 1.5F;
 inline constexpr float kDeepPart = 0.3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
-/// Contacts nearer to each other than this are one if their normals are within 10 degrees. Sizes.
-inline constexpr float kSamePlace = 1e-4F;
-inline constexpr float kSameWay = 0.984807753F;
+/// Until the bodies have moved so far against each other since all features were looked at, those that were in contact
+/// are looked at alone. Contact distances: what comes to touch meanwhile is no deeper than that.
+inline constexpr float kStill = 0.125F;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
 inline constexpr float kOneManifold = 0.906307787F;

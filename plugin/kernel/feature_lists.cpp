@@ -28,22 +28,29 @@ void FeatureLists::clear() {
     list->clear();
 }
 
-void FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, FeatureLists& lists,
+bool FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, FeatureLists& lists,
                          Budget& budget) {
   lists.clear();
   const SurfacePatches &ofA = surfaces.a.surface().patches, &ofB = surfaces.b.surface().patches;
-  const std::span<const NearPatches::Pair> near = nearPatches_.find(surfaces, limits, budget);
+  if (!nearPatches_.find(surfaces, limits, budget)) return false;
+  const std::span<const NearPatches::Pair> near = nearPatches_.found();
+  if (!budget.charge(kOverlapTestCost * near.size())) return false;
   for (const NearPatches::Pair& pair : near) {
     patches_.a = ofA.patch(pair.a);
     patches_.b = ofB.patch(pair.b);
     testPatches(surfaces, limits, patches_);
     append(lists);
   }
-  budget.chargeAnyway(kOverlapTestCost * near.size());
   for (FeatureLists::List* list : {&lists.verticesOnFaces, &lists.facesOnVertices, &lists.edgesOnEdges,
                                    &lists.edgesThroughFaces, &lists.facesThroughEdges})
     makeUnique(*list);
   lists.apart = near.empty() ? nearPatches_.apart() : -std::numeric_limits<float>::infinity();
+  return true;
+}
+
+std::size_t FeatureLists::size() const {
+  return verticesOnFaces.size() + facesOnVertices.size() + edgesOnEdges.size() + edgesThroughFaces.size() +
+         facesThroughEdges.size();
 }
 
 void FeatureLister::append(FeatureLists& lists) const {

@@ -17,6 +17,7 @@ struct FeatureLists {
   List verticesOnFaces, facesOnVertices, edgesOnEdges, edgesThroughFaces, facesThroughEdges;
 
   void clear();
+  std::size_t size() const;
   /// World length: the surfaces are no nearer; minus infinity where anything is listed.
   float apart = 0;
 };
@@ -24,8 +25,8 @@ struct FeatureLists {
 /// Makes such lists: boxes leave few patches, vectors few of their features.
 class FeatureLister {
  public:
-  /// Each pair is listed once, ascending. Charges what is compared, whatever is left of the budget.
-  void list(const SurfacePair& surfaces, const ContactLimits& limits, FeatureLists& lists, Budget& budget);
+  /// Each pair is listed once, ascending. False when the budget does not cover what is compared.
+  bool list(const SurfacePair& surfaces, const ContactLimits& limits, FeatureLists& lists, Budget& budget);
 
  private:
   void append(FeatureLists& lists) const;

@@ -48,11 +48,9 @@ float size(const Node& node, float scale) {
 
 }  // namespace
 
-std::span<const NearPatches::Pair> NearPatches::find(const SurfacePair& surfaces, const ContactLimits& limits,
-                                                     Budget& budget) {
+bool NearPatches::find(const SurfacePair& surfaces, const ContactLimits& limits, Budget& budget) {
   const std::span<const Node> ofA = surfaces.a.surface().patches.nodes(), ofB = surfaces.b.surface().patches.nodes();
   const BoxView fromA(surfaces.a, surfaces.b, limits), fromB(surfaces.b, surfaces.a, limits);
-  std::uint64_t compared = 0;
   found_.clear();
   apart_ = std::numeric_limits<float>::infinity();
   waiting_.assign(1, {0, 0});
@@ -60,7 +58,7 @@ std::span<const NearPatches::Pair> NearPatches::find(const SurfacePair& surfaces
     const Pair pair = waiting_.back();
     waiting_.pop_back();
     const Node &a = ofA[pair.a], &b = ofB[pair.b];
-    ++compared;
+    if (!budget.charge(kOverlapTestCost)) return false;
     const BoxView::Placed aInB = fromA.place(a.box), bInA = fromB.place(b.box);
     if (boxesApart(aInB, fromA.limits.around(b.box, b.normals)) > 0 ||
         boxesApart(bInA, fromB.limits.around(a.box, a.normals)) > 0) {
@@ -78,8 +76,7 @@ std::span<const NearPatches::Pair> NearPatches::find(const SurfacePair& surfaces
     }
   }
   apart_ -= limits.margins;
-  budget.chargeAnyway(kOverlapTestCost * compared);
-  return found_;
+  return true;
 }
 
 }  // namespace cairn::bullet

@@ -17,9 +17,11 @@ class NearPatches {
     std::uint32_t a = 0, b = 0;
   };
 
-  /// Valid until the next call. Charges the boxes that are compared, whatever is left of the budget.
-  std::span<const Pair> find(const SurfacePair& surfaces, const ContactLimits& limits, Budget& budget);
-  /// How far apart the surfaces are at least outside the pairs that the last `find` returned, world length.
+  /// False when the budget does not cover the boxes that are compared.
+  bool find(const SurfacePair& surfaces, const ContactLimits& limits, Budget& budget);
+  /// What the last `find` found.
+  std::span<const Pair> found() const { return found_; }
+  /// How far apart the surfaces are outside these at least, world length.
   float apart() const { return apart_; }
 
  private:

@@ -7,7 +7,6 @@ namespace cairn::bullet {
 
 void KeptAnswer::reset() {
   forgetTraversal();
-  uncrossed_ = 0;
 }
 
 void KeptAnswer::forgetTraversal() {
@@ -43,7 +42,7 @@ bool KeptAnswer::holdsAt(const RelativePlacement& now, float reach) const {
 
 bool KeptAnswer::isApartAt(const RelativePlacement& now, float reach, bool asksTriangles) const {
   if (!mayBeApart(reach)) return false;
-  if (asksTriangles && isGapOfLeaves_ && !isUncrossedAt(now)) return false;
+  if (asksTriangles && isGapOfLeaves_) return false;
   return holdsAt(now, reach) && reach + static_cast<float>(now.displacementSince(measuredAt_)) <= leastGap_;
 }
 
@@ -105,7 +104,7 @@ void KeptAnswer::measureAll(Counterpart& counterpart, const RelativeMotion& moti
   allAreMeasured(motion);
   measuredInVain_ = 0;
   leastGap_ = -kUnknown;
-  isGapOfLeaves_ = counterpart.hasTriangles() && !leafPairs.empty();
+  isGapOfLeaves_ = !leafPairs.empty();
   for (const float gap : gaps_) leastGap_ = std::min(leastGap_, gap);
 }
 
@@ -124,18 +123,6 @@ void KeptAnswer::setGap(float gap, const RelativeMotion& motion) {
   isGapOfLeaves_ = false;
   measuredAt_ = motion.placement;
   allAreMeasured(motion);
-}
-
-// Beyond its leaf pairs a traversal has ruled out everything within `gapOfInterest` where it ruled it out, which is as
-// far from here as the bodies have moved since; of fast bodies it has ruled out what is within the reach.
-void KeptAnswer::setUncrossed(float gap, const RelativeMotion& motion) {
-  const float wandered = wandered_ + static_cast<float>(motion.placement.displacementSince(beganAt_));
-  uncrossed_ = std::min(gap, reach_ + skin_ - wandered);
-  uncrossedAt_ = motion.placement;
-}
-
-bool KeptAnswer::isUncrossedAt(const RelativePlacement& now) const {
-  return uncrossed_ > 0 && static_cast<float>(now.displacementSince(uncrossedAt_)) < uncrossed_;
 }
 
 void KeptAnswer::makeRoom(std::size_t count) {

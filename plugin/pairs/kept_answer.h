@@ -72,13 +72,6 @@ class KeptAnswer {
   /// they touch.
   void setGap(float gap, const RelativeMotion& motion);
 
-  /// No triangles of one body cross any of the other, which are so far from them at least (world length).
-  void setUncrossed(float gap, const RelativeMotion& motion);
-  /// Whether that is known to be so still.
-  bool isUncrossedAt(const RelativePlacement& now) const;
-  /// How far apart triangles must be for bodies to be left alone until the next traversal; 0: they are not left alone.
-  float gapOfInterest() const { return skin_ > 0 ? reach_ + skin_ : 0; }
-
   /// See `fetchAhead`: of the lists, what `pick` and `near` look at.
   void fetchLists() const {
     fetchAhead(gaps_.data(), gaps_.size() * sizeof(float));
@@ -103,7 +96,7 @@ class KeptAnswer {
   float skin_ = 0;
   float wandered_ = 0;          // greatest displacement from where it began while the traversal was under way
   float leastGap_ = kUnknown;   // of `gaps_`
-  bool isGapOfLeaves_ = false;  // and whether triangles could say more
+  bool isGapOfLeaves_ = false;  // and whether leaves told it
   RelativePlacement beganAt_, measuredAt_;
   // Where all that may be in contact was picked and measured last, and how far it was from there where each was.
   RelativePlacement pickedAt_;
@@ -117,9 +110,6 @@ class KeptAnswer {
   bool areAllNear_ = false, areAllPicked_ = false;
   std::size_t wanted_ = 0, turn_ = 0;
   float overlooked_ = 0;
-  // Whatever traversals found since.
-  float uncrossed_ = 0;
-  RelativePlacement uncrossedAt_;
 };
 
 }  // namespace cairn::bullet

@@ -221,15 +221,6 @@ bool PairContacts::isRecent(const RelativeMotion& motion) const {
   return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
-void PairContacts::replaceAll(std::span<const Contact> contacts, float reach, ContactScratch& scratch) {
-  scratch.contacts.list().assign(contacts.begin(), contacts.end());
-  seeds_ = scratch.seeds;
-  scratch.contacts.group(seeds_, reach);
-  commonNormals_.fill({});  // these are of what crosses, and say nothing of how leaves are to be measured
-  isFlat_ = false;
-  answerHadContacts_ = true;
-}
-
 void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion,
                           float reach, std::span<const Contact> ahead, Budget& budget, ContactScratch& scratch) {
   std::vector<Contact>& contacts = scratch.contacts.list();
@@ -238,7 +229,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   counterpart.expect(commonNormals_);
   if (!isDone || isResumed_) retest(counterpart, budget, scratch);
   isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
-              appendOfMesh(counterpart, motion, {policy.finest, scratch.kernel, budget}, contacts);
+              appendOfMesh(counterpart, motion, {policy.finest, scratch.kernel, motion.placement, budget}, contacts);
   if (!isOfMesh_) {
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
     appendFound(counterpart, budget, contacts);

@@ -27,8 +27,6 @@ struct AnswerPolicy {
 struct ContactScratch {
   ClusteredContacts contacts;                              ///< of the pair at hand
   ClusterSeeds seeds{};                                    ///< its clusters' directions in the step before
-  std::array<std::vector<Contact>, kMaxClusters> refined;  ///< the same as triangles tell them
-  std::vector<Contact> crossing;
   std::vector<Contact> guards, wholes;
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
   std::vector<Contact> strays, moreStrays;
@@ -88,17 +86,6 @@ class PairContacts {
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
   float overlooked() const { return overlooked_; }
-  /// And whether the source mesh gave the contacts, and not leaves.
-  bool isOfMesh() const { return isOfMesh_; }
-  // After that, where triangles had nothing to say to any of its contacts, or there are none.
-
-  /// These take their place, grouped by the directions the clusters had before.
-  void replaceAll(std::span<const Contact> contacts, float reach, ContactScratch& scratch);
-  /// See `KeptAnswer`.
-  void setUncrossed(float gap, const RelativeMotion& motion) { kept_.setUncrossed(gap, motion); }
-  bool isUncrossedAt(const RelativePlacement& now) const { return kept_.isUncrossedAt(now); }
-  float gapOfInterest() const { return kept_.gapOfInterest(); }
-
   // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
   // have moved against each other since the last `begin`, at most.
 

@@ -277,10 +277,6 @@ class alignas(64) TreePair {
   using Clusters = std::array<std::span<Contact>, kMaxClusters>;
   static Clusters clustersOf(ClusteredContacts& contacts);
   ManifoldWriter writerOf(btManifoldResult& result) const;
-  Clusters pastLeaves(btManifoldResult& result, Budget& budget, ContactScratch& scratch, PairReport& report);
-  Clusters breakSilence(Budget& budget, ContactScratch& scratch);
-  void goOnToTriangles(std::vector<Contact>& members, std::span<const ContactId> held, Budget& budget) const;
-  bool sharpen(std::vector<Contact>& members, std::size_t one, std::size_t more, Budget& budget) const;
   void lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
                  const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget);
   void forgetImpulsesAhead();

@@ -99,8 +99,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
   contacts_.finish(*counterpart_, policy, motion_, reach_, ahead_, budget, scratch);
   forgetImpulsesAhead();
-  const Clusters clusters =
-      policy.finest == Finest::triangles ? pastLeaves(result, budget, scratch, report) : clustersOf(scratch.contacts);
+  const Clusters clusters = clustersOf(scratch.contacts);
   for (std::size_t k = 0; k < clusters.size(); ++k)
     writeCluster(static_cast<int>(k), clusters[k], policy, dispatcher, result, report);
   if (policy.mayBeInterrupted) contacts_.rememberDeepest(*counterpart_, scratch);
