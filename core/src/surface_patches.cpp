@@ -40,7 +40,7 @@ class SurfacePatches::Maker {
   void run() {
     std::vector<std::uint32_t> triangles(tree_.triangles().size());
     std::iota(triangles.begin(), triangles.end(), 0U);
-    split(triangles);
+    out_.box_ = addFamily(triangles).box;
   }
 
  private:
@@ -50,29 +50,72 @@ class SurfacePatches::Maker {
     return box.middle();
   }
 
-  // Halves along the longest axis.
-  void split(std::span<std::uint32_t> triangles) {
-    const std::size_t self = out_.nodes_.size();
-    out_.nodes_.emplace_back();
-    if (triangles.size() <= SurfacePatch::kMaxTriangles) {
-      out_.nodes_[self].patch = out_.count();
-      addPatch(triangles);
-      out_.nodes_[self].box = out_.records_.back().box;
-      out_.nodes_[self].normals = out_.records_.back().normals;
-      return;
-    }
+  struct Bounds {
+    Box box, normals;
+  };
+  using Triangles = std::span<std::uint32_t>;
+
+  static bool isPatch(Triangles triangles) { return triangles.size() <= SurfacePatch::kMaxTriangles; }
+
+  // Along the longest axis.
+  void halve(Triangles triangles) const {
     Box box = kNothing;
     for (const std::uint32_t t : triangles) box.add(middle(t));
     const Vec3 extent = box.upper - box.lower;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     std::ranges::sort(triangles, {}, [&](std::uint32_t t) { return std::pair(middle(t)[axis], t); });
-    split(triangles.first(triangles.size() / 2));
-    const std::size_t second = out_.nodes_.size();
-    split(triangles.subspan(triangles.size() / 2));
-    Node& node = out_.nodes_[self];
-    node.second = static_cast<std::uint32_t>(second);
-    node.box = joined(out_.nodes_[self + 1].box, out_.nodes_[second].box);
-    node.normals = joined(out_.nodes_[self + 1].normals, out_.nodes_[second].normals);
+  }
+
+  // Halved until there are eight parts, or no more than patches.
+  std::vector<Triangles> partsOf(Triangles triangles) const {
+    std::vector<Triangles> parts{triangles};
+    for (int halving = 0; halving < 3; ++halving) {
+      std::vector<Triangles> halves;
+      for (const Triangles& part : parts) {
+        if (isPatch(part)) {
+          halves.push_back(part);
+          continue;
+        }
+        halve(part);
+        halves.push_back(part.first(part.size() / 2));
+        halves.push_back(part.subspan(part.size() / 2));
+      }
+      parts.swap(halves);
+    }
+    return parts;
+  }
+
+  Bounds addFamily(Triangles triangles) {
+    const std::size_t self = out_.families_.size();
+    out_.families_.push_back(emptyFamily());
+    Bounds all{kNothing, kNothing};
+    const std::vector<Triangles> parts = partsOf(triangles);
+    for (std::uint32_t lane = 0; lane < parts.size(); ++lane) {
+      const bool isLast = isPatch(parts[lane]);
+      out_.families_[self].child[lane] =
+          isLast ? out_.count() : static_cast<std::uint32_t>(out_.families_.size());
+      const Bounds part = isLast ? addPatch(parts[lane]) : addFamily(parts[lane]);
+      PatchFamily& family = out_.families_[self];
+      family.patches |= static_cast<std::uint32_t>(isLast) << lane;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int k = static_cast<int>(axis);
+        family.lower[axis][lane] = part.box.lower[k];
+        family.upper[axis][lane] = part.box.upper[k];
+        family.normalLower[axis][lane] = part.normals.lower[k];
+        family.normalUpper[axis][lane] = part.normals.upper[k];
+      }
+      all = {joined(all.box, part.box), joined(all.normals, part.normals)};
+    }
+    return all;
+  }
+
+  static PatchFamily emptyFamily() {
+    PatchFamily family{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::ranges::fill(family.lower[axis], kInfinity);
+      std::ranges::fill(family.upper[axis], -kInfinity);
+    }
+    return family;
   }
 
   static Box joined(Box box, const Box& other) {
@@ -81,7 +124,7 @@ class SurfacePatches::Maker {
     return box;
   }
 
-  void addPatch(std::span<const std::uint32_t> triangles) {
+  Bounds addPatch(std::span<const std::uint32_t> triangles) {
     std::vector<std::uint32_t> vertices, edges;
     for (const std::uint32_t t : triangles)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -118,6 +161,7 @@ class SurfacePatches::Maker {
     addFaces(triangles);
     addEdges(std::span(edges).first(record.convexEdges));
     out_.records_.push_back(record);
+    return {record.box, record.normals};
   }
 
   Vec3 facingOf(std::span<const std::uint32_t> triangles) const {
@@ -223,7 +267,7 @@ SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
 }
 
 std::size_t SurfacePatches::memoryBytes() const {
-  return nodes_.capacity() * sizeof(Node) + records_.capacity() * sizeof(Record) +
+  return families_.capacity() * sizeof(PatchFamily) + records_.capacity() * sizeof(Record) +
          indices_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(ends_[0]) +
          numbers_.capacity() * sizeof(float);
 }

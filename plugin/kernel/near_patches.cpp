@@ -2,81 +2,76 @@
 #include "kernel/near_patches.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
-#include "kernel/near_box.h"
+#include "kernel/family_test.h"
 
 namespace cairn::bullet {
 
 namespace {
 
-using Node = SurfacePatches::Node;
-
 // Boxes of one side, seen from the other.
 struct BoxView {
   Similarity to;
-  Mat3 sizes;  // absolute values of the linear part
+  Mat3 sizes;         // absolute values of the linear part
   NearLimits limits;  // in the other's frame
-  float scale;  // the other's
 
   BoxView(const PlacedSurface& side, const PlacedSurface& other, const ContactLimits& of)
-      : to(side.toOther), limits(other.scale, of), scale(other.scale) {
+      : to(side.toOther), limits(other.scale, of) {
     for (std::size_t row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column)
         sizes.rows[row][column] = std::abs(to.linear.rows[row][column]);
   }
 
-  struct Placed {
-    Vec3 middle, half;
-  };
-  Placed place(const Box& box) const { return {to * box.middle(), sizes * ((box.upper - box.lower) * 0.5F)}; }
+  PlacedBox place(const Box& box) const { return {to * box.middle(), sizes * ((box.upper - box.lower) * 0.5F)}; }
 };
 
-// How far a box is from another on the axis on which they are farthest apart; negative: overlaps on all.
-float boxesApart(const BoxView::Placed& box, const Box& other) {
-  float most = -std::numeric_limits<float>::infinity();
-  for (int axis = 0; axis < 3; ++axis)
-    most = std::max({most, box.middle[axis] - box.half[axis] - other.upper[axis],
-                     other.lower[axis] - box.middle[axis] - box.half[axis]});
-  return most;
-}
-
-float size(const Node& node, float scale) {
-  return lengthSq(node.box.upper - node.box.lower) * scale * scale;
+// Of the square of a box's diagonal, world length.
+float sizeOf(const Box& box, float scale) {
+  return lengthSq(box.upper - box.lower) * scale * scale;
 }
 
 }  // namespace
 
 bool NearPatches::find(const SurfacePair& surfaces, const ContactLimits& limits, Budget& budget) {
-  const std::span<const Node> ofA = surfaces.a.surface().patches.nodes(), ofB = surfaces.b.surface().patches.nodes();
   const BoxView fromA(surfaces.a, surfaces.b, limits), fromB(surfaces.b, surfaces.a, limits);
   found_.clear();
   apart_ = std::numeric_limits<float>::infinity();
-  waiting_.assign(1, {0, 0});
+  waiting_.assign(1, {surfaces.a.surface().patches.box(), true, false, 0, 0});
   while (!waiting_.empty()) {
-    const Pair pair = waiting_.back();
+    const Visit visit = waiting_.back();
     waiting_.pop_back();
-    const Node &a = ofA[pair.a], &b = ofB[pair.b];
-    if (!budget.charge(kOverlapTestCost)) return false;
-    const BoxView::Placed aInB = fromA.place(a.box), bInA = fromB.place(b.box);
-    if (boxesApart(aInB, fromA.limits.around(b.box, b.normals)) > 0 ||
-        boxesApart(bInA, fromB.limits.around(a.box, a.normals)) > 0) {
-      apart_ = std::min(apart_, std::max(boxesApart(aInB, b.box) * fromA.scale, boxesApart(bInA, a.box) * fromB.scale));
-      continue;
-    }
-    if (a.isLeaf() && b.isLeaf()) {
-      found_.push_back({a.patch, b.patch});
-    } else if (b.isLeaf() || (!a.isLeaf() && size(a, surfaces.a.scale) > size(b, surfaces.b.scale))) {
-      waiting_.push_back({a.second, pair.b});
-      waiting_.push_back({pair.a + 1, pair.b});
-    } else {
-      waiting_.push_back({pair.a, b.second});
-      waiting_.push_back({pair.a, pair.b + 1});
-    }
+    if (!budget.charge(kOverlapTestCost * PatchFamily::kWidth)) return false;
+    const BoxView& view = visit.isOfA ? fromA : fromB;
+    const PlacedSurface& other = visit.isOfA ? surfaces.b : surfaces.a;
+    const FamilyTest test =
+        testFamily(other.surface().patches.families()[visit.family], view.place(visit.box), view.limits);
+    apart_ = std::min(apart_, test.apart * other.scale);
+    for (std::uint32_t lanes = test.near; lanes != 0; lanes &= lanes - 1)
+      meet(surfaces, visit, static_cast<std::uint32_t>(std::countr_zero(lanes)));
   }
   apart_ -= limits.margins;
   return true;
+}
+
+// The larger of the two is looked into.
+void NearPatches::meet(const SurfacePair& surfaces, const Visit& visit, std::uint32_t lane) {
+  const PlacedSurface &own = visit.isOfA ? surfaces.a : surfaces.b, &other = visit.isOfA ? surfaces.b : surfaces.a;
+  const PatchFamily& family = other.surface().patches.families()[visit.family];
+  const std::uint32_t child = family.child[lane];
+  if (visit.isPatch && family.isPatch(lane)) {
+    found_.push_back(visit.isOfA ? Pair{visit.index, child} : Pair{child, visit.index});
+    return;
+  }
+  const Box box = family.box(lane);
+  const bool looksIntoOther =
+      visit.isPatch || (!family.isPatch(lane) && sizeOf(box, other.scale) > sizeOf(visit.box, own.scale));
+  if (looksIntoOther)
+    waiting_.push_back({visit.box, visit.isOfA, visit.isPatch, visit.index, child});
+  else
+    waiting_.push_back({box, !visit.isOfA, family.isPatch(lane), child, visit.index});
 }
 
 }  // namespace cairn::bullet

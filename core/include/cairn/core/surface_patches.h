@@ -45,28 +45,35 @@ struct SurfacePatch {
   }
 };
 
-/// A surface cut into patches of at most `kMaxTriangles`, each triangle in one, and a binary tree of boxes above them.
+/// Up to eight boxes side by side, each around a patch or around another such family; one number of each after the
+/// other. Lanes that hold nothing overlap nothing.
+struct alignas(32) PatchFamily {
+  static constexpr std::uint32_t kWidth = SurfacePatch::kBatch;
+
+  float lower[3][kWidth], upper[3][kWidth];
+  float normalLower[3][kWidth], normalUpper[3][kWidth];  ///< as `SurfacePatch::normals`
+  std::uint32_t child[kWidth];                           ///< the patch or the family
+  std::uint32_t patches = 0;                             ///< a bit for each lane that is a patch
+
+  bool isPatch(std::uint32_t lane) const { return (patches >> lane & 1U) != 0; }
+  Box box(std::uint32_t lane) const {
+    return {{lower[0][lane], lower[1][lane], lower[2][lane]}, {upper[0][lane], upper[1][lane], upper[2][lane]}};
+  }
+};
+
+/// A surface cut into patches of at most `kMaxTriangles`, each triangle in one, and a tree of boxes above them.
 /// Immutable.
 class SurfacePatches {
  public:
-  /// A box around patches: those of its two children, or a single one.
-  struct Node {
-    static constexpr std::uint32_t kNoPatch = 0xFFFFFFFFU;
-
-    Box box;
-    Box normals;                      ///< as of a patch
-    std::uint32_t patch = kNoPatch;   ///< of a leaf
-    std::uint32_t second = 0;         ///< where the second child is; the first one follows its parent
-    bool isLeaf() const { return patch != kNoPatch; }
-  };
-
   SurfacePatches() = default;
   SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
   SurfacePatch patch(std::uint32_t index) const;
-  /// The first is the root.
-  std::span<const Node> nodes() const { return nodes_; }
+  /// The first is the root's: of all of the surface.
+  std::span<const PatchFamily> families() const { return families_; }
+  /// Around all of the surface.
+  const Box& box() const { return box_; }
   std::size_t memoryBytes() const;
 
  private:
@@ -79,7 +86,8 @@ class SurfacePatches {
   };
   class Maker;
 
-  std::vector<Node> nodes_;
+  std::vector<PatchFamily> families_;
+  Box box_;
   std::vector<Record> records_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::array<std::uint8_t, 2>> ends_;

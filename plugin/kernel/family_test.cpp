@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/family_test.h"
+
+#include <limits>
+
+// The instruction sets Highway compiles for, as in the core.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/family_test.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::bullet::HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+using FamilyTag = hn::CappedTag<float, PatchFamily::kWidth>;
+}  // namespace
+
+// See `NearLimits::around`.
+void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits, FamilyTest& result) {
+  const FamilyTag d;
+  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach), deep = hn::Set(d, limits.depth < 0 ? limits.depth : 0),
+             beside = hn::Set(d, limits.besideDeep);
+  result.near = 0;
+  auto least = hn::Set(d, std::numeric_limits<float>::infinity());
+  for (std::uint32_t at = 0; at < PatchFamily::kWidth; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    auto isNear = hn::Eq(zero, zero);
+    auto apart = hn::Set(d, -std::numeric_limits<float>::infinity());
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto low = hn::LoadU(d, family.normalLower[axis] + at), high = hn::LoadU(d, family.normalUpper[axis] + at);
+      const auto lower = hn::LoadU(d, family.lower[axis] + at), upper = hn::LoadU(d, family.upper[axis] + at);
+      const auto most = hn::Set(d, box.middle[axis] + box.half[axis]), first = hn::Set(d, box.middle[axis] - box.half[axis]);
+      const auto grownLower =
+          hn::Sub(hn::Add(lower, hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)))), beside);
+      const auto grownUpper =
+          hn::Add(hn::Add(upper, hn::Max(zero, hn::Max(hn::Mul(reach, high), hn::Mul(deep, low)))), beside);
+      isNear = hn::And(isNear, hn::And(hn::Le(grownLower, most), hn::Ge(grownUpper, first)));
+      apart = hn::Max(apart, hn::Max(hn::Sub(lower, most), hn::Sub(first, upper)));
+    }
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, isNear, bytes);
+    result.near |= static_cast<std::uint32_t>(bytes[0]) << at;
+    least = hn::Min(least, hn::IfThenElse(isNear, hn::Set(d, std::numeric_limits<float>::infinity()), apart));
+  }
+  result.apart = hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+}  // namespace cairn::bullet::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cairn::bullet {
+
+HWY_EXPORT(testBoxes);
+
+FamilyTest testFamily(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits) {
+  FamilyTest result;
+  HWY_DYNAMIC_DISPATCH(testBoxes)(family, box, limits, result);
+  return result;
+}
+
+}  // namespace cairn::bullet
+#endif  // HWY_ONCE

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Zlib
+// The contact kernel beside brute force: every feature of one mesh against every one of the other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "every_target.h"
+#include "kernel/contact_kernel.h"
+#include "kernel/contact_tuning.h"
+#include "random_tree.h"
+#include "test_trees.h"
+
+namespace cairn::test::contact_kernel_test {
+namespace {
+
+using namespace bullet;
+
+constexpr unsigned kSeed = 23;
+
+struct Bodies {
+  std::shared_ptr<const SphereTree> a, b;
+};
+
+std::vector<Bodies> manyBodies() {
+  const auto ring = plainTree(torus(0.3, 0.12, 16), 4), block = plainTree(cuboid({0.7, 0.5, 0.4}, 1), 2);
+  const auto crate = plainTree(cuboid({0.5, 0.5, 0.5}, 4), 4), round = plainTree(ball(0.4, 8), 4);
+  const auto dish = plainTree(bowl(0.5, 0.4, 20), 4);
+  return {{ring, ring}, {ring, block}, {crate, crate}, {block, block}, {round, dish}, {dish, ring}, {crate, round}};
+}
+
+// Near enough to touch, as often apart as deep in each other.
+Pose randomPose(std::mt19937_64& engine) {
+  return {randomRotation(engine), normalized(randomPoint(engine)) * uniform(engine, 0.2, 0.8), 1};
+}
+
+ContactLimits limitsOf(float skin = 0) {
+  constexpr float kSize = 0.9F;
+  ContactLimits limits;
+  limits.contactDistance = limits.reach = tuning::kContactDistance * kSize;
+  limits.trustedDepth = tuning::kTrustedDepth * kSize;
+  limits.skin = skin;
+  limits.size = kSize;
+  return limits;
+}
+
+FeatureLists everything(const SphereTree& a, const SphereTree& b) {
+  FeatureLists lists;
+  const auto product = [](std::size_t ofA, std::size_t ofB, FeatureLists::List& list) {
+    for (std::uint32_t i = 0; i < ofA; ++i)
+      for (std::uint32_t j = 0; j < ofB; ++j) list.push_back({i, j});
+  };
+  product(a.vertices().size(), b.triangles().size(), lists.verticesOnFaces);
+  product(a.triangles().size(), b.vertices().size(), lists.facesOnVertices);
+  const std::size_t edgesA = a.surface().features.edges().size(), edgesB = b.surface().features.edges().size();
+  product(edgesA, b.triangles().size(), lists.edgesThroughFaces);
+  product(a.triangles().size(), edgesB, lists.facesThroughEdges);
+  for (std::uint32_t i = 0; i < edgesA; ++i)
+    for (std::uint32_t j = 0; j < edgesB; ++j)
+      if (a.surface().features.edges()[i].isConvex && b.surface().features.edges()[j].isConvex)
+        lists.edgesOnEdges.push_back({i, j});
+  return lists;
+}
+
+// The names of all contacts and crossings among what is listed.
+struct Found {
+  std::vector<std::array<std::uint32_t, 3>> contacts, crossings;
+
+  bool operator==(const Found&) const = default;
+};
+
+Found found(const SurfacePair& surfaces, const FeatureLists& lists) {
+  PlacedPair placed;
+  placed.begin(surfaces);
+  std::vector<FeatureContact> contacts;
+  FeatureContacts(surfaces, placed, limitsOf()).append(lists, contacts);
+  std::vector<Crossing> crossings;
+  appendCrossings(surfaces, placed, lists, crossings);
+  Found result;
+  for (const FeatureContact& c : contacts) result.contacts.push_back({std::uint32_t(c.kind), c.featureA, c.featureB});
+  for (const Crossing& c : crossings) result.crossings.push_back({c.isEdgeOfA, c.edge, c.face});
+  std::ranges::sort(result.contacts);
+  std::ranges::sort(result.crossings);
+  return result;
+}
+
+FeatureLists listed(const SurfacePair& surfaces, const ContactLimits& limits) {
+  FeatureLists lists;
+  FeatureLister lister;
+  Budget unlimited = Budget::unlimited();
+  EXPECT_TRUE(lister.list(surfaces, limits, lists, unlimited));
+  return lists;
+}
+
+class KernelOnEveryTarget : public EveryTarget {};
+
+TEST_F(KernelOnEveryTarget, ListsAllThatTouchesAndLittleElse) {
+  for (const Bodies& bodies : manyBodies()) {
+    const FeatureLists all = everything(*bodies.a, *bodies.b);
+    std::mt19937_64 engine(kSeed);
+    std::size_t contacts = 0, crossings = 0, listedPairs = 0;
+    for (int trial = 0; trial < 12; ++trial) {
+      const PlacedTree a(*bodies.a, randomPose(engine)), b(*bodies.b, Pose{randomRotation(engine), {}, 1});
+      const SurfacePair surfaces = SurfacePair::of(a, b);
+      const Found expected = found(surfaces, all);
+      contacts += expected.contacts.size();
+      crossings += expected.crossings.size();
+      FeatureLists first;
+      onEveryTarget([&] {
+        const FeatureLists lists = listed(surfaces, limitsOf());
+        EXPECT_EQ(found(surfaces, lists), expected) << "seed " << kSeed << ", trial " << trial;
+        if (first.size() == 0) first = lists;
+        EXPECT_EQ(lists.edgesOnEdges, first.edgesOnEdges) << "other bits, seed " << kSeed << ", trial " << trial;
+        EXPECT_EQ(lists.size(), first.size()) << "other bits, seed " << kSeed << ", trial " << trial;
+        listedPairs += lists.size();
+      });
+    }
+    EXPECT_GT(contacts, 0U);
+    EXPECT_GT(crossings, 0U);
+    EXPECT_LT(listedPairs, all.size()) << "lists leave nothing out";
+  }
+}
+
+// While no point has moved by more than the skin, what was listed is all that can touch.
+TEST(ContactKernel, ListsWithASkinHoldUntilBodiesHaveMovedByIt) {
+  constexpr float kSkin = 0.005F;
+  std::size_t contacts = 0;
+  for (const Bodies& bodies : manyBodies()) {
+    std::mt19937_64 engine(kSeed + 1);
+    for (int trial = 0; trial < 60; ++trial) {
+      const Pose pose = randomPose(engine), still{randomRotation(engine), {}, 1};
+      const PlacedTree a(*bodies.a, pose), b(*bodies.b, still);
+      const FeatureLists lists = listed(SurfacePair::of(a, b), limitsOf(kSkin));
+      for (int move = 0; move < 6; ++move) {
+        // Half of the skin by turning about any axis, half by shifting; the bodies reach no farther than 0.6.
+        const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3)) * (0.5 * double(kSkin) / 0.6);
+        Pose moved = pose;
+        Mat3d turn;
+        turn.rows = {Vec3d(1, -axis.z, axis.y), Vec3d(axis.z, 1, -axis.x), Vec3d(-axis.y, axis.x, 1)};
+        const Mat3d turned = turn * pose.rotation;
+        const Vec3d x = normalized(turned.column(0)), z = normalized(cross(x, turned.column(1)));
+        moved.rotation = transpose(Mat3d{{x, cross(z, x), z}});
+        moved.translation += normalized(randomPoint(engine)) * (0.45 * double(kSkin));
+        const SurfacePair now = SurfacePair::of(PlacedTree(*bodies.a, moved), b);
+        const Found expected = found(now, listed(now, limitsOf()));
+        contacts += expected.contacts.size();
+        EXPECT_EQ(found(now, lists), expected) << "seed " << kSeed + 1 << ", trial " << trial;
+      }
+    }
+  }
+  EXPECT_GT(contacts, 1000U);
+}
+
+// What boxes leave out is as far apart as they say.
+TEST(ContactKernel, SaysNoMoreOfWhatIsApartThanItIs) {
+  std::mt19937_64 engine(kSeed + 2);
+  int told = 0;
+  const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
+  for (int trial = 0; trial < 200; ++trial) {
+    const PlacedTree a(*ring, Pose{randomRotation(engine), normalized(randomPoint(engine)) * uniform(engine, 0.7, 1.0), 1});
+    const PlacedTree b(*ring, Pose{randomRotation(engine), {}, 1});
+    const SurfacePair surfaces = SurfacePair::of(a, b);
+    const float apart = listed(surfaces, limitsOf()).apart;
+    if (!(apart > 0)) continue;
+    ++told;
+    float nearest = 1e9F;
+    for (const Vec3& v : ring->vertices())
+      for (const Vec3& w : ring->vertices()) nearest = std::min(nearest, distance(a.toPair() * v, b.toPair() * w));
+    EXPECT_LE(apart, nearest) << "seed " << kSeed + 2 << ", trial " << trial;
+  }
+  EXPECT_GT(told, 50);
+}
+
+// The overlap of two solids grows as A moves by as much as the vector area of A's surface inside B says.
+TEST(ContactKernel, KnowsHowTheOverlapGrows) {
+  const auto block = plainTree(cuboid({1, 1, 1}, 2), 4), peg = plainTree(cuboid({0.4, 0.3, 1}, 2), 4);
+  // The peg stands 0.2 deep in the block's top: 0.4 by 0.3 of its end is inside, facing down.
+  const PlacedTree a(*peg, Pose{Mat3d(), {0.03, 0.02, 0.8}, 1}), b(*block, Pose());
+  const SurfacePair surfaces = SurfacePair::of(a, b);
+  PlacedPair placed;
+  placed.begin(surfaces);
+  std::vector<Crossing> crossings;
+  appendCrossings(surfaces, placed, listed(surfaces, limitsOf()), crossings);
+  OverlapRegions regions;
+  const std::span<const OverlapRegion> found = regions.find(surfaces, crossings);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].area.z, -0.12, 1e-5);
+  EXPECT_NEAR(found[0].area.x, 0, 1e-5);
+  EXPECT_NEAR(found[0].area.y, 0, 1e-5);
+  EXPECT_EQ(std::ranges::count(found[0].points, true, [](const OverlapPoint& p) { return p.isOfA && !p.isCrossing; }), 9)
+      << "the vertices of the peg's end";
+}
+
+TEST(ContactKernel, IsCutOffByABudget) {
+  const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
+  const PlacedTree a(*ring, Pose{Mat3d(), {0.25, 0, 0.1}, 1}), b(*ring, Pose());
+  ContactKernel kernel;
+  const auto run = [&](std::uint64_t operations) {
+    KernelMemory memory;
+    Budget budget = Budget::operations(operations);
+    return kernel.run(a, b, limitsOf(), memory, {}, budget).has_value();
+  };
+  EXPECT_FALSE(run(0));
+  EXPECT_FALSE(run(20));
+  EXPECT_TRUE(run(1000000));
+}
+
+}  // namespace
+}  // namespace cairn::test::contact_kernel_test

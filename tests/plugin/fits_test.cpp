@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Zlib
+// Pieces that fit with a little play go together, slide and stay as pieces do: facing walls that are apart are apart.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bullet_world.h"
+#include "extruded.h"
+
+namespace cairn::test::fits_test {
+namespace {
+
+constexpr double kG = 10;
+
+struct Fit {
+  BulletWorld<> w;
+
+  Fit() {
+    w.dispatcher.setFinest(bullet::Finest::triangles);
+    w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
+  }
+  // In the solid's own frame.
+  btRigidBody& add(const Solid& solid, btScalar mass, btScalar friction, const btTransform& place) {
+    auto created = bullet::SphereTreeShape::create(plainTree(solid, 4), bullet::BodyFrame::principalAxes);
+    std::shared_ptr<bullet::SphereTreeShape> tree = std::move(created).value();
+    fromMesh_.push_back(tree->bodyFromMesh());
+    const btTransform body = place * tree->bodyFromMesh().inverse();
+    btRigidBody& added = w.add(tree, mass, body.getOrigin(), body.getRotation());
+    added.setFriction(friction);
+    added.setUserIndex(int(fromMesh_.size()) - 1);
+    return added;
+  }
+  btVector3 placeOf(const btRigidBody& body) const {
+    return (body.getWorldTransform() * fromMesh_[std::size_t(body.getUserIndex())]).getOrigin();
+  }
+
+ private:
+  std::vector<btTransform> fromMesh_;
+};
+
+btTransform at(double x, double y, double z, const btQuaternion& turn = btQuaternion::getIdentity()) {
+  return btTransform(turn, btVector3(btScalar(x), btScalar(y), btScalar(z)));
+}
+
+// Into holes one and five per cent wider than it, from beside the middle and tilted.
+TEST(Fits, APegFallsIntoItsHole) {
+  for (const double play : {0.01, 0.05})
+    for (int start = 0; start < 4; ++start) {
+      Fit fit;
+      fit.add(holedBlock(0.5, 0.2 * (1 + play), 32, -0.3, 0.3), 0, 1, at(0, 0, 0));
+      const double angle = start * 1.7, off = 0.0005 * start, tilt = 0.0012 * start;
+      btRigidBody& peg = fit.add(extruded(circle(0.2, 32), -0.4, 0.4), 1, btScalar(0.1),
+                                 at(off * std::cos(angle), off * std::sin(angle), 0.72,
+                                    btQuaternion(btVector3(btScalar(std::cos(angle)), btScalar(std::sin(angle)), 0),
+                                                 btScalar(tilt))));
+      btScalar aside = 0;
+      for (int step = 0; step < 60 && fit.placeOf(peg).z() > 0; ++step) {
+        fit.w.step();
+        aside = std::max({aside, std::abs(peg.getLinearVelocity().x()), std::abs(peg.getLinearVelocity().y())});
+      }
+      EXPECT_LT(fit.placeOf(peg).z(), 0) << "play " << play << ", start " << start;
+      EXPECT_LT(aside, 0.05) << "pushed aside, play " << play << ", start " << start;
+    }
+}
+
+// A T in its rail, on top of it and hanging from it, slides as a block on a slope does.
+TEST(Fits, ASliderStaysOnItsRail) {
+  const Outline rail{{-0.1, 0}, {0.1, 0}, {0.1, 0.2}, {0.25, 0.2}, {0.25, 0.4}, {-0.25, 0.4}, {-0.25, 0.2}, {-0.1, 0.2}};
+  const Outline slider{{-0.5, 0.02}, {-0.11, 0.02}, {-0.11, 0.19}, {-0.26, 0.19}, {-0.26, 0.41}, {0.26, 0.41},
+                       {0.26, 0.19}, {0.11, 0.19},  {0.11, 0.02},  {0.5, 0.02},   {0.5, 0.7},    {-0.5, 0.7}};
+  const double slope = 0.35;
+  for (const double up : {1.0, -1.0})
+    for (const double friction : {0.0, 0.3}) {
+      Fit fit;
+      fit.w.world.setGravity(btVector3(0, btScalar(-up * kG * std::cos(slope)), btScalar(kG * std::sin(slope))));
+      fit.add(extruded(rail, -2, 2), 0, 1, at(0, 0, 0));
+      btRigidBody& body = fit.add(extruded(slider, -0.3, 0.3), 1, btScalar(friction), at(0, 0, -1.5));
+      btScalar aside = 0;
+      for (int step = 0; step < 72; ++step) {
+        fit.w.step();
+        aside = std::max({aside, std::abs(fit.placeOf(body).x()), std::abs(fit.placeOf(body).y())});
+      }
+      const double way = double(fit.placeOf(body).z()) + 1.5;
+      const double theory = kG * (std::sin(slope) - friction * std::cos(slope)) * 1.2 * 1.2 / 2;
+      EXPECT_NEAR(way, theory, 0.03 * theory) << "up " << up << ", friction " << friction;
+      EXPECT_LT(aside, 0.012) << "its play is 0.01; up " << up << ", friction " << friction;
+    }
+}
+
+// In a slot of its own outline, 0.006 wider all around.
+TEST(Fits, AKeySlidesIntoItsLock) {
+  const Outline key{{-0.1, -0.3}, {0.1, -0.3}, {0.1, -0.1}, {0.25, -0.1}, {0.25, 0.05}, {0.1, 0.05}, {0.1, 0.3}, {-0.1, 0.3}};
+  // The lock's outline runs around the slot and out along a seam without width, as two halves.
+  const Outline right{{0.106, -0.306}, {0.5, -0.306}, {0.5, 0.306}, {0.106, 0.306}, {0.106, 0.056}, {0.256, 0.056},
+                      {0.256, -0.106}, {0.106, -0.106}};
+  const Outline left{{-0.5, -0.306}, {-0.106, -0.306}, {-0.106, 0.306}, {-0.5, 0.306}};
+  Fit fit;
+  fit.add(extruded(right, -0.25, 0.25), 0, 1, at(0, 0, 0));
+  fit.add(extruded(left, -0.25, 0.25), 0, 1, at(0, 0, 0));
+  btRigidBody& body = fit.add(extruded(key, -0.6, 0.6), 1, btScalar(0.1), at(0, 0, 0.75));
+  fit.w.step(18);
+  EXPECT_LT(fit.placeOf(body).z(), 0.75 - 0.4);
+  EXPECT_LT(std::hypot(fit.placeOf(body).x(), fit.placeOf(body).y()), 0.006);
+  EXPECT_LT(body.getAngularVelocity().length(), 0.01);
+}
+
+// Facing walls a hundredth apart: in a cavity of its own outline a body touches nothing.
+TEST(Fits, ABodyInACavityDoesNotTouchIt) {
+  Fit fit;
+  fit.add(holedBlock(0.5, 0.21, 32, -0.3, 0.3), 0, 1, at(0, 0, 0));
+  fit.add(extruded(circle(0.2, 32), -0.25, 0.25), 1, 1, at(0, 0, 0));
+  fit.w.world.setGravity(btVector3(0, 0, 0));
+  fit.w.step(2);
+  EXPECT_EQ(fit.w.dispatcher.lastStep().contacts, 0U);
+}
+
+// A tongue in a groove, pulled at: it holds by its shoulders, within its play.
+TEST(Fits, ATongueHoldsInItsGroove) {
+  const Outline tongue{{-0.5, -0.4}, {0, -0.4}, {0, -0.1}, {0.2, -0.2}, {0.2, 0.2}, {0, 0.1}, {0, 0.4}, {-0.5, 0.4}};
+  const double play = 0.006;
+  const Outline groove{{0.7, 0.4}, {play, 0.4}, {play, 0.1 + play}, {0.2 + play, 0.2 + 2 * play}, {0.2 + play, -0.2 - 2 * play},
+                       {play, -0.1 - play}, {play, -0.4}, {0.7, -0.4}};
+  Fit fit;
+  fit.w.world.setGravity(btVector3(0, 0, 0));
+  fit.add(extruded(groove, -0.1, 0.1), 0, btScalar(0.4), at(0, 0, 0));
+  btRigidBody& body = fit.add(extruded(tongue, -0.1, 0.1), 1, btScalar(0.4), at(0, 0, 0));
+  fit.w.step(60);
+  EXPECT_LT(body.getLinearVelocity().length(), 0.02) << "without force";
+  for (int step = 0; step < 120; ++step) {
+    body.activate();
+    body.applyCentralForce(btVector3(-20, 0, 0));
+    fit.w.step();
+  }
+  EXPECT_GT(fit.placeOf(body).x(), -0.03);
+  EXPECT_LT(body.getLinearVelocity().length(), 0.02);
+}
+
+}  // namespace
+}  // namespace cairn::test::fits_test
