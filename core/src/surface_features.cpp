@@ -73,7 +73,8 @@ void SurfaceFeatures::makeEdges(std::span<const Vec3> vertices, std::span<const 
   edgesOf_.resize(triangles.size());
   edges_.reserve(halves.size() / 2);
   for (std::size_t i = 0; i < halves.size();) {
-    const bool isPair = i + 1 < halves.size() && halves[i].low == halves[i + 1].low && halves[i].high == halves[i + 1].high;
+    const bool isPair =
+        i + 1 < halves.size() && halves[i].low == halves[i + 1].low && halves[i].high == halves[i + 1].high;
     SurfaceEdge edge;
     edge.vertex = {halves[i].low, halves[i].high};
     Vec3 sum;
@@ -110,7 +111,8 @@ void SurfaceFeatures::makeStars(std::size_t vertexCount) {
 
 std::size_t SurfaceFeatures::memoryBytes() const {
   return edges_.capacity() * sizeof(SurfaceEdge) + faces_.capacity() * sizeof(SurfaceFace) +
-         edgesOf_.capacity() * sizeof(edgesOf_[0]) + (star_.capacity() + firstOfStar_.capacity()) * sizeof(std::uint32_t);
+         edgesOf_.capacity() * sizeof(edgesOf_[0]) +
+         (star_.capacity() + firstOfStar_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace cairn

@@ -92,8 +92,7 @@ class SurfacePatches::Maker {
     const std::vector<Triangles> parts = partsOf(triangles);
     for (std::uint32_t lane = 0; lane < parts.size(); ++lane) {
       const bool isLast = isPatch(parts[lane]);
-      out_.families_[self].child[lane] =
-          isLast ? out_.count() : static_cast<std::uint32_t>(out_.families_.size());
+      out_.families_[self].child[lane] = isLast ? out_.count() : static_cast<std::uint32_t>(out_.families_.size());
       const Bounds part = isLast ? addPatch(parts[lane]) : addFamily(parts[lane]);
       PatchFamily& family = out_.families_[self];
       family.patches |= static_cast<std::uint32_t>(isLast) << lane;
@@ -154,7 +153,8 @@ class SurfacePatches::Maker {
       record.lowest = std::min(record.lowest, dot(record.facing, tree_.vertices()[v]));
       record.highest = std::max(record.highest, dot(record.facing, tree_.vertices()[v]));
     }
-    for (const auto& list : {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
+    for (const auto& list :
+         {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
       out_.indices_.insert(out_.indices_.end(), list.begin(), list.end());
     addEnds(vertices, edges);
     addVertices(vertices);
@@ -173,7 +173,8 @@ class SurfacePatches::Maker {
 
   // Whether what a contact's normal may be here is not on one side.
   bool isBent(std::span<const std::uint32_t> triangles, const Vec3& mean) const {
-    return std::ranges::any_of(triangles, [&](std::uint32_t t) { return dot(features_.faces()[t].normal, mean) < kLean; });
+    return std::ranges::any_of(triangles,
+                               [&](std::uint32_t t) { return dot(features_.faces()[t].normal, mean) < kLean; });
   }
 
   // Of unit vectors within `angle` of `mean`, each coordinate lies within that of the axis's own angle to it.

@@ -20,7 +20,8 @@ Sample measured(const SphereTree& tree, std::uint32_t triangle, SurfaceRay& ray)
   const auto& t = tree.triangles()[triangle];
   const Vec3 &a = tree.vertices()[t[0]], &b = tree.vertices()[t[1]], &c = tree.vertices()[t[2]];
   const Vec3 middle = (a + b + c) / 3.0F;
-  return {ray.cast(tree, middle, -tree.surface().features.faces()[triangle].normal, triangle).distance, length(cross(b - a, c - a))};
+  return {ray.cast(tree, middle, -tree.surface().features.faces()[triangle].normal, triangle).distance,
+          length(cross(b - a, c - a))};
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 namespace cairn::bullet {
 
 /// What a contact point came from, as it is written into Bullet's manifold point (part, index) of either side. On a
-/// tree: the leaf's level and its `NodeId`. On a triangle mesh: the mesh's own part and triangle. On a terrain: the
-/// triangle, and as part 0, or one plus which of a flat leaf's support points it is. On anything else as Bullet has it:
-/// index -1, or which child of a compound it is; and as part, because a flat leaf touches a flat shape in several
-/// points, which of the leaf's support points it is (-1 for the extreme one).
+/// tree: the leaf's level and its `NodeId`, or as `ContactPart` says. On a triangle mesh: the mesh's own part and
+/// triangle. On a terrain: the triangle, and as part 0, or one plus which of a flat leaf's support points it is. On
+/// anything else as Bullet has it: index -1, or which child of a compound it is; and as part, because a flat leaf
+/// touches a flat shape in several points, which of the leaf's support points it is (-1 for the extreme one).
 struct ContactId {
   int treePart = -1, treeIndex = -1;
   int otherPart = -1, otherIndex = -1;
@@ -36,7 +36,7 @@ struct Contact {
   /// Of an exact one: how far apart the bodies may be for all that. Both its points are on their surfaces, so it is no
   /// more than its depth: what has crossed in its direction may be past each other.
   float exactError = 0;
-  bool isExact = false;     ///< measured between source triangles
+  bool isExact = false;  ///< measured between source triangles
   bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
   bool isLater = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
   bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart

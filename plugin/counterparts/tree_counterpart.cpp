@@ -240,15 +240,54 @@ NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
   const std::span<const NodePair> pairs = traversal_.leafPairs();
   if (contact.pair != NodePair{kRootNode, kRootNode} || pairs.empty()) return contact.pair;
   return *std::ranges::min_element(pairs, {}, [&](const NodePair& pair) {
-    return lengthSq(a_.sphere(pair.a).center - contact.position) + lengthSq(b_.sphere(pair.b).center - contact.position);
+    return lengthSq(a_.sphere(pair.a).center - contact.position) +
+           lengthSq(b_.sphere(pair.b).center - contact.position);
   });
 }
 
+namespace {
+
+struct Parts {
+  int ofA, ofB;
+};
+
+Parts partsOf(FeatureKind kind) {
+  constexpr int kVertex = static_cast<int>(ContactPart::vertex), kFace = static_cast<int>(ContactPart::face),
+                kEdge = static_cast<int>(ContactPart::edge);
+  switch (kind) {
+    case FeatureKind::vertexOnFace:
+      return {kVertex, kFace};
+    case FeatureKind::faceOnVertex:
+      return {kFace, kVertex};
+    case FeatureKind::edgeOnEdge:
+      return {kEdge, kEdge};
+    case FeatureKind::deepVertexOfA:
+      return {kVertex, -1};
+    case FeatureKind::deepVertexOfB:
+      return {-1, kVertex};
+    case FeatureKind::deepEdgeOfA:
+      return {kEdge, kFace};
+    case FeatureKind::deepEdgeOfB:
+      return {kFace, kEdge};
+  }
+  return {-1, -1};
+}
+
+ContactId idOf(const FeatureContact& contact) {
+  const Parts parts = partsOf(contact.kind);
+  const auto index = [](int part, std::uint32_t feature) { return part < 0 ? -1 : static_cast<int>(feature); };
+  return {parts.ofA, index(parts.ofA, contact.featureA), parts.ofB, index(parts.ofB, contact.featureB)};
+}
+
+}  // namespace
+
 std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
   const float size = contactDistance_ / tuning::kContactDistance;
-  const float thinner = std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
-  const ContactLimits limits{contactDistance_, reach_,
-                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner), margins_, skin_, size};
+  const float thinner =
+      std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
+  const ContactLimits limits{
+      contactDistance_, reach_, std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),
+      margins_,         skin_,  size};
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(a_, b_, limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};
@@ -257,9 +296,7 @@ std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& questio
     contact.position = found.position;
     contact.normal = found.normal;
     contact.gap = found.separation;
-    const auto part = [](int feature) { return static_cast<int>(kMaxDepth) + 1 + feature; };
-    contact.id = {part(static_cast<int>(found.kind)), static_cast<int>(found.featureA), part(static_cast<int>(found.kind)),
-                  static_cast<int>(found.featureB)};
+    contact.id = idOf(found);
     contact.isExact = true;
     contact.exactError = std::max(0.0F, -found.separation);
     contacts.push_back(contact);

@@ -43,7 +43,7 @@ void KernelMemory::remember(std::span<const FeatureContact> contacts, const Rela
   lookedAt = placement;
   isDeep = false;
   for (const FeatureContact& c : contacts) {
-    isDeep = isDeep || c.kind == FeatureKind::overlap;
+    isDeep = isDeep || bullet::isDeep(c.kind);
     if (c.kind == FeatureKind::vertexOnFace) touching.verticesOnFaces.push_back({c.featureA, c.featureB});
     if (c.kind == FeatureKind::faceOnVertex) touching.facesOnVertices.push_back({c.featureA, c.featureB});
     if (c.kind == FeatureKind::edgeOnEdge) touching.edgesOnEdges.push_back({c.featureA, c.featureB});

@@ -41,8 +41,8 @@ class ContactKernel {
   };
 
   /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.
-  std::optional<Answer> run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
-                            KernelMemory& memory, const RelativePlacement& placement, Budget& budget);
+  std::optional<Answer> run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, KernelMemory& memory,
+                            const RelativePlacement& placement, Budget& budget);
 
  private:
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);

@@ -16,8 +16,9 @@ inline constexpr float kTrustedDepth = 0.02F;
 /// And never more than this part of the thinner body's thickness: beyond its middle the other side is nearer.
 inline constexpr float kTrustedThickness = 0.5F;
 
-/// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact distances.
-/// Rounding, and corners that lie on corners. Where they overlap it is the depth, up to one contact distance.
+/// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact
+/// distances. Rounding, and corners that lie on corners. Where they overlap it is the depth, up to one contact
+/// distance.
 inline constexpr float kBeside = 0.02F;
 
 /// A feature's cone of normals opens with depth: a neighbour may be below the tangent plane by the depth, up to this

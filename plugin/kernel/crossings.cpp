@@ -5,8 +5,8 @@ namespace cairn::bullet {
 
 namespace {
 
-void append(const PlacedSurface& edged, PlacedVertices& placed, const PlacedSurface& faced, std::uint32_t edge, std::uint32_t index,
-            bool isEdgeOfA, std::vector<Crossing>& crossings) {
+void append(const PlacedSurface& edged, PlacedVertices& placed, const PlacedSurface& faced, std::uint32_t edge,
+            std::uint32_t index, bool isEdgeOfA, std::vector<Crossing>& crossings) {
   const SurfaceFace& face = faced.features().faces()[index];
   const auto& [v, w] = edged.features().edges()[edge].vertex;
   const Vec3 from = placed[v], to = placed[w];

@@ -11,7 +11,7 @@ namespace cairn::bullet {
 
 /// Where an edge of one surface goes through a face of the other.
 struct Crossing {
-  Vec3 position;  ///< pair frame
+  Vec3 position;    ///< pair frame
   float along = 0;  ///< of the edge, from 0 at its first vertex to 1 at its second
   std::uint32_t edge = 0, face = 0;
   bool isEdgeOfA = false;  ///< then the face is B's

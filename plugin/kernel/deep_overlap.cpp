@@ -35,11 +35,16 @@ bool explains(const FeatureContact& contact, const OverlapPoint& point, const Co
   return depth >= -slack && depth <= tuning::kExplainedDepths * std::max(-contact.separation, 0.0F) + slack;
 }
 
+FeatureKind kindOf(const OverlapPoint& point) {
+  if (point.isCrossing) return point.isOfA ? FeatureKind::deepEdgeOfA : FeatureKind::deepEdgeOfB;
+  return point.isOfA ? FeatureKind::deepVertexOfA : FeatureKind::deepVertexOfB;
+}
+
 // What pushes against the way out is the far side of something thin.
 void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, std::vector<FeatureContact>& contacts) {
   const Box box = boxOf(region.points).grown(near);
   std::erase_if(contacts, [&](const FeatureContact& c) {
-    return c.kind != FeatureKind::overlap && dot(c.normal, normal) < 0 && isIn(box, c.position);
+    return !isDeep(c.kind) && dot(c.normal, normal) < 0 && isIn(box, c.position);
   });
 }
 
@@ -68,9 +73,8 @@ void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLim
                                    std::span<const FeatureContact> explaining) {
   deep_.clear();
   for (const OverlapPoint& point : region.points)
-    if (std::ranges::none_of(explaining, [&](const FeatureContact& c) {
-          return c.kind != FeatureKind::overlap && explains(c, point, limits);
-        }))
+    if (std::ranges::none_of(explaining,
+                             [&](const FeatureContact& c) { return !isDeep(c.kind) && explains(c, point, limits); }))
       deep_.push_back(point);
 }
 
@@ -97,7 +101,7 @@ void DeepOverlap::appendAlong(const Vec3& normal, std::vector<FeatureContact>& c
     contact.position = point.position + normal * ((point.isOfA ? 0.5F : -0.5F) * depth);
     contact.normal = normal;
     contact.separation = -depth;
-    contact.kind = FeatureKind::overlap;
+    contact.kind = kindOf(point);
     contact.featureA = point.isOfA ? point.feature : point.face;
     contact.featureB = point.isOfA ? point.face : point.feature;
     contacts.push_back(contact);

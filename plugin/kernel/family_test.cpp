@@ -21,8 +21,8 @@ using FamilyTag = hn::CappedTag<float, PatchFamily::kWidth>;
 // See `NearLimits::around`.
 void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits, FamilyTest& result) {
   const FamilyTag d;
-  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach), deep = hn::Set(d, limits.depth < 0 ? limits.depth : 0),
-             beside = hn::Set(d, limits.besideDeep);
+  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach),
+             deep = hn::Set(d, limits.depth < 0 ? limits.depth : 0), beside = hn::Set(d, limits.besideDeep);
   result.near = 0;
   auto least = hn::Set(d, std::numeric_limits<float>::infinity());
   for (std::uint32_t at = 0; at < PatchFamily::kWidth; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
@@ -31,7 +31,8 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
     for (int axis = 0; axis < 3; ++axis) {
       const auto low = hn::LoadU(d, family.normalLower[axis] + at), high = hn::LoadU(d, family.normalUpper[axis] + at);
       const auto lower = hn::LoadU(d, family.lower[axis] + at), upper = hn::LoadU(d, family.upper[axis] + at);
-      const auto most = hn::Set(d, box.middle[axis] + box.half[axis]), first = hn::Set(d, box.middle[axis] - box.half[axis]);
+      const auto most = hn::Set(d, box.middle[axis] + box.half[axis]),
+                 first = hn::Set(d, box.middle[axis] - box.half[axis]);
       const auto grownLower =
           hn::Sub(hn::Add(lower, hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)))), beside);
       const auto grownUpper =

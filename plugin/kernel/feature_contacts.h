@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <compare>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
-#include "cairn/core/traversal.h"
 #include "kernel/feature_lists.h"
 #include "kernel/placed_vertices.h"
 
 namespace cairn::bullet {
 
-enum class FeatureKind : std::uint8_t { vertexOnFace, faceOnVertex, edgeOnEdge, overlap };
+/// A's feature first. Deep ones are of what overlaps too far for a local minimum: a point of one body inside the other.
+enum class FeatureKind : std::uint8_t {
+  vertexOnFace,
+  faceOnVertex,
+  edgeOnEdge,
+  deepVertexOfA,
+  deepVertexOfB,
+  deepEdgeOfA,  ///< where it crosses a face of B
+  deepEdgeOfB,
+};
+
+constexpr bool isDeep(FeatureKind kind) {
+  return kind > FeatureKind::edgeOnEdge;
+}
 
 /// Where the distance between two surfaces is locally least; pair frame, world lengths.
 struct FeatureContact {
@@ -20,9 +30,7 @@ struct FeatureContact {
   Vec3 normal;           ///< unit, from B to A
   float separation = 0;  ///< along the normal, negative where they overlap
   FeatureKind kind = FeatureKind::vertexOnFace;
-  std::uint32_t featureA = 0, featureB = 0;  ///< of the kind's kinds
-
-  auto name() const { return std::tuple(kind, featureA, featureB); }
+  std::uint32_t featureA = 0, featureB = 0;  ///< indices of the mesh; of a deep vertex's other body nothing
 };
 
 /// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges.
@@ -37,8 +45,7 @@ class FeatureContacts {
   void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,
                         std::uint32_t face, std::vector<FeatureContact>& contacts) const;
   bool isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards, float separation) const;
-  void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
-                      std::vector<FeatureContact>& contacts) const;
+  void appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB, std::vector<FeatureContact>& contacts) const;
   bool isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards, float separation) const;
 
   const SurfacePair& surfaces_;

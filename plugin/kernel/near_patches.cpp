@@ -21,8 +21,7 @@ struct BoxView {
   BoxView(const PlacedSurface& side, const PlacedSurface& other, const ContactLimits& of)
       : to(side.toOther), limits(other.scale, of) {
     for (std::size_t row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column)
-        sizes.rows[row][column] = std::abs(to.linear.rows[row][column]);
+      for (int column = 0; column < 3; ++column) sizes.rows[row][column] = std::abs(to.linear.rows[row][column]);
   }
 
   PlacedBox place(const Box& box) const { return {to * box.middle(), sizes * ((box.upper - box.lower) * 0.5F)}; }

@@ -10,8 +10,8 @@
 
 namespace cairn::bullet {
 
-/// Which patches of two surfaces may touch, by their boxes: both trees of boxes are descended together, eight boxes at a
-/// time.
+/// Which patches of two surfaces may touch, by their boxes: both trees of boxes are descended together, eight boxes at
+/// a time.
 class NearPatches {
  public:
   struct Pair {

@@ -78,7 +78,8 @@ Vec3 OverlapRegions::areaBetween(const SurfacePair& surfaces, std::span<const Cr
                                  std::size_t at) const {
   const auto& [key, second] = trianglePairs_[at];
   const Vec3 origin = crossings[0].position;
-  const Vec3 from = crossings[trianglePairs_[at - 1].second].position - origin, to = crossings[second].position - origin;
+  const Vec3 from = crossings[trianglePairs_[at - 1].second].position - origin,
+             to = crossings[second].position - origin;
   const Vec3 a = surfaces.a.directionToPair(surfaces.a.features().faces()[key >> 32].normal);
   const Vec3 b = surfaces.b.directionToPair(surfaces.b.features().faces()[key & 0xFFFFFFFFU].normal);
   return cross(from, to) * (dot(to - from, cross(a, b)) < 0 ? -0.5F : 0.5F);
@@ -99,7 +100,8 @@ void OverlapRegions::joinCrossings(const SurfacePair& surfaces, std::span<const 
   }
   std::ranges::sort(trianglePairs_);
   for (std::size_t i = 1; i < trianglePairs_.size(); ++i)
-    if (trianglePairs_[i].first == trianglePairs_[i - 1].first) join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
+    if (trianglePairs_[i].first == trianglePairs_[i - 1].first)
+      join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
 }
 
 bool OverlapRegions::crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const {

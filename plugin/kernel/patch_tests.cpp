@@ -204,10 +204,10 @@ HWY_INLINE Lanes clamped(Lanes v) {
   return hn::Max(hn::Zero(d), hn::Min(v, hn::Set(d, 1.0F)));
 }
 
-// From one edge to another where they are nearest; `between`: from the second's first end to the first's. Where they are
-// parallel any place along them does.
+// From one edge to another where they are nearest; `between`: from the second's first end to the first's. Where they
+// are parallel any place along them does.
 HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
-                              Lanes lengthSqB) {
+                            Lanes lengthSqB) {
   const Tag d;
   const auto tiny = hn::Set(d, std::numeric_limits<float>::min());
   const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);

@@ -35,9 +35,9 @@ struct PatchPair {
   };
   Placed aInB, bInA;
 
-  FeaturePairs verticesOnFaces;  ///< a vertex of A, a face of B
-  FeaturePairs facesOnVertices;  ///< a face of A, a vertex of B
-  FeaturePairs edgesOnEdges;     ///< convex ones
+  FeaturePairs verticesOnFaces;    ///< a vertex of A, a face of B
+  FeaturePairs facesOnVertices;    ///< a face of A, a vertex of B
+  FeaturePairs edgesOnEdges;       ///< convex ones
   FeaturePairs edgesThroughFaces;  ///< an edge of A, a face of B
   FeaturePairs facesThroughEdges;  ///< a face of A, an edge of B
 };

@@ -44,7 +44,8 @@ struct ContactLimits {
   float skin = 0;
   float size = 0;  ///< of the smaller body
 
-  /// How far, in radians, directions may turn meanwhile: a turn about the middle moves what is farthest by half the size.
+  /// How far, in radians, directions may turn meanwhile: a turn about the middle moves what is farthest by half the
+  /// size.
   float turn() const { return 1e-6F + (size > 0 ? 4 * skin / size : 0.0F); }
   /// Whether a separation is one of a contact.
   bool trusts(float separation) const { return separation <= reach && separation >= -trustedDepth; }

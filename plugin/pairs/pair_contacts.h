@@ -25,8 +25,8 @@ struct AnswerPolicy {
 
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
-  ClusteredContacts contacts;                              ///< of the pair at hand
-  ClusterSeeds seeds{};                                    ///< its clusters' directions in the step before
+  ClusteredContacts contacts;  ///< of the pair at hand
+  ClusterSeeds seeds{};        ///< its clusters' directions in the step before
   std::vector<Contact> guards, wholes;
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
   std::vector<Contact> strays, moreStrays;

@@ -75,8 +75,11 @@ TEST(SurfaceFeatures, AgreeWithTheTriangles) {
 TEST(SurfaceThickness, IsThatOfSlabsAndTubes) {
   EXPECT_NEAR(plainTree(cuboid({1, 1, 1}, 3), 4)->surface().thickness, 1, 1e-5);
   EXPECT_NEAR(plainTree(cuboid({1, 1, 0.1}, 3), 4)->surface().thickness, 0.1, 1e-5);
-  // The chord between opposite facets of a tube of 0.24 across.
-  EXPECT_NEAR(plainTree(torus(0.3, 0.12, 24), 4)->surface().thickness, 0.24, 0.01);
+  // Between opposite facets of a tube 0.24 across, which is a polygon of 12 sides swept around one of 24.
+  const double facets = 0.24 * std::cos(std::numbers::pi / 12) * std::cos(std::numbers::pi / 24);
+  const float tube = plainTree(torus(0.3, 0.12, 24), 4)->surface().thickness;
+  EXPECT_GT(tube, facets - 1e-5);
+  EXPECT_LT(tube, 0.24);
 }
 
 TEST(SurfaceRay, KnowsInsideFromOutside) {
@@ -115,7 +118,8 @@ TEST(SurfacePatches, HoldEachTriangleOnce) {
     }
     for (const std::uint32_t v : patch.vertices) {
       const Vec3& p = tree->vertices()[v];
-      for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(p[axis] >= patch.box.lower[axis] && p[axis] <= patch.box.upper[axis]);
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_TRUE(p[axis] >= patch.box.lower[axis] && p[axis] <= patch.box.upper[axis]);
       EXPECT_LE(dot(patch.facing, p), patch.highest);
       EXPECT_GE(dot(patch.facing, p), patch.lowest);
     }

@@ -96,11 +96,12 @@ FeatureLists listed(const SurfacePair& surfaces, const ContactLimits& limits) {
 class KernelOnEveryTarget : public EveryTarget {};
 
 TEST_F(KernelOnEveryTarget, ListsAllThatTouchesAndLittleElse) {
+  std::size_t contacts = 0, crossings = 0;
   for (const Bodies& bodies : manyBodies()) {
     const FeatureLists all = everything(*bodies.a, *bodies.b);
     std::mt19937_64 engine(kSeed);
-    std::size_t contacts = 0, crossings = 0, listedPairs = 0;
-    for (int trial = 0; trial < 12; ++trial) {
+    std::size_t listedPairs = 0;
+    for (int trial = 0; trial < 40; ++trial) {
       const PlacedTree a(*bodies.a, randomPose(engine)), b(*bodies.b, Pose{randomRotation(engine), {}, 1});
       const SurfacePair surfaces = SurfacePair::of(a, b);
       const Found expected = found(surfaces, all);
@@ -116,10 +117,10 @@ TEST_F(KernelOnEveryTarget, ListsAllThatTouchesAndLittleElse) {
         listedPairs += lists.size();
       });
     }
-    EXPECT_GT(contacts, 0U);
-    EXPECT_GT(crossings, 0U);
-    EXPECT_LT(listedPairs, all.size()) << "lists leave nothing out";
+    EXPECT_LT(listedPairs, 40 * all.size()) << "lists leave nothing out";
   }
+  EXPECT_GT(contacts, 50U);
+  EXPECT_GT(crossings, 1000U);
 }
 
 // While no point has moved by more than the skin, what was listed is all that can touch.
@@ -128,7 +129,7 @@ TEST(ContactKernel, ListsWithASkinHoldUntilBodiesHaveMovedByIt) {
   std::size_t contacts = 0;
   for (const Bodies& bodies : manyBodies()) {
     std::mt19937_64 engine(kSeed + 1);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 200; ++trial) {
       const Pose pose = randomPose(engine), still{randomRotation(engine), {}, 1};
       const PlacedTree a(*bodies.a, pose), b(*bodies.b, still);
       const FeatureLists lists = listed(SurfacePair::of(a, b), limitsOf(kSkin));
@@ -158,7 +159,8 @@ TEST(ContactKernel, SaysNoMoreOfWhatIsApartThanItIs) {
   int told = 0;
   const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
   for (int trial = 0; trial < 200; ++trial) {
-    const PlacedTree a(*ring, Pose{randomRotation(engine), normalized(randomPoint(engine)) * uniform(engine, 0.7, 1.0), 1});
+    const PlacedTree a(*ring,
+                       Pose{randomRotation(engine), normalized(randomPoint(engine)) * uniform(engine, 0.7, 1.0), 1});
     const PlacedTree b(*ring, Pose{randomRotation(engine), {}, 1});
     const SurfacePair surfaces = SurfacePair::of(a, b);
     const float apart = listed(surfaces, limitsOf()).apart;
@@ -188,7 +190,8 @@ TEST(ContactKernel, KnowsHowTheOverlapGrows) {
   EXPECT_NEAR(found[0].area.z, -0.12, 1e-5);
   EXPECT_NEAR(found[0].area.x, 0, 1e-5);
   EXPECT_NEAR(found[0].area.y, 0, 1e-5);
-  EXPECT_EQ(std::ranges::count(found[0].points, true, [](const OverlapPoint& p) { return p.isOfA && !p.isCrossing; }), 9)
+  EXPECT_EQ(std::ranges::count(found[0].points, true, [](const OverlapPoint& p) { return p.isOfA && !p.isCrossing; }),
+            9)
       << "the vertices of the peg's end";
 }
 

@@ -184,6 +184,24 @@ TEST(ContactQueryThreshold, DoesNotChangeHowDeepATreeIsInAMesh) {
 // Of the leaves of what lies below; between trees a point may be anywhere between the two leaves that touch.
 constexpr float kLargestOther = 0.307F;
 
+// Whether a point of the body's frame is on the feature of the mesh that a contact names, within the contact distance.
+bool isNearFeature(const bullet::SphereTreeShape& shape, int part, int index, const btVector3& point) {
+  const auto at = [&](std::uint32_t v) {
+    const Vec3& p = shape.tree().vertices()[v];
+    return shape.bodyFromTree() * btVector3(btScalar(p.x), btScalar(p.y), btScalar(p.z));
+  };
+  const auto feature = static_cast<std::uint32_t>(index);
+  const btScalar near = bullet::kSpeculativeFraction * shape.size();
+  if (part == static_cast<int>(bullet::ContactPart::vertex)) return (at(feature) - point).length() < near;
+  if (part == static_cast<int>(bullet::ContactPart::edge)) {
+    const auto& [v, w] = shape.tree().surface().features.edges()[feature].vertex;
+    return std::abs((at(v) - point).length() + (at(w) - point).length() - (at(v) - at(w)).length()) < near;
+  }
+  const auto& t = shape.tree().triangles()[feature];
+  const btVector3 normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).normalized();
+  return std::abs(normal.dot(point - at(t[0]))) < near;
+}
+
 // What the broad phase finds, of all kinds at once; and the ids lead back to the tree.
 TEST_P(ContactQuery, OfAWholeWorldFindsEveryNeighbourOnce) {
   inWorldOf(GetParam(), [&](auto& w) {
@@ -194,18 +212,27 @@ TEST_P(ContactQuery, OfAWholeWorldFindsEveryNeighbourOnce) {
     struct Partners final : btCollisionWorld::ContactResultCallback {
       std::set<const btCollisionObject*> found;
       const btCollisionObject* tree = nullptr;
-      int wrong = 0;
+      int wrong = 0, features = 0;
       btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int partA, int indexA,
                                const btCollisionObjectWrapper* b, int partB, int indexB) override {
         const bool treeIsA = a->getCollisionObject() == tree;
         found.insert((treeIsA ? b : a)->getCollisionObject());
         const auto& shape = *bullet::asSphereTree((treeIsA ? a : b)->getCollisionShape());
+        const int part = treeIsA ? partA : partB;
+        if (part >= static_cast<int>(bullet::ContactPart::vertex)) {
+          wrong +=
+              isNearFeature(shape, part, treeIsA ? indexA : indexB, treeIsA ? point.m_localPointA : point.m_localPointB)
+                  ? 0
+                  : 1;
+          ++features;
+          return 0;
+        }
         const auto node = static_cast<NodeId>(treeIsA ? indexA : indexB);
         const btVector3& on = treeIsA ? point.m_localPointA : point.m_localPointB;
         const Sphere leaf = shape.tree().sphere(node);
         const btVector3 center =
             shape.bodyFromTree() * btVector3(btScalar(leaf.center.x), btScalar(leaf.center.y), btScalar(leaf.center.z));
-        wrong += shape.tree().isLeaf(node) && static_cast<int>(shape.tree().level(node)) == (treeIsA ? partA : partB) &&
+        wrong += shape.tree().isLeaf(node) && static_cast<int>(shape.tree().level(node)) == part &&
                          (on - center).length() < btScalar(leaf.radius + kLargestOther)
                      ? 0
                      : 1;
@@ -216,7 +243,9 @@ TEST_P(ContactQuery, OfAWholeWorldFindsEveryNeighbourOnce) {
     w.dispatcher.setFinest(bullet::Finest::triangles);
     w.world.contactTest(&tree, partners);
     EXPECT_EQ(partners.found.size(), bodies.size());
-    EXPECT_EQ(partners.wrong, 0) << "part: the leaf's level, index: its name, the point near its ball";
+    EXPECT_EQ(partners.wrong, 0)
+        << "part: the leaf's level, index: its name, the point near its ball; of trees features";
+    EXPECT_GT(partners.features, 0);
   });
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bullet_world.h"
+#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 #include "random_tree.h"
 #include "triangles/triangle.h"
@@ -24,6 +25,8 @@ using bullet::Triangle;
 constexpr unsigned kSeed = 41;
 // Sizes are about one, and a coordinate is rounded some ten times on its way into Bullet's manifold and back.
 constexpr float kRounding = 1e-5F;
+// Box diagonal of the smaller bodies, at most.
+constexpr float kSize = 1.4F;
 
 std::vector<Triangle> meshOf(const btCollisionObject& body) {
   const auto& shape = *bullet::asSphereTree(body.getCollisionShape());
@@ -50,7 +53,8 @@ btQuaternion randomTurn(std::mt19937_64& engine) {
   return {btVector3(btScalar(axis.x), btScalar(axis.y), btScalar(axis.z)), btScalar(uniform(engine, 0, 3))};
 }
 
-// Greatest distance of a contact point from the mesh it is said to be on.
+// Greatest distance of a contact point from the mesh it is said to be on, beyond what contacts may be beside the
+// features they touch: what overlaps by its depth, what does not by a fiftieth of the contact distance.
 float strayOf(BulletWorld<>& w, const btRigidBody& lower, const btRigidBody& upper) {
   const std::vector<Triangle> ofLower = meshOf(lower), ofUpper = meshOf(upper);
   float worst = 0;
@@ -62,7 +66,9 @@ float strayOf(BulletWorld<>& w, const btRigidBody& lower, const btRigidBody& upp
       const btManifoldPoint& p = m.getContactPoint(k);
       const btVector3& onLower = lowerIsA ? p.getPositionWorldOnA() : p.getPositionWorldOnB();
       const btVector3& onUpper = lowerIsA ? p.getPositionWorldOnB() : p.getPositionWorldOnA();
-      worst = std::max({worst, distanceTo(ofLower, onLower), distanceTo(ofUpper, onUpper)});
+      const auto beside =
+          std::max(float(-p.getDistance()), bullet::tuning::kBeside * bullet::tuning::kContactDistance * kSize);
+      worst = std::max({worst, distanceTo(ofLower, onLower) - beside, distanceTo(ofUpper, onUpper) - beside});
     }
   }
   return worst;

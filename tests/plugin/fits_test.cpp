@@ -50,10 +50,10 @@ TEST(Fits, APegFallsIntoItsHole) {
       Fit fit;
       fit.add(holedBlock(0.5, 0.2 * (1 + play), 32, -0.3, 0.3), 0, 1, at(0, 0, 0));
       const double angle = start * 1.7, off = 0.0005 * start, tilt = 0.0012 * start;
-      btRigidBody& peg = fit.add(extruded(circle(0.2, 32), -0.4, 0.4), 1, btScalar(0.1),
-                                 at(off * std::cos(angle), off * std::sin(angle), 0.72,
-                                    btQuaternion(btVector3(btScalar(std::cos(angle)), btScalar(std::sin(angle)), 0),
-                                                 btScalar(tilt))));
+      btRigidBody& peg =
+          fit.add(extruded(circle(0.2, 32), -0.4, 0.4), 1, btScalar(0.1),
+                  at(off * std::cos(angle), off * std::sin(angle), 0.72,
+                     btQuaternion(btVector3(btScalar(std::cos(angle)), btScalar(std::sin(angle)), 0), btScalar(tilt))));
       btScalar aside = 0;
       for (int step = 0; step < 60 && fit.placeOf(peg).z() > 0; ++step) {
         fit.w.step();
@@ -66,7 +66,8 @@ TEST(Fits, APegFallsIntoItsHole) {
 
 // A T in its rail, on top of it and hanging from it, slides as a block on a slope does.
 TEST(Fits, ASliderStaysOnItsRail) {
-  const Outline rail{{-0.1, 0}, {0.1, 0}, {0.1, 0.2}, {0.25, 0.2}, {0.25, 0.4}, {-0.25, 0.4}, {-0.25, 0.2}, {-0.1, 0.2}};
+  const Outline rail{{-0.1, 0},   {0.1, 0},     {0.1, 0.2},   {0.25, 0.2},
+                     {0.25, 0.4}, {-0.25, 0.4}, {-0.25, 0.2}, {-0.1, 0.2}};
   const Outline slider{{-0.5, 0.02}, {-0.11, 0.02}, {-0.11, 0.19}, {-0.26, 0.19}, {-0.26, 0.41}, {0.26, 0.41},
                        {0.26, 0.19}, {0.11, 0.19},  {0.11, 0.02},  {0.5, 0.02},   {0.5, 0.7},    {-0.5, 0.7}};
   const double slope = 0.35;
@@ -90,10 +91,11 @@ TEST(Fits, ASliderStaysOnItsRail) {
 
 // In a slot of its own outline, 0.006 wider all around.
 TEST(Fits, AKeySlidesIntoItsLock) {
-  const Outline key{{-0.1, -0.3}, {0.1, -0.3}, {0.1, -0.1}, {0.25, -0.1}, {0.25, 0.05}, {0.1, 0.05}, {0.1, 0.3}, {-0.1, 0.3}};
+  const Outline key{{-0.1, -0.3}, {0.1, -0.3}, {0.1, -0.1}, {0.25, -0.1},
+                    {0.25, 0.05}, {0.1, 0.05}, {0.1, 0.3},  {-0.1, 0.3}};
   // The lock's outline runs around the slot and out along a seam without width, as two halves.
-  const Outline right{{0.106, -0.306}, {0.5, -0.306}, {0.5, 0.306}, {0.106, 0.306}, {0.106, 0.056}, {0.256, 0.056},
-                      {0.256, -0.106}, {0.106, -0.106}};
+  const Outline right{{0.106, -0.306}, {0.5, -0.306},  {0.5, 0.306},    {0.106, 0.306},
+                      {0.106, 0.056},  {0.256, 0.056}, {0.256, -0.106}, {0.106, -0.106}};
   const Outline left{{-0.5, -0.306}, {-0.106, -0.306}, {-0.106, 0.306}, {-0.5, 0.306}};
   Fit fit;
   fit.add(extruded(right, -0.25, 0.25), 0, 1, at(0, 0, 0));
@@ -119,8 +121,14 @@ TEST(Fits, ABodyInACavityDoesNotTouchIt) {
 TEST(Fits, ATongueHoldsInItsGroove) {
   const Outline tongue{{-0.5, -0.4}, {0, -0.4}, {0, -0.1}, {0.2, -0.2}, {0.2, 0.2}, {0, 0.1}, {0, 0.4}, {-0.5, 0.4}};
   const double play = 0.006;
-  const Outline groove{{0.7, 0.4}, {play, 0.4}, {play, 0.1 + play}, {0.2 + play, 0.2 + 2 * play}, {0.2 + play, -0.2 - 2 * play},
-                       {play, -0.1 - play}, {play, -0.4}, {0.7, -0.4}};
+  const Outline groove{{0.7, 0.4},
+                       {play, 0.4},
+                       {play, 0.1 + play},
+                       {0.2 + play, 0.2 + 2 * play},
+                       {0.2 + play, -0.2 - 2 * play},
+                       {play, -0.1 - play},
+                       {play, -0.4},
+                       {0.7, -0.4}};
   Fit fit;
   fit.w.world.setGravity(btVector3(0, 0, 0));
   fit.add(extruded(groove, -0.1, 0.1), 0, btScalar(0.4), at(0, 0, 0));

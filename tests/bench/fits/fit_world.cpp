@@ -15,9 +15,12 @@ namespace cairn::bench {
 
 const char* nameOf(FitShape shape) {
   switch (shape) {
-    case FitShape::tree: return "tree";
-    case FitShape::treeTriangles: return "tree+triangles";
-    case FitShape::gimpact: return "gimpact";
+    case FitShape::tree:
+      return "tree";
+    case FitShape::treeTriangles:
+      return "tree+triangles";
+    case FitShape::gimpact:
+      return "gimpact";
   }
   return "";
 }
@@ -71,7 +74,8 @@ std::shared_ptr<btCollisionShape> FitWorld::gimpact(const bullet::SphereTreeShap
     for (const std::uint32_t v : t) coordinates->indices.push_back(static_cast<int>(v));
   meshes_.push_back(std::make_unique<btTriangleIndexVertexArray>(
       static_cast<int>(shape.tree().triangles().size()), coordinates->indices.data(), 3 * static_cast<int>(sizeof(int)),
-      static_cast<int>(shape.tree().vertices().size()), coordinates->of.data(), 3 * static_cast<int>(sizeof(btScalar))));
+      static_cast<int>(shape.tree().vertices().size()), coordinates->of.data(),
+      3 * static_cast<int>(sizeof(btScalar))));
   coordinates_.push_back(std::move(coordinates));
   auto mesh = std::make_shared<btGImpactMeshShape>(meshes_.back().get());
   mesh->setMargin(btScalar(0.0005));

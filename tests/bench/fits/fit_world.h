@@ -40,7 +40,8 @@ class FitWorld {
 
   /// Mass 0: it does not move.
   btRigidBody& add(const std::string& piece, double mass, double friction, const btTransform& mesh, double scale = 1);
-  btRigidBody& addShape(std::shared_ptr<btCollisionShape> shape, double mass, double friction, const btTransform& place);
+  btRigidBody& addShape(std::shared_ptr<btCollisionShape> shape, double mass, double friction,
+                        const btTransform& place);
   btTransform meshPlace(const btRigidBody& body) const;
   void setMeshPlace(btRigidBody& body, const btTransform& mesh) const;
   void step() { world.stepSimulation(btScalar(1.0 / 60), 0); }

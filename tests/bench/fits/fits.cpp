@@ -39,11 +39,16 @@ FitResult peg(Pieces& pieces, FitShape shape, const char* block) {
     }
     in += isIn;
   }
-  return {std::string("peg, ") + block, in == 6 && pushed < 0.2, fmt::format("{} of 6 in, fastest aside {:.3f} m/s", in, pushed)};
+  return {std::string("peg, ") + block, in == 6 && pushed < 0.2,
+          fmt::format("{} of 6 in, fastest aside {:.3f} m/s", in, pushed)};
 }
 
-FitResult pegTight(Pieces& pieces, FitShape shape) { return peg(pieces, shape, "holeblock"); }
-FitResult pegLoose(Pieces& pieces, FitShape shape) { return peg(pieces, shape, "hole5"); }
+FitResult pegTight(Pieces& pieces, FitShape shape) {
+  return peg(pieces, shape, "holeblock");
+}
+FitResult pegLoose(Pieces& pieces, FitShape shape) {
+  return peg(pieces, shape, "hole5");
+}
 
 FitResult jigsaw(Pieces& pieces, FitShape shape) {
   FitWorld world(pieces, shape);
@@ -114,8 +119,8 @@ FitResult key(Pieces& pieces, FitShape shape) {
 struct Deepest : btCollisionWorld::ContactResultCallback {
   double distance = 1e9;
 
-  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
-                           int, int) override {
+  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
     distance = std::min(distance, double(p.getDistance()));
     return 0;
   }
@@ -139,9 +144,9 @@ FitResult distances(Pieces& pieces, FitShape shape) {
         btRigidBody& link = world.add("link", 0, 1, at(0, 0, 0));
         // Straight above the middle of a side, whose highest line is at z = 0.06657.
         const double top = 0.0665739, y = 0.25;
-        btRigidBody& other = toSphere ? world.addShape(std::make_shared<btSphereShape>(btScalar(0.1)), 1, 1,
-                                                       at(0, y, top + gap + 0.1))
-                                      : world.add("link", 1, 1, at(0, 0, 2 * top + gap));
+        btRigidBody& other =
+            toSphere ? world.addShape(std::make_shared<btSphereShape>(btScalar(0.1)), 1, 1, at(0, y, top + gap + 0.1))
+                     : world.add("link", 1, 1, at(0, 0, 2 * top + gap));
         const double error = std::abs(distanceOf(world, link, other, threshold) - gap);
         if (error > worst) where = fmt::format("{} at {} within {}", toSphere ? "sphere" : "link", gap, threshold);
         worst = std::max(worst, error);
@@ -186,8 +191,12 @@ FitResult chain(Pieces& pieces, FitShape shape, double heavy) {
           fmt::format("{}, {:.3f} m/s, {}", holds ? "holds" : "pulled through", fastest, sleeps ? "asleep" : "awake")};
 }
 
-FitResult chainLight(Pieces& pieces, FitShape shape) { return chain(pieces, shape, 5); }
-FitResult chainHeavy(Pieces& pieces, FitShape shape) { return chain(pieces, shape, 20); }
+FitResult chainLight(Pieces& pieces, FitShape shape) {
+  return chain(pieces, shape, 5);
+}
+FitResult chainHeavy(Pieces& pieces, FitShape shape) {
+  return chain(pieces, shape, 20);
+}
 
 FitResult cup(Pieces& pieces, FitShape shape) {
   FitWorld world(pieces, shape);
@@ -237,9 +246,8 @@ FitResult cup(Pieces& pieces, FitShape shape) {
 }  // namespace
 
 std::vector<Fit> fits() {
-  return {{"peg1", pegTight},   {"peg5", pegLoose},           {"jigsaw", jigsaw},
-          {"tslot", slider},    {"key", key},                 {"distances", distances},
-          {"cavity", cavity},   {"chain5", chainLight},       {"chain20", chainHeavy}, {"cup", cup}};
+  return {{"peg1", pegTight},       {"peg5", pegLoose}, {"jigsaw", jigsaw},     {"tslot", slider},       {"key", key},
+          {"distances", distances}, {"cavity", cavity}, {"chain5", chainLight}, {"chain20", chainHeavy}, {"cup", cup}};
 }
 
 }  // namespace cairn::bench

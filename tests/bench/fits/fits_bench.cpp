@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pieces that fit with a little play: whether they go together, hold and come apart as pieces do, as sphere-trees and as
-// Bullet's own concave shape.
+// Pieces that fit with a little play: whether they go together, hold and come apart as pieces do, as sphere-trees and
+// as Bullet's own concave shape.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
       if (!only.empty() && std::ranges::find(only, fit.name) == only.end()) continue;
       for (const FitShape shape : shapes) {
         const FitResult result = fit.run(pieces, shape);
-        fmt::print("{:18} {:15} {:5} {}\n", result.name, nameOf(shape), result.holds ? "holds" : "FAILS", result.figures);
+        fmt::print("{:18} {:15} {:5} {}\n", result.name, nameOf(shape), result.holds ? "holds" : "FAILS",
+                   result.figures);
         std::fflush(stdout);
       }
     }

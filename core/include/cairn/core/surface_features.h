@@ -24,9 +24,9 @@ struct SurfaceEdge {
 
 /// A triangle's plane and the planes through its sides, each with its unit normal: `dot(normal, p) - offset`.
 struct SurfaceFace {
-  Vec3 normal;                    ///< outward; zero for a triangle without area, which touches nothing
+  Vec3 normal;  ///< outward; zero for a triangle without area, which touches nothing
   float offset = 0;
-  std::array<Vec3, 3> inward;     ///< in the triangle's plane, from side k (corners k, k + 1) to the triangle
+  std::array<Vec3, 3> inward;  ///< in the triangle's plane, from side k (corners k, k + 1) to the triangle
   std::array<float, 3> inwardOffset{};
 };
 
