@@ -18,20 +18,23 @@ namespace cairn::bullet {
 /// What a pair remembers from step to step.
 struct KernelMemory {
   FeatureLists lists;
-  /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other since.
-  bool isListed = false;
+  /// How the bodies stood when these were made, and how far they reach, world length; below 0: there are none.
+  RelativePlacement listedAt;
+  float listedReach = -1;
   /// The contacts of the last look at all that is listed, how the bodies stood, and whether any were of deep overlap.
   FeatureLists touching;
   RelativePlacement lookedAt;
   bool isDeep = false;
 
-  /// Whether the bodies have hardly moved since: then these are asked again, and nothing else.
+  /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other.
+  bool isListedAt(const RelativePlacement& placement, const ContactLimits& limits) const;
+  /// Whether the bodies have hardly moved since the last look: then these are asked again, and nothing else.
   bool isStillAt(const RelativePlacement& placement, const ContactLimits& limits) const;
   void remember(std::span<const FeatureContact> contacts, const RelativePlacement& placement);
 };
 
-/// The contacts of two surfaces: the local minima of the distance between
-/// them, and what overlaps deeper. See docs/algorithms/contacts.md. One object serves many pairs, one after the other.
+/// The contacts of two surfaces: the local minima of the distance between them, and what overlaps deeper. See
+/// docs/algorithms/contact-kernel.md. One object serves many pairs, one after the other.
 class ContactKernel {
  public:
   /// What `run` finds. Valid until the next one.
@@ -46,8 +49,8 @@ class ContactKernel {
 
  private:
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
-  bool staysInside(const PlacedTree& a, const PlacedTree& b, const FeatureContact& contact, const FeatureContact& other,
-                   float more);
+  bool staysInside(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, const FeatureContact& contact,
+                   const FeatureContact& other);
 
   FeatureLister lister_;
   PlacedPair placed_;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/bullet/sphere_tree_shape.h"
+
 namespace cairn::bullet::tuning {
 
 // Every number that decides which contacts two surfaces have. "Size" is the box diagonal of the smaller body; a
-// "contact distance" is `kContactDistance` of it. docs/algorithms/contacts.md has a table of what fails without each.
+// "contact distance" is `kContactDistance` of it. See docs/algorithms/contact-kernel.md.
 
 /// Surfaces no farther apart than this are told to the solver, which lets them close and no more. Sizes. At 0.1 %
 /// heaps of cubes keep 3 to 4 mJ/kg; what is farther off brakes rolling bodies.
-inline constexpr float kContactDistance = 0.002F;
+inline constexpr float kContactDistance = static_cast<float>(kSpeculativeFraction);
 
 /// Depth to which local minima are trusted; deeper, regions of overlap answer. Sizes. At 1 % heaps of cubes keep 2.5 to
 /// 8.7 mJ/kg.
@@ -40,8 +42,11 @@ inline constexpr float kNearDistances = 0.1F;
 inline constexpr float kExplainedSlack = 0.5F;
 inline constexpr float kExplainedDepths = 1.5F;
 
-/// Of a region of overlap that is not explained, points deeper than this part of its least width are contacts.
+/// Of a region of overlap that is not explained, points deeper than this part of its width along the way out are
+/// contacts.
 inline constexpr float kDeepPart = 0.3F;
+/// An area that is this part of what it is summed from, or less, is its rounding: a rod through a plate.
+inline constexpr float kNoArea = 1e-3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
 /// Until the bodies have moved so far against each other since all features were looked at, those that were in contact

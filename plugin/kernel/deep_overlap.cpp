@@ -51,7 +51,8 @@ void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, st
 // Where the overlap grows no less whichever way the bodies move they are parted along the line of their middles.
 Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
   const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
-  const Vec3 way = region.area != Vec3() ? -region.area : bodies;
+  const bool isClosed = length(region.area) <= tuning::kNoArea * region.sum;
+  const Vec3 way = isClosed ? bodies : -region.area;
   return way != Vec3() ? normalized(way) : way;
 }
 

@@ -25,7 +25,8 @@ struct NearLimits {
     depth = limits.margins / scale - limits.trustedDepth * unit - skin;
     margins = limits.margins / scale;
     beside = tuning::kBeside * limits.contactDistance * unit + skin;
-    besideDeep = limits.contactDistance * unit + skin;
+    // On an edge contacts may point anywhere between its faces' normals: whatever the patch faces, they reach as far.
+    besideDeep = std::max(limits.contactDistance, limits.reach + limits.margins) * unit + skin;
   }
 
   /// A box around all that may touch the piece. `normals` bound the directions that it faces.

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace cairn::bullet {
 
 namespace {
 
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
+// Operations of a ray, which passes some dozens of balls.
+constexpr std::uint32_t kAskedCost = 32 * kOverlapTestCost;
 
 bool isSamePlace(const Crossing& x, const Crossing& y) {
   return x.isEdgeOfA == y.isEdgeOfA && x.edge == y.edge && x.face == y.face;
@@ -38,8 +41,10 @@ void OverlapRegions::join(std::uint32_t x, std::uint32_t y) {
   parent_[std::max(rootX, rootY)] = std::min(rootX, rootY);
 }
 
-std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings) {
+std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings,
+                                                    Budget& budget) {
   points_.clear();
+  asked_ = 0;
   regions_.clear();
   if (crossings.empty()) return {};
   std::ranges::sort(crossings, {}, &Crossing::place);
@@ -52,22 +57,31 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(surfaces, crossings);
+  budget.chargeAnyway(kAskedCost * asked_);
   gather(surfaces, crossings);
   return regions_;
 }
 
+void OverlapRegions::addArea(Area& area, const Vec3& part) {
+  area.area += part;
+  area.sum += length(part);
+}
+
 void OverlapRegions::gather(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
   for (OverlapPoint& point : points_) point.region = rootOf(point.region);
-  std::ranges::stable_sort(points_, {}, &OverlapPoint::region);
+  // By all that tells points apart: a stable sort would allocate.
+  std::ranges::sort(points_, {}, [](const OverlapPoint& p) {
+    return std::tuple(p.region, !p.isCrossing, p.isOfA, p.feature, p.face);
+  });
   areas_.assign(crossings.size(), {});
   for (std::size_t i = 1; i < trianglePairs_.size(); ++i)
     if (trianglePairs_[i].first == trianglePairs_[i - 1].first)
-      areas_[rootOf(trianglePairs_[i].second)] += areaBetween(surfaces, crossings, i);
+      addArea(areas_[rootOf(trianglePairs_[i].second)], areaBetween(surfaces, crossings, i));
   for (std::span<const OverlapPoint> points = points_; !points.empty();) {
     const std::uint32_t region = points[0].region;
     const auto end = std::ranges::find_if(points, [&](const OverlapPoint& p) { return p.region != region; });
     const auto own = points.first(static_cast<std::size_t>(end - points.begin()));
-    regions_.push_back({own, areas_[region]});
+    regions_.push_back({own, areas_[region].area, areas_[region].sum});
     points = points.subspan(own.size());
   }
 }
@@ -119,6 +133,7 @@ std::uint32_t OverlapRegions::visit(const SurfacePair& surfaces, bool isOfA, std
   const PlacedSurface& other = sideOf(surfaces, !isOfA);
   const Vec3& own = side.vertex(vertex);
   visited = {search_, kOutside};
+  ++asked_;
   if (!ray_.isInside(*other.tree, side.toOther * own)) return kOutside;
   visited.point = static_cast<std::uint32_t>(points_.size());
   points_.push_back({side.toPair * own, isOfA, false, vertex, 0, region});

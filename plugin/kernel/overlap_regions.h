@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cairn/core/budget.h"
 #include "cairn/core/surface_ray.h"
 #include "kernel/crossings.h"
 
@@ -26,14 +27,16 @@ struct OverlapRegion {
   std::span<const OverlapPoint> points;
   /// The vector area of A's surface inside B, pair frame: by how much the overlap grows when A moves.
   Vec3 area;
+  float sum = 0;  ///< of the lengths of what it is made of
 };
 
 /// Which points of two bodies are inside each other, and which of these belong together: where surfaces cross, the
 /// vertices on the inner sides, and all that these are joined with by edges which do not cross.
 class OverlapRegions {
  public:
-  /// `crossings` are sorted and made unique. Valid until the next call.
-  std::span<const OverlapRegion> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings);
+  /// `crossings` are sorted and made unique. Valid until the next call. Charges each vertex that is asked whether it is
+  /// inside, whatever is left of the budget.
+  std::span<const OverlapRegion> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings, Budget& budget);
 
  private:
   void joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings);
@@ -49,7 +52,13 @@ class OverlapRegions {
   std::vector<std::uint32_t> parent_;  // of regions, by crossing
   std::vector<std::pair<std::uint64_t, std::uint32_t>> trianglePairs_;
   std::vector<OverlapPoint> points_;
-  std::vector<Vec3> areas_;  // by crossing, where that is its region's root
+  struct Area {
+    Vec3 area;
+    float sum = 0;
+  };
+  static void addArea(Area& area, const Vec3& part);
+  std::vector<Area> areas_;  // by crossing, where that is its region's root
+  std::uint32_t asked_ = 0;  // vertices
   std::vector<OverlapRegion> regions_;
   std::vector<std::uint32_t> waiting_;  // points whose neighbours are to be visited
   // By vertex of A and of B: the point it is, or kOutside, in the search that its stamp names.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 
@@ -12,14 +13,15 @@ namespace cairn::bullet {
 
 /// Pairs of features by their places in two patches' lists.
 struct FeaturePairs {
-  static constexpr std::uint32_t kMost = 4096;
+  static constexpr std::uint32_t kMost = SurfacePatch::kMaxFeatures * SurfacePatch::kMaxFeatures;
 
   std::uint32_t count = 0;
   std::array<std::array<std::uint8_t, 2>, kMost> pairs;
 
   std::span<const std::array<std::uint8_t, 2>> all() const { return std::span(pairs).first(count); }
   void add(std::uint32_t first, std::uint32_t second) {
-    if (count < kMost) pairs[count++] = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
+    assert(count < kMost);
+    pairs[count++] = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
   }
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -70,11 +71,11 @@ struct Found {
   bool operator==(const Found&) const = default;
 };
 
-Found found(const SurfacePair& surfaces, const FeatureLists& lists) {
+Found found(const SurfacePair& surfaces, const FeatureLists& lists, const ContactLimits& limits = limitsOf()) {
   PlacedPair placed;
   placed.begin(surfaces);
   std::vector<FeatureContact> contacts;
-  FeatureContacts(surfaces, placed, limitsOf()).append(lists, contacts);
+  FeatureContacts(surfaces, placed, limits).append(lists, contacts);
   std::vector<Crossing> crossings;
   appendCrossings(surfaces, placed, lists, crossings);
   Found result;
@@ -121,6 +122,34 @@ TEST_F(KernelOnEveryTarget, ListsAllThatTouchesAndLittleElse) {
   }
   EXPECT_GT(contacts, 50U);
   EXPECT_GT(crossings, 1000U);
+}
+
+// Queries look farther than contacts reach: edges that face each other along no face's normal are listed too.
+TEST(ContactKernel, ListsWhatAQueryAsksForFarAway) {
+  const auto crate = plainTree(cuboid({1, 1, 1}, 16), 8);
+  const FeatureLists all = everything(*crate, *crate);
+  std::mt19937_64 engine(kSeed + 3);
+  std::size_t contacts = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    // An edge of each across one of the other, along the diagonal between their faces.
+    const double h = std::sqrt(0.5);
+    const Mat3d onEdge{{Vec3d(h, 0, h), Vec3d(0, 1, 0), Vec3d(-h, 0, h)}};
+    const double across = uniform(engine, 0.5, 1.5);
+    const Mat3d turn{
+        {Vec3d(std::cos(across), -std::sin(across), 0), Vec3d(std::sin(across), std::cos(across), 0), Vec3d(0, 0, 1)}};
+    const double apart = uniform(engine, 0.02, 0.15);
+    const PlacedTree b(*crate, Pose{onEdge, {}, 1});
+    const PlacedTree a(*crate,
+                       Pose{turn * onEdge, {uniform(engine, -0.2, 0.2), uniform(engine, -0.2, 0.2), 2 * h + apart}, 1});
+    ContactLimits limits = limitsOf();
+    limits.reach = 0.2F;
+    const SurfacePair surfaces = SurfacePair::of(a, b);
+    const Found expected = found(surfaces, all, limits);
+    contacts += expected.contacts.size();
+    EXPECT_EQ(found(surfaces, listed(surfaces, limits), limits), expected)
+        << "seed " << kSeed + 3 << ", trial " << trial;
+  }
+  EXPECT_GE(contacts, 12U);
 }
 
 // While no point has moved by more than the skin, what was listed is all that can touch.
@@ -185,7 +214,8 @@ TEST(ContactKernel, KnowsHowTheOverlapGrows) {
   std::vector<Crossing> crossings;
   appendCrossings(surfaces, placed, listed(surfaces, limitsOf()), crossings);
   OverlapRegions regions;
-  const std::span<const OverlapRegion> found = regions.find(surfaces, crossings);
+  Budget unlimited = Budget::unlimited();
+  const std::span<const OverlapRegion> found = regions.find(surfaces, crossings, unlimited);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].area.z, -0.12, 1e-5);
   EXPECT_NEAR(found[0].area.x, 0, 1e-5);

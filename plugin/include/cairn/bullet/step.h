@@ -34,8 +34,8 @@ enum class Unresolved : std::uint8_t {
 /// Where refinement ends.
 enum class Finest : std::uint8_t {
   leaves,     ///< contacts between the regions of leaves (default)
-  triangles,  ///< what is left of the budget once the leaves are found goes on to their source triangles (thesis
-              ///< 8.3.7): contacts between two sphere-trees become exact along their normals
+  triangles,  ///< what is left of the budget once the leaves are found goes on to the source meshes (thesis 8.3.7):
+              ///< contacts of two sphere-trees are the local minima of the distance between their meshes
 };
 
 /// What the narrow phase did in the last step.
