@@ -231,7 +231,8 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
 }
 
 std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
-  if (question.finest == Finest::triangles) return appendOfKernel(question, contacts);
+  if (question.finest == Finest::triangles)
+    return traversal_.leafPairs().empty() ? std::nullopt : appendOfKernel(question, contacts);
   return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), question.budget, contacts);
 }
 
