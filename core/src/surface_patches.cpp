@@ -20,7 +20,7 @@ constexpr Box kNothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinit
 
 void makeUnique(std::vector<std::uint32_t>& list) {
   std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
@@ -132,8 +132,8 @@ class SurfacePatches::Maker {
       }
     makeUnique(vertices);
     makeUnique(edges);
-    const auto firstFlat =
-        std::ranges::stable_partition(edges, [&](std::uint32_t e) { return features_.edges()[e].isConvex; }).begin();
+    const auto isConvex = [&](std::uint32_t e) { return features_.edges()[e].isConvex; };
+    const auto firstFlat = std::stable_partition(edges.begin(), edges.end(), isConvex);
     Record record;
     record.firstIndex = static_cast<std::uint32_t>(out_.indices_.size());
     record.firstEnd = static_cast<std::uint32_t>(out_.ends_.size());

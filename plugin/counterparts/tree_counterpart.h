@@ -65,7 +65,7 @@ class TreeCounterpart final : public Counterpart {
   PlacedTree a_, b_;
   float margins_ = 0;
   float reach_ = 0;
-  float contactDistance_ = 0, smallerSize_ = 0;
+  float contactDistance_ = 0;
   KernelMemory kernelMemory_;
   float skin_ = 0;  // of the traversal at hand
   TreePairTraversal traversal_;

@@ -18,7 +18,7 @@ void append(const FeaturePairs& found, Places ofA, Places ofB, FeatureLists::Lis
 // Patches share their borders' vertices and edges.
 void makeUnique(FeatureLists::List& list) {
   std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
   regions_.clear();
   if (crossings.empty()) return {};
   std::ranges::sort(crossings, {}, &Crossing::place);
-  crossings.erase(std::ranges::unique(crossings, isSamePlace).begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end(), isSamePlace), crossings.end());
   parent_.resize(crossings.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   joinCrossings(surfaces, crossings);
