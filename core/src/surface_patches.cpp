@@ -35,7 +35,11 @@ void Box::add(const Vec3& p) {
 class SurfacePatches::Maker {
  public:
   Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
-      : tree_(tree), features_(features), out_(out) {}
+      : tree_(tree),
+        features_(features),
+        out_(out),
+        isVertexOwned_(tree.vertices().size()),
+        isEdgeOwned_(features.edges().size()) {}
 
   void run() {
     std::vector<std::uint32_t> triangles(tree_.triangles().size());
@@ -132,6 +136,8 @@ class SurfacePatches::Maker {
       }
     makeUnique(vertices);
     makeUnique(edges);
+    const auto firstForeign = ownFirst(vertices, isVertexOwned_);
+    edges.erase(ownFirst(edges, isEdgeOwned_), edges.end());
     const auto isConvex = [&](std::uint32_t e) { return features_.edges()[e].isConvex; };
     const auto firstFlat = std::stable_partition(edges.begin(), edges.end(), isConvex);
     Record record;
@@ -139,14 +145,17 @@ class SurfacePatches::Maker {
     record.firstEnd = static_cast<std::uint32_t>(out_.ends_.size());
     record.firstNumber = static_cast<std::uint32_t>(out_.numbers_.size());
     record.vertices = static_cast<std::uint16_t>(vertices.size());
+    record.ownVertices = static_cast<std::uint16_t>(firstForeign - vertices.begin());
     record.edges = static_cast<std::uint16_t>(edges.size());
     record.triangles = static_cast<std::uint16_t>(triangles.size());
     record.convexEdges = static_cast<std::uint16_t>(firstFlat - edges.begin());
     record.box = kNothing;
     for (const std::uint32_t v : vertices) record.box.add(tree_.vertices()[v]);
-    const Vec3 mean = facingOf(triangles);
-    record.normals = normalsOf(triangles, mean);
-    record.facing = isBent(triangles, mean) ? Vec3() : mean;
+    const std::vector<std::uint32_t> touched =
+        trianglesAround(triangles, std::span(vertices).first(record.ownVertices), edges);
+    const Vec3 mean = facingOf(touched);
+    record.normals = normalsOf(touched, mean);
+    record.facing = isBent(touched, mean) ? Vec3() : mean;
     record.lowest = kInfinity;
     record.highest = -kInfinity;
     for (const std::uint32_t v : vertices) {
@@ -162,6 +171,28 @@ class SurfacePatches::Maker {
     addEdges(std::span(edges).first(record.convexEdges));
     out_.records_.push_back(record);
     return {record.box, record.normals};
+  }
+
+  // Moves what no patch owns yet to the front, and owns it.
+  static std::vector<std::uint32_t>::iterator ownFirst(std::vector<std::uint32_t>& list, std::vector<bool>& isOwned) {
+    const auto end = std::stable_partition(list.begin(), list.end(), [&](std::uint32_t i) { return !isOwned[i]; });
+    std::for_each(list.begin(), end, [&](std::uint32_t i) { isOwned[i] = true; });
+    return end;
+  }
+
+  // The patch's, and all others that meet in its own vertices and edges.
+  std::vector<std::uint32_t> trianglesAround(std::span<const std::uint32_t> triangles,
+                                             std::span<const std::uint32_t> ownVertices,
+                                             std::span<const std::uint32_t> ownEdges) const {
+    std::vector<std::uint32_t> all(triangles.begin(), triangles.end());
+    const auto addOf = [&](std::uint32_t edge) {
+      for (const std::uint32_t t : features_.edges()[edge].triangle)
+        if (t != SurfaceEdge::kNone) all.push_back(t);
+    };
+    for (const std::uint32_t v : ownVertices) std::ranges::for_each(features_.edgesAround(v), addOf);
+    std::ranges::for_each(ownEdges, addOf);
+    makeUnique(all);
+    return all;
   }
 
   Vec3 facingOf(std::span<const std::uint32_t> triangles) const {
@@ -197,7 +228,7 @@ class SurfacePatches::Maker {
 
   void addEnds(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> edges) {
     const auto place = [&](std::uint32_t v) {
-      return static_cast<std::uint8_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
+      return static_cast<std::uint8_t>(std::ranges::find(vertices, v) - vertices.begin());
     };
     for (const std::uint32_t e : edges) {
       const SurfaceEdge& edge = features_.edges()[e];
@@ -241,6 +272,7 @@ class SurfacePatches::Maker {
   const SphereTree& tree_;
   const SurfaceFeatures& features_;
   SurfacePatches& out_;
+  std::vector<bool> isVertexOwned_, isEdgeOwned_;  // by the patches made so far
 };
 
 SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features) {
@@ -254,6 +286,7 @@ SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
   patch.vertices = lists.subspan(r.firstIndex, r.vertices);
   patch.edges = lists.subspan(r.firstIndex + r.vertices, r.edges);
   patch.triangles = lists.subspan(r.firstIndex + r.vertices + r.edges, r.triangles);
+  patch.ownVertices = r.ownVertices;
   patch.convexEdges = r.convexEdges;
   patch.edgeEnds = std::span(ends_).subspan(r.firstEnd, r.edges);
   patch.vertexColumns = numbers_.data() + r.firstNumber;

@@ -42,7 +42,7 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
 void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
   fewFaces_.start(a_.tree(), b_.tree());
   skin_ = skin;
-  kernelMemory_.listedReach = -1;
+  kernelMemory_.forget();
   traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 

@@ -13,50 +13,42 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
                                                         const ContactLimits& limits, KernelMemory& memory,
                                                         const RelativePlacement& placement, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
-  const bool isListed = memory.isListedAt(placement, limits);
-  if (!isListed) {
-    memory.listedReach = -1;
-    if (!lister_.list(surfaces, limits, memory.lists, budget)) return {};
-    memory.listedAt = placement;
-    memory.listedReach = limits.reach;
-  }
-  const bool isStill = isListed && memory.isStillAt(placement, limits);
-  const FeatureLists& asked = isStill ? memory.touching : memory.lists;
-  if (!budget.charge(kOverlapTestCost * asked.size())) return {};
+  if (!list(surfaces, limits, memory, placement, budget)) return {};
+  if (!budget.charge(kOverlapTestCost * memory.lists_.size())) return {};
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
-  FeatureContacts(surfaces, placed_, limits).append(asked, contacts_);
+  FeatureContacts(surfaces, placed_, limits).append(memory.lists_, contacts_);
   dropDeeper(a, b, limits);
-  const float apart = memory.lists.apart - static_cast<float>(placement.displacementSince(memory.listedAt));
-  if (isStill) return Answer{contacts_, apart};
-  appendCrossings(surfaces, placed_, asked, crossings_);
+  appendCrossings(surfaces, placed_, memory.lists_, crossings_);
   deepOverlap_.append(surfaces, limits, regions_.find(surfaces, crossings_, budget), contacts_);
-  memory.remember(contacts_, placement);
-  return Answer{contacts_, apart};
+  const auto moved = static_cast<float>(placement.displacementSince(memory.near_.at));
+  return Answer{contacts_, memory.patches_.empty() ? memory.apart_ - moved : -std::numeric_limits<float>::infinity()};
 }
 
-bool KernelMemory::isListedAt(const RelativePlacement& placement, const ContactLimits& limits) const {
-  return limits.skin > 0 && limits.reach <= listedReach &&
-         static_cast<float>(placement.displacementSince(listedAt)) <= limits.skin;
-}
-
-// Of those alone that a look at all of them found. What overlaps deeper changes from step to step.
-bool KernelMemory::isStillAt(const RelativePlacement& placement, const ContactLimits& limits) const {
-  const auto moved = static_cast<float>(placement.displacementSince(lookedAt));
-  return !isDeep && moved <= tuning::kStill * limits.contactDistance;
-}
-
-void KernelMemory::remember(std::span<const FeatureContact> contacts, const RelativePlacement& placement) {
-  touching.clear();
-  lookedAt = placement;
-  isDeep = false;
-  for (const FeatureContact& c : contacts) {
-    isDeep = isDeep || bullet::isDeep(c.kind);
-    if (c.kind == FeatureKind::vertexOnFace) touching.verticesOnFaces.push_back({c.featureA, c.featureB});
-    if (c.kind == FeatureKind::faceOnVertex) touching.facesOnVertices.push_back({c.featureA, c.featureB});
-    if (c.kind == FeatureKind::edgeOnEdge) touching.edgesOnEdges.push_back({c.featureA, c.featureB});
+// Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step.
+bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
+                         const RelativePlacement& placement, Budget& budget) {
+  const auto moved = static_cast<float>(placement.displacementSince(memory.lastAt_));
+  memory.lastAt_ = placement;
+  const bool areNear = memory.near_.holdsAt(placement, limits.reach);
+  if (areNear && memory.features_.holdsAt(placement, limits.reach)) return true;
+  memory.features_.skin = KernelMemory::kNone;
+  ContactLimits narrow = limits;
+  narrow.skin =
+      std::clamp(tuning::kListSteps * moved, tuning::kLeastSkin * limits.skin, tuning::kMostSkin * limits.skin);
+  if (!areNear) {
+    memory.near_.skin = KernelMemory::kNone;
+    if (!lister_.findNear(surfaces, limits, memory.patches_, budget)) return false;
+    memory.apart_ = lister_.apart();
+    memory.near_ = {placement, limits.reach, limits.skin};
   }
+  const bool arePlaced = !areNear && narrow.skin == limits.skin;
+  if (arePlaced ? !lister_.listFound(surfaces, narrow, memory.patches_, memory.lists_, budget)
+                : !lister_.list(surfaces, narrow, memory.patches_, memory.lists_, budget))
+    return false;
+  memory.features_ = {placement, limits.reach, narrow.skin};
+  return true;
 }
 
 // Whether what a contact says to be inside the other body, margins and all, is so once A has moved out along `other`,

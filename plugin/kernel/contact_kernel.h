@@ -11,26 +11,36 @@
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"
 #include "kernel/feature_contacts.h"
+#include "kernel/feature_lister.h"
+#include "kernel/near_patches.h"
 #include "kernel/overlap_regions.h"
 
 namespace cairn::bullet {
 
-/// What a pair remembers from step to step.
-struct KernelMemory {
-  FeatureLists lists;
-  /// How the bodies stood when these were made, and how far they reach, world length; below 0: there are none.
-  RelativePlacement listedAt;
-  float listedReach = -1;
-  /// The contacts of the last look at all that is listed, how the bodies stood, and whether any were of deep overlap.
-  FeatureLists touching;
-  RelativePlacement lookedAt;
-  bool isDeep = false;
+/// What a pair remembers from step to step: what may touch, first of patches, then of their features. Either list holds
+/// until a point of one body has moved by its skin against the other; the patches' skin is the wider one.
+class KernelMemory {
+ public:
+  void forget() { near_.skin = features_.skin = kNone; }
 
-  /// Whether the lists hold still: until a point of one body has moved by the limits' skin against the other.
-  bool isListedAt(const RelativePlacement& placement, const ContactLimits& limits) const;
-  /// Whether the bodies have hardly moved since the last look: then these are asked again, and nothing else.
-  bool isStillAt(const RelativePlacement& placement, const ContactLimits& limits) const;
-  void remember(std::span<const FeatureContact> contacts, const RelativePlacement& placement);
+ private:
+  friend class ContactKernel;
+
+  static constexpr float kNone = -1;
+  struct Listed {
+    RelativePlacement at;
+    float reach = 0, skin = kNone;  // world length; so far the lists reach
+
+    bool holdsAt(const RelativePlacement& placement, float wanted) const {
+      return skin > 0 && wanted <= reach && static_cast<float>(placement.displacementSince(at)) <= skin;
+    }
+  };
+
+  Listed near_, features_;
+  std::vector<PatchPair> patches_;
+  FeatureLists lists_;
+  float apart_ = 0;  // of what is not listed, where the patches were
+  RelativePlacement lastAt_;
 };
 
 /// The contacts of two surfaces: the local minima of the distance between them, and what overlaps deeper. See
@@ -48,6 +58,8 @@ class ContactKernel {
                             const RelativePlacement& placement, Budget& budget);
 
  private:
+  bool list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
+            const RelativePlacement& placement, Budget& budget);
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
   bool staysInside(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, const FeatureContact& contact,
                    const FeatureContact& other);

@@ -49,9 +49,10 @@ inline constexpr float kDeepPart = 0.3F;
 inline constexpr float kNoArea = 1e-3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
-/// Until the bodies have moved so far against each other since all features were looked at, those that were in contact
-/// are looked at alone. Contact distances: what comes to touch meanwhile is no deeper than that.
-inline constexpr float kStill = 0.125F;
+/// Features are listed for so many steps as the last one, within these parts of the skin that patches are listed with.
+inline constexpr float kListSteps = 8;
+inline constexpr float kLeastSkin = 0.05F;
+inline constexpr float kMostSkin = 0.5F;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
 inline constexpr float kOneManifold = 0.906307787F;

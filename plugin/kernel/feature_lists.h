@@ -2,11 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "kernel/near_patches.h"
-#include "kernel/patch_tests.h"
 
 namespace cairn::bullet {
 
@@ -14,25 +12,18 @@ namespace cairn::bullet {
 struct FeatureLists {
   using List = std::vector<std::array<std::uint32_t, 2>>;
 
-  List verticesOnFaces, facesOnVertices, edgesOnEdges, edgesThroughFaces, facesThroughEdges;
+  List verticesOnFaces, facesOnVertices;
+  List edgesOnEdges;  ///< convex ones
+  List edgesThroughFaces, facesThroughEdges;
 
-  void clear();
-  std::size_t size() const;
-  /// World length: the surfaces are no nearer; minus infinity where anything is listed.
-  float apart = 0;
-};
-
-/// Makes such lists: boxes leave few patches, vectors few of their features.
-class FeatureLister {
- public:
-  /// Each pair is listed once, ascending. False when the budget does not cover what is compared.
-  bool list(const SurfacePair& surfaces, const ContactLimits& limits, FeatureLists& lists, Budget& budget);
-
- private:
-  void append(FeatureLists& lists) const;
-
-  NearPatches nearPatches_;
-  PatchPair patches_;
+  void clear() {
+    for (List* list : {&verticesOnFaces, &facesOnVertices, &edgesOnEdges, &edgesThroughFaces, &facesThroughEdges})
+      list->clear();
+  }
+  std::size_t size() const {
+    return verticesOnFaces.size() + facesOnVertices.size() + edgesOnEdges.size() + edgesThroughFaces.size() +
+           facesThroughEdges.size();
+  }
 };
 
 }  // namespace cairn::bullet

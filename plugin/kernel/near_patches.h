@@ -2,42 +2,37 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "cairn/core/budget.h"
-#include "kernel/placed_surface.h"
+#include "kernel/family_test.h"
+#include "kernel/placed_patches.h"
 
 namespace cairn::bullet {
 
-/// Which patches of two surfaces may touch, by their boxes: both trees of boxes are descended together, eight boxes at
-/// a time.
+/// Two patches: one of A, one of B.
+struct PatchPair {
+  std::uint32_t a = 0, b = 0;
+};
+
+/// Which patches of two surfaces may touch, by their boxes: those of A near all of B, and of each of them those of B
+/// near it. Eight boxes are compared at a time.
 class NearPatches {
  public:
-  struct Pair {
-    std::uint32_t a = 0, b = 0;
-  };
-
-  /// False when the budget does not cover the boxes that are compared. The same on every instruction set.
-  bool find(const SurfacePair& surfaces, const ContactLimits& limits, Budget& budget);
-  /// What the last `find` found.
-  std::span<const Pair> found() const { return found_; }
-  /// How far apart the surfaces are outside these at least, world length.
+  /// Replaces `found` by these pairs, and places what stands in them. False when the budget does not cover the boxes
+  /// that are compared. The same on every instruction set. Precondition: `a` and `b` have begun.
+  bool find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
+            Budget& budget);
+  /// How far apart the surfaces are outside of what was found last, at least; world length.
   float apart() const { return apart_; }
 
  private:
-  // A box of one side, and the family of the other whose boxes it is compared with.
-  struct Visit {
-    Box box;
-    bool isOfA = false, isPatch = false;
-    std::uint32_t index = 0;  // the patch or the family that the box is around
-    std::uint32_t family = 0;
-  };
+  // Calls `onPatch` with each patch of the surface that may touch the box, in the surface's frame.
+  template <class OnPatch>
+  bool descend(const PlacedSurface& surface, const PlacedBox& box, const NearLimits& limits, Budget& budget,
+               const OnPatch& onPatch);
 
-  void meet(const SurfacePair& surfaces, const Visit& visit, std::uint32_t lane);
-
-  std::vector<Visit> waiting_;
-  std::vector<Pair> found_;
+  std::vector<std::uint32_t> waiting_, nearOfA_;  // families; patches
   float apart_ = 0;
 };
 

@@ -16,25 +16,6 @@
 
 #include <hwy/highway.h>
 
-#include "kernel/near_box.h"
-
-#ifndef CAIRN_PATCH_TESTS_ONCE
-#define CAIRN_PATCH_TESTS_ONCE
-namespace cairn::bullet {
-
-// One side's share of the question, in the frame and unit of the other, whose faces are asked.
-struct PatchFrame {
-  NearLimits limits;
-  Box near;   // of what may touch the faces
-  Box exact;  // of what may cross them
-  Vec3 facing;
-  float lowest = 0, highest = 0;          // of what may cross the faces, along `facing`
-  float nearLowest = 0, nearHighest = 0;  // of what may touch them
-};
-
-}  // namespace cairn::bullet
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace cairn::bullet::HWY_NAMESPACE {
 namespace {
@@ -56,6 +37,16 @@ struct Codes {
 };
 
 constexpr std::int32_t kNear = 0xFF, kExact = 0xFF00;
+
+// Of a patch, in the other's frame.
+struct PlacedColumns {
+  const float* columns;
+  std::uint32_t stride;
+
+  PlacedColumns(const PlacedPatches& side, const PlacedPatch& patch)
+      : columns(side.columns() + patch.firstNumber), stride(SurfacePatch::padded(patch.patch.vertices.size())) {}
+  Vec3 operator[](std::uint32_t i) const { return {columns[i], columns[stride + i], columns[2 * stride + i]}; }
+};
 
 HWY_INLINE Points all(const Vec3& p) {
   const Tag d;
@@ -110,24 +101,17 @@ HWY_INLINE hn::Vec<IntTag> codesOf(const Points& p, const Box& box, Lanes height
   return hn::Or(hn::Or(below, above), slab);
 }
 
-// Puts the vertices into the other's frame. Returns the bits of all planes that every vertex is beyond.
-HWY_INLINE std::int32_t place(const SurfacePatch& patch, const Similarity& to, const PatchFrame& frame,
-                              PatchPair::Placed& placed, Codes& codes) {
+// A patch's vertices as they stand to a patch of the other surface. Returns the bits of all planes that every one is
+// beyond.
+HWY_INLINE std::int32_t codesOf(const PlacedColumns& placed, const PlacedPatch& faced, Codes& codes) {
   const Tag d;
-  const std::uint32_t stride = SurfacePatch::padded(patch.vertices.size());
-  const Points rows[3] = {all(to.linear.rows[0]), all(to.linear.rows[1]), all(to.linear.rows[2])};
-  const Points shift = all(to.translation), facing = all(frame.facing);
+  const Points facing = all(faced.patch.facing);
   auto common = hn::Set(IntTag(), -1);
-  for (std::uint32_t i = 0; i < stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-    const Points p = load(patch.vertexColumns, stride, i);
-    const Points q{hn::Add(dotOf(rows[0], p), shift.x), hn::Add(dotOf(rows[1], p), shift.y),
-                   hn::Add(dotOf(rows[2], p), shift.z)};
-    hn::Store(q.x, d, placed.x + i);
-    hn::Store(q.y, d, placed.y + i);
-    hn::Store(q.z, d, placed.z + i);
-    const auto height = dotOf(facing, q);
-    const auto code = hn::Or(codesOf(q, frame.near, height, frame.nearLowest, frame.nearHighest, 0),
-                             codesOf(q, frame.exact, height, frame.lowest, frame.highest, 8));
+  for (std::uint32_t i = 0; i < placed.stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    const Points p = load(placed.columns, placed.stride, i);
+    const auto height = dotOf(facing, p);
+    const auto code = hn::Or(codesOf(p, faced.near, height, faced.nearLowest, faced.nearHighest, 0),
+                             codesOf(p, faced.exact, height, faced.lowest, faced.highest, 8));
     common = hn::And(common, code);
     hn::Store(code, IntTag(), codes.of + i);
   }
@@ -171,22 +155,34 @@ HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, con
   }
 }
 
-// Edges that are on one side of the plane of a face, or of one through a side of it, do not cross it.
+// What crosses the plane of a face does so inside its sides. Where bodies may yet move, a point of an edge that is
+// then on the face now is a skin or less from it, and from there to where the edge's line goes through its plane is as
+// much farther as the edge is flat to it.
 template <class Add>
 HWY_INLINE void edgeThroughFaces(const Vec3& from, const Vec3& to, const SurfacePatch& faces, const NearLimits& limits,
                                  const Add& add) {
   const Tag d;
   const FaceRows rows = rowsOf(faces);
-  const auto skin = hn::Set(d, limits.skin), outside = hn::Neg(skin);
-  const Points p = all(from), q = all(to);
+  const auto skin = hn::Set(d, limits.skin), zero = hn::Zero(d);
+  const auto moved = hn::Set(d, 2 * limits.skin * length(to - from));
+  const Points p = all(from), way = all(to - from), q = all(to);
   for (std::uint32_t at = 0; at < rows.stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const Points normal = rows.normal(at);
     const auto offset = rows.offset(at);
     const auto first = hn::Sub(dotOf(normal, p), offset), second = hn::Sub(dotOf(normal, q), offset);
-    auto mask = hn::And(hn::Le(hn::Min(first, second), skin), hn::Ge(hn::Max(first, second), outside));
+    auto mask = hn::And(hn::Le(hn::Min(first, second), skin), hn::Ge(hn::Max(first, second), hn::Neg(skin)));
     if (hn::AllFalse(d, mask)) continue;
-    for (int side = 0; side < 3; ++side)
-      mask = hn::And(mask, hn::Ge(hn::Max(rows.inside(side, p, at), rows.inside(side, q, at)), outside));
+    const auto goesThrough = hn::Xor(hn::Lt(first, zero), hn::Lt(second, zero));
+    const auto rise = hn::Sub(first, second);
+    const auto along = hn::Div(first, hn::IfThenElse(goesThrough, rise, hn::Set(d, 1.0F)));
+    const Points place{hn::Add(p.x, hn::Mul(way.x, along)), hn::Add(p.y, hn::Mul(way.y, along)),
+                       hn::Add(p.z, hn::Mul(way.z, along))};
+    const auto slack = hn::Neg(hn::Div(moved, hn::IfThenElse(goesThrough, hn::Abs(rise), hn::Set(d, 1.0F))));
+    for (int side = 0; side < 3; ++side) {
+      const auto ends = hn::Max(rows.inside(side, p, at), rows.inside(side, q, at));
+      const auto isInside = hn::Or(hn::Not(goesThrough), hn::Ge(rows.inside(side, place, at), slack));
+      mask = hn::And(mask, hn::And(isInside, hn::Ge(ends, hn::Neg(skin))));
+    }
     addEach(bitsOf(mask), at, add);
   }
 }
@@ -220,8 +216,25 @@ HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Poin
           hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
 }
 
+// Whether both edges' lines are nearest no farther beyond their ends.
+HWY_INLINE hn::Mask<Tag> passesWithin(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
+                                      Lanes lengthSqB, Lanes farther) {
+  const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);
+  const auto det = hn::Sub(hn::Mul(lengthSqA, lengthSqB), hn::Mul(ab, ab));
+  const auto onA = hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da));
+  const auto onB = hn::Sub(hn::Mul(lengthSqA, db), hn::Mul(ab, da));
+  // Ways along them times `det`.
+  const auto beyondA = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqA)));
+  const auto beyondB = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqB)));
+  const auto isOnA = hn::And(hn::Ge(onA, hn::Neg(beyondA)), hn::Le(hn::Sub(onA, det), beyondA));
+  const auto isOnB = hn::And(hn::Ge(onB, hn::Neg(beyondB)), hn::Le(hn::Sub(onB, det), beyondB));
+  return hn::And(isOnA, isOnB);
+}
+
 // Sine of the angle from which a normal of two edges turns little when they do.
 constexpr float kClearSine = 0.1F;
+// Of where such edges are nearest, as a part of what is looked at beside them.
+constexpr float kRounding = 1e-3F;
 
 // An edge of A against the convex ones of B that `nearEdges` names: what is no farther than contacts are, and may face
 // each other once the bodies have turned a little.
@@ -261,6 +274,13 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
                                    hn::Gt(norm, hn::Mul(hn::Set(d, kClearSine), lengths)));
     const float ahead = limits.reach + limits.besideDeep;
     mask = hn::AndNot(hn::And(isInFront, hn::Gt(distanceSq, hn::Set(d, ahead * ahead))), mask);
+    // Lines that are not nearly parallel pass each other where they do, but for a little.
+    const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, std::max(kClearSine, 4 * turn)), lengths));
+    const auto cosecant = hn::Div(lengths, hn::Max(norm, hn::Set(d, std::numeric_limits<float>::min())));
+    const auto farther = hn::Add(hn::Set(d, limits.besideDeep),
+                                 hn::Mul(hn::Set(d, 4 * (limits.skin + grown * (turn + kRounding))), cosecant));
+    const auto passes = passesWithin(minus(p, r), way, wayB, lengthSqA, lengthSqB, farther);
+    mask = hn::And(mask, hn::Or(hn::Not(isClear), passes));
     addEach(bitsOf(mask) & nearHere, at, add);
   }
 }
@@ -277,49 +297,97 @@ HWY_INLINE std::uint32_t nearEdgesOf(const SurfacePatch& patch, const Codes& cod
   return bits;
 }
 
-HWY_INLINE void testNear(const SurfacePair& surfaces, const PatchFrame& inB, const PatchFrame& inA, float turn,
-                         const Codes& codesA, const Codes& codesB, PatchPair& patches) {
-  for (std::uint32_t i = 0; i < patches.a.vertices.size(); ++i)
-    if ((codesA.of[i] & kNear) == 0)
-      vertexOnFaces(patches.aInB[i], patches.b, inB.limits,
-                    [&](std::uint32_t f) { patches.verticesOnFaces.add(i, f); });
-  for (std::uint32_t i = 0; i < patches.b.vertices.size(); ++i)
-    if ((codesB.of[i] & kNear) == 0)
-      vertexOnFaces(patches.bInA[i], patches.a, inA.limits,
-                    [&](std::uint32_t f) { patches.facesOnVertices.add(f, i); });
-  const std::uint32_t nearEdges = nearEdgesOf(patches.b, codesB);
-  for (std::uint32_t bits = nearEdges == 0 ? 0 : nearEdgesOf(patches.a, codesA); bits != 0; bits &= bits - 1) {
+HWY_INLINE bool overlap(const Box& a, const Box& b) {
+  return a.lower.x <= b.upper.x && a.upper.x >= b.lower.x && a.lower.y <= b.upper.y && a.upper.y >= b.lower.y &&
+         a.lower.z <= b.upper.z && a.upper.z >= b.lower.z;
+}
+
+struct TestedPair {
+  const PlacedPatch &a, &b;
+  PlacedColumns aInB, bInA;
+  Codes codesA, codesB;
+};
+
+HWY_INLINE void testTouching(const PatchQuestion& question, const TestedPair& pair, FeatureLists& lists) {
+  const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
+  for (std::uint32_t i = 0; i < a.ownVertices; ++i)
+    if ((pair.codesA.of[i] & kNear) == 0)
+      vertexOnFaces(pair.aInB[i], b, question.b.limits(), [&](std::uint32_t f) {
+        lists.verticesOnFaces.push_back({a.vertices[i], b.triangles[f]});
+      });
+  for (std::uint32_t i = 0; i < b.ownVertices; ++i)
+    if ((pair.codesB.of[i] & kNear) == 0)
+      vertexOnFaces(pair.bInA[i], a, question.a.limits(), [&](std::uint32_t f) {
+        lists.facesOnVertices.push_back({a.triangles[f], b.vertices[i]});
+      });
+  const std::uint32_t nearEdges = nearEdgesOf(b, pair.codesB);
+  const float* const outward = a.edgeColumns + 6 * static_cast<std::size_t>(SurfacePatch::padded(a.convexEdges));
+  for (std::uint32_t bits = nearEdges == 0 ? 0 : nearEdgesOf(a, pair.codesA); bits != 0; bits &= bits - 1) {
     const auto e = static_cast<std::uint32_t>(std::countr_zero(bits));
-    const auto [from, to] = patches.a.edgeEnds[e];
-    const Vec3 outward = surfaces.a.axesToOther * surfaces.a.features().edges()[patches.a.edges[e]].outward;
-    edgeOnEdges(patches.aInB[from], patches.aInB[to], outward, patches.b, nearEdges, inB.limits, turn,
-                [&](std::uint32_t f) { patches.edgesOnEdges.add(e, f); });
+    const auto [from, to] = a.edgeEnds[e];
+    const std::uint32_t stride = SurfacePatch::padded(a.convexEdges);
+    const Vec3 outwardInA(outward[e], outward[stride + e], outward[2 * stride + e]);
+    edgeOnEdges(pair.aInB[from], pair.aInB[to], question.surfaces.a.axesToOther * outwardInA, b, nearEdges,
+                question.b.limits(), question.turn, [&](std::uint32_t f) {
+                  lists.edgesOnEdges.push_back({a.edges[e], b.edges[f]});
+                });
   }
 }
 
-HWY_INLINE void testCrossing(const PatchFrame& inB, const PatchFrame& inA, const Codes& codesA, const Codes& codesB,
-                             PatchPair& patches) {
-  for (std::uint32_t e = 0; e < patches.a.edges.size(); ++e)
-    if (const auto& ends = patches.a.edgeEnds[e]; mayBeNear(codesA, ends, kExact))
-      edgeThroughFaces(patches.aInB[ends[0]], patches.aInB[ends[1]], patches.b, inB.limits,
-                       [&](std::uint32_t f) { patches.edgesThroughFaces.add(e, f); });
-  for (std::uint32_t e = 0; e < patches.b.edges.size(); ++e)
-    if (const auto& ends = patches.b.edgeEnds[e]; mayBeNear(codesB, ends, kExact))
-      edgeThroughFaces(patches.bInA[ends[0]], patches.bInA[ends[1]], patches.a, inA.limits,
-                       [&](std::uint32_t f) { patches.facesThroughEdges.add(f, e); });
+HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pair, FeatureLists& lists) {
+  const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
+  for (std::uint32_t e = 0; e < a.edges.size(); ++e)
+    if (const auto& ends = a.edgeEnds[e]; mayBeNear(pair.codesA, ends, kExact))
+      edgeThroughFaces(pair.aInB[ends[0]], pair.aInB[ends[1]], b, question.b.limits(), [&](std::uint32_t f) {
+        lists.edgesThroughFaces.push_back({a.edges[e], b.triangles[f]});
+      });
+  for (std::uint32_t e = 0; e < b.edges.size(); ++e)
+    if (const auto& ends = b.edgeEnds[e]; mayBeNear(pair.codesB, ends, kExact))
+      edgeThroughFaces(pair.bInA[ends[0]], pair.bInA[ends[1]], a, question.a.limits(), [&](std::uint32_t f) {
+        lists.facesThroughEdges.push_back({a.triangles[f], b.edges[e]});
+      });
+}
+
+// Boxes of what is placed are tighter than those of placed boxes, and say no to most.
+HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
+  const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
+  if (!overlap(a.placed, b.near) || !overlap(b.placed, a.near)) return;
+  TestedPair pair{a, b, {question.a, a}, {question.b, b}, {}, {}};
+  const std::int32_t beyondB = codesOf(pair.aInB, b, pair.codesA);
+  if ((beyondB & kNear) != 0) return;
+  const std::int32_t beyondA = codesOf(pair.bInA, a, pair.codesB);
+  if ((beyondA & kNear) != 0) return;
+  testTouching(question, pair, lists);
+  if (((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
 }
 
 }  // namespace
 
-void testPlaced(const SurfacePair& surfaces, const PatchFrame& inB, const PatchFrame& inA, float turn,
-                PatchPair& patches) {
-  Codes codesA, codesB;
-  const std::int32_t beyondB = place(patches.a, surfaces.a.toOther, inB, patches.aInB, codesA);
-  if ((beyondB & kNear) != 0) return;
-  const std::int32_t beyondA = place(patches.b, surfaces.b.toOther, inA, patches.bInA, codesB);
-  if ((beyondA & kNear) != 0) return;
-  testNear(surfaces, inB, inA, turn, codesA, codesB, patches);
-  if (((beyondA | beyondB) & kExact) == 0) testCrossing(inB, inA, codesA, codesB, patches);
+void testPairs(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
+  for (const PatchPair& pair : pairs) testPair(question, pair, lists);
+}
+
+void place(const SurfacePatch& patch, const Similarity& to, float* columns, Box& box) {
+  const Tag d;
+  const std::uint32_t stride = SurfacePatch::padded(patch.vertices.size());
+  const Points rows[3] = {all(to.linear.rows[0]), all(to.linear.rows[1]), all(to.linear.rows[2])};
+  const Points shift = all(to.translation);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Vec3 far(kInfinity, kInfinity, kInfinity);
+  Points least = all(far), most = all(-far);
+  for (std::uint32_t i = 0; i < stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    const Points p = load(patch.vertexColumns, stride, i);
+    const Points q{hn::Add(dotOf(rows[0], p), shift.x), hn::Add(dotOf(rows[1], p), shift.y),
+                   hn::Add(dotOf(rows[2], p), shift.z)};
+    hn::StoreU(q.x, d, columns + i);
+    hn::StoreU(q.y, d, columns + stride + i);
+    hn::StoreU(q.z, d, columns + 2 * stride + i);
+    least = {hn::Min(least.x, q.x), hn::Min(least.y, q.y), hn::Min(least.z, q.z)};
+    most = {hn::Max(most.x, q.x), hn::Max(most.y, q.y), hn::Max(most.z, q.z)};
+  }
+  const auto low = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
+  const auto high = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
+  box = {{low(least.x), low(least.y), low(least.z)}, {high(most.x), high(most.y), high(most.z)}};
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE
@@ -328,32 +396,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace cairn::bullet {
 
-HWY_EXPORT(testPlaced);
+HWY_EXPORT(testPairs);
+HWY_EXPORT(place);
 
-namespace {
-
-PatchFrame frameOf(const PlacedSurface& faced, const ContactLimits& limits, const SurfacePatch& faces) {
-  PatchFrame frame;
-  frame.limits = NearLimits(faced.scale, limits);
-  const NearLimits& near = frame.limits;
-  frame.near = near.around(faces.box, faces.normals);
-  frame.exact = faces.box.grown(near.skin);
-  frame.facing = faces.facing;
-  frame.lowest = faces.lowest - near.skin;
-  frame.highest = faces.highest + near.skin;
-  frame.nearLowest = faces.lowest + std::min(near.depth, 0.0F) - near.besideDeep;
-  frame.nearHighest = faces.highest + near.reach + near.besideDeep;
-  return frame;
+Box placeVertices(const SurfacePatch& patch, const Similarity& to, float* columns) {
+  Box box;
+  HWY_DYNAMIC_DISPATCH(place)(patch, to, columns, box);
+  return box;
 }
 
-}  // namespace
-
-void testPatches(const SurfacePair& surfaces, const ContactLimits& limits, PatchPair& patches) {
-  for (FeaturePairs* found : {&patches.verticesOnFaces, &patches.facesOnVertices, &patches.edgesOnEdges,
-                              &patches.edgesThroughFaces, &patches.facesThroughEdges})
-    found->count = 0;
-  const PatchFrame inB = frameOf(surfaces.b, limits, patches.b), inA = frameOf(surfaces.a, limits, patches.a);
-  HWY_DYNAMIC_DISPATCH(testPlaced)(surfaces, inB, inA, limits.turn(), patches);
+void testPatches(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
+  HWY_DYNAMIC_DISPATCH(testPairs)(question, pairs, lists);
 }
 
 }  // namespace cairn::bullet

@@ -1,50 +1,27 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <array>
-#include <cassert>
-#include <cstdint>
 #include <span>
 
-#include "cairn/core/surface_patches.h"
-#include "kernel/placed_surface.h"
+#include "kernel/feature_lists.h"
+#include "kernel/near_patches.h"
+#include "kernel/placed_patches.h"
 
 namespace cairn::bullet {
 
-/// Pairs of features by their places in two patches' lists.
-struct FeaturePairs {
-  static constexpr std::uint32_t kMost = SurfacePatch::kMaxFeatures * SurfacePatch::kMaxFeatures;
-
-  std::uint32_t count = 0;
-  std::array<std::array<std::uint8_t, 2>, kMost> pairs;
-
-  std::span<const std::array<std::uint8_t, 2>> all() const { return std::span(pairs).first(count); }
-  void add(std::uint32_t first, std::uint32_t second) {
-    assert(count < kMost);
-    pairs[count++] = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
-  }
+/// What is asked of pairs of patches.
+struct PatchQuestion {
+  const SurfacePair& surfaces;
+  const PlacedPatches &a, &b;
+  float turn;  ///< how far, in radians, directions may turn while lists hold
 };
 
-/// Two patches, and what of them may touch. Vectors find these pairs, a few more than there are; whoever asks decides
-/// each one by itself.
-struct PatchPair {
-  SurfacePatch a, b;
-  /// The vertices of each patch in the other's frame.
-  struct Placed {
-    alignas(64) float x[SurfacePatch::kMaxFeatures], y[SurfacePatch::kMaxFeatures], z[SurfacePatch::kMaxFeatures];
+/// Puts a patch's vertices into another frame: three columns, as long as the patch's own. Returns the box around them.
+/// The same bits on every instruction set, like all that follows.
+Box placeVertices(const SurfacePatch& patch, const Similarity& to, float* columns);
 
-    Vec3 operator[](std::uint32_t i) const { return {x[i], y[i], z[i]}; }
-  };
-  Placed aInB, bInA;
-
-  FeaturePairs verticesOnFaces;    ///< a vertex of A, a face of B
-  FeaturePairs facesOnVertices;    ///< a face of A, a vertex of B
-  FeaturePairs edgesOnEdges;       ///< convex ones
-  FeaturePairs edgesThroughFaces;  ///< an edge of A, a face of B
-  FeaturePairs facesThroughEdges;  ///< a face of A, an edge of B
-};
-
-/// Fills in all of `patches` but the patches themselves. The same on every instruction set.
-void testPatches(const SurfacePair& surfaces, const ContactLimits& limits, PatchPair& patches);
+/// Appends, for each of these pairs, its features that may touch: vectors find a few more than there are, and whoever
+/// asks decides each one by itself. Precondition: the patches are placed.
+void testPatches(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists);
 
 }  // namespace cairn::bullet

@@ -98,12 +98,14 @@ TEST(SurfaceRay, KnowsInsideFromOutside) {
   EXPECT_GT(inside, asked / 20);
 }
 
-// Each triangle in one patch, and its edges and vertices with it, within the patch's box, slab and normals.
+// Each triangle in one patch with its vertices, within the patch's box, slab and normals; each edge and vertex one's
+// own.
 TEST(SurfacePatches, HoldEachTriangleOnce) {
   const auto tree = plainTree(torus(0.3, 0.12, 24), 4);
   const SurfacePatches& patches = tree->surface().patches;
   const SurfaceFeatures& features = tree->surface().features;
-  std::vector<int> seen(tree->triangles().size(), 0);
+  std::vector<int> seen(tree->triangles().size(), 0), edges(features.edges().size(), 0);
+  std::vector<int> vertices(tree->vertices().size(), 0);
   for (std::uint32_t index = 0; index < patches.count(); ++index) {
     const SurfacePatch patch = patches.patch(index);
     EXPECT_LE(patch.triangles.size(), SurfacePatch::kMaxTriangles);
@@ -111,11 +113,21 @@ TEST(SurfacePatches, HoldEachTriangleOnce) {
       ++seen[t];
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NE(std::ranges::find(patch.vertices, tree->triangles()[t][k]), patch.vertices.end());
-        EXPECT_NE(std::ranges::find(patch.edges, features.edgesOf()[t][k]), patch.edges.end());
         EXPECT_LE(features.faces()[t].normal[int(k)], patch.normals.upper[int(k)]);
         EXPECT_GE(features.faces()[t].normal[int(k)], patch.normals.lower[int(k)]);
       }
     }
+    for (std::size_t i = 0; i < patch.edges.size(); ++i) {
+      const SurfaceEdge& edge = features.edges()[patch.edges[i]];
+      ++edges[patch.edges[i]];
+      EXPECT_EQ(edge.isConvex, i < patch.convexEdges);
+      for (std::size_t end = 0; end < 2; ++end) EXPECT_EQ(patch.vertices[patch.edgeEnds[i][end]], edge.vertex[end]);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LE(edge.outward[axis], patch.normals.upper[axis]);
+        EXPECT_GE(edge.outward[axis], patch.normals.lower[axis]);
+      }
+    }
+    for (const std::uint32_t v : patch.vertices.first(patch.ownVertices)) ++vertices[v];
     for (const std::uint32_t v : patch.vertices) {
       const Vec3& p = tree->vertices()[v];
       for (int axis = 0; axis < 3; ++axis)
@@ -125,6 +137,8 @@ TEST(SurfacePatches, HoldEachTriangleOnce) {
     }
   }
   EXPECT_EQ(std::ranges::count(seen, 1), std::ptrdiff_t(seen.size()));
+  EXPECT_EQ(std::ranges::count(edges, 1), std::ptrdiff_t(edges.size()));
+  EXPECT_EQ(std::ranges::count(vertices, 1), std::ptrdiff_t(vertices.size()));
 }
 
 // Each patch is reached from the root once, and lies within the boxes on its way.

@@ -21,14 +21,18 @@ struct Box {
   Vec3 middle() const { return (lower + upper) * 0.5F; }
 };
 
-/// A few triangles of a surface that lie together, with their edges and vertices. Lists are indices of the mesh's
-/// features; rows of numbers hold one column after the other, each padded to whole batches.
+/// A few triangles of a surface that lie together, with their vertices, and the edges and vertices that are this
+/// patch's own: each of the surface is one patch's. Lists are indices of the mesh's features; rows of numbers hold one
+/// column after the other, each padded to whole batches.
 struct SurfacePatch {
   static constexpr std::uint32_t kBatch = 8;
   static constexpr std::uint32_t kMaxTriangles = 8;
   static constexpr std::uint32_t kMaxFeatures = 3 * kMaxTriangles;  ///< vertices, and edges
 
-  std::span<const std::uint32_t> vertices, edges, triangles;
+  std::span<const std::uint32_t> vertices;  ///< of all its triangles
+  std::span<const std::uint32_t> edges;     ///< its own
+  std::span<const std::uint32_t> triangles;
+  std::uint32_t ownVertices = 0;  ///< so many of `vertices` are its own, the first ones
   std::uint32_t convexEdges = 0;  ///< so many of `edges` are convex, the first ones
   /// Of each edge, its ends by their places in `vertices`.
   std::span<const std::array<std::uint8_t, 2>> edgeEnds;
@@ -36,9 +40,10 @@ struct SurfacePatch {
   const float* faceColumns = nullptr;    ///< normal and offset, then those of the three sides; what pads has no normal
   const float* edgeColumns = nullptr;    ///< of convex ones: first end, second end, outward; what pads has no length
   Box box;                               ///< of the vertices
-  Box normals;                           ///< of all directions within the cone of the patch's normals
-  Vec3 facing;                           ///< unit, the mean of the normals; zero where they do not lie on one side
-  float lowest = 0, highest = 0;         ///< of the vertices, along `facing`
+  /// Of all directions in which the patch's faces, its own edges and vertices may be touched.
+  Box normals;
+  Vec3 facing;                    ///< unit, the mean of these; zero where they do not lie on one side
+  float lowest = 0, highest = 0;  ///< of the vertices, along `facing`
 
   static constexpr std::uint32_t padded(std::size_t count) {
     return (static_cast<std::uint32_t>(count) + kBatch - 1) / kBatch * kBatch;
@@ -82,7 +87,7 @@ class SurfacePatches {
     Vec3 facing;
     float lowest = 0, highest = 0;
     std::uint32_t firstIndex = 0, firstEnd = 0, firstNumber = 0;
-    std::uint16_t vertices = 0, edges = 0, triangles = 0, convexEdges = 0;
+    std::uint16_t vertices = 0, ownVertices = 0, edges = 0, convexEdges = 0, triangles = 0;
   };
   class Maker;
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/feature_lister.h"
+
+#include "kernel/patch_tests.h"
+
+namespace cairn::bullet {
+
+bool FeatureLister::findNear(const SurfacePair& surfaces, const ContactLimits& limits, std::vector<PatchPair>& near,
+                             Budget& budget) {
+  a_.begin(surfaces.a, limits);
+  b_.begin(surfaces.b, limits);
+  return nearPatches_.find(surfaces, a_, b_, near, budget);
+}
+
+bool FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
+                         FeatureLists& lists, Budget& budget) {
+  a_.begin(surfaces.a, limits);
+  b_.begin(surfaces.b, limits);
+  for (const PatchPair& pair : near) {
+    a_.place(pair.a);
+    b_.place(pair.b);
+  }
+  return listFound(surfaces, limits, near, lists, budget);
+}
+
+bool FeatureLister::listFound(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
+                              FeatureLists& lists, Budget& budget) {
+  lists.clear();
+  if (!budget.charge(kOverlapTestCost * near.size())) return false;
+  testPatches({surfaces, a_, b_, limits.turn()}, near, lists);
+  return true;
+}
+
+}  // namespace cairn::bullet

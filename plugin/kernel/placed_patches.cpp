@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/placed_patches.h"
+
+#include <algorithm>
+
+#include "kernel/patch_tests.h"
+
+namespace cairn::bullet {
+
+void PlacedPatches::begin(const PlacedSurface& side, const ContactLimits& limits) {
+  side_ = &side;
+  limits_ = NearLimits(side.scale, limits);
+  placed_.clear();
+  columns_.clear();
+  const std::uint32_t count = side.surface().patches.count();
+  if (slots_.size() < count) slots_.resize(count);
+  if (++run_ == 0) {  // all stamps are old
+    slots_.assign(slots_.size(), {});
+    run_ = 1;
+  }
+}
+
+void PlacedPatches::place(std::uint32_t index) {
+  Slot& slot = slots_[index];
+  if (slot.run == run_) return;
+  slot = {run_, static_cast<std::uint32_t>(placed_.size())};
+  PlacedPatch& here = placed_.emplace_back();
+  here.patch = side_->surface().patches.patch(index);
+  here.firstNumber = static_cast<std::uint32_t>(columns_.size());
+  columns_.resize(columns_.size() + 3 * static_cast<std::size_t>(SurfacePatch::padded(here.patch.vertices.size())));
+  here.placed = placeVertices(here.patch, side_->toOther, columns_.data() + here.firstNumber);
+  const SurfacePatch& patch = here.patch;
+  here.near = limits_.around(patch.box, patch.normals);
+  here.exact = patch.box.grown(limits_.skin);
+  here.lowest = patch.lowest - limits_.skin;
+  here.highest = patch.highest + limits_.skin;
+  here.nearLowest = patch.lowest + std::min(limits_.depth, 0.0F) - limits_.besideDeep;
+  here.nearHighest = patch.highest + limits_.reach + limits_.besideDeep;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cairn/core/surface_patches.h"
+#include "kernel/near_box.h"
+
+namespace cairn::bullet {
+
+/// A patch of one surface, and how it stands to the other.
+struct PlacedPatch {
+  SurfacePatch patch;
+  // In the other's frame and unit.
+  std::uint32_t firstNumber = 0;  ///< of its vertices' columns, see `PlacedPatches::columns`
+  Box placed;                     ///< of its vertices
+  // In its own frame and unit.
+  Box near;                               ///< of what may touch its faces
+  Box exact;                              ///< of what may cross them
+  float nearLowest = 0, nearHighest = 0;  ///< along `patch.facing`: of what may touch them
+  float lowest = 0, highest = 0;          ///< of what may cross them
+};
+
+/// The patches of one surface, each placed when it is first asked for: most stand in several pairs.
+class PlacedPatches {
+ public:
+  /// Forgets the last surface. Both must outlive the questions.
+  void begin(const PlacedSurface& side, const ContactLimits& limits);
+  /// Precondition: `place` was asked since `begin`.
+  const PlacedPatch& operator[](std::uint32_t index) const { return placed_[slots_[index].slot]; }
+  void place(std::uint32_t index);
+
+  /// The coordinates of all placed vertices: those of a patch in three columns, each as long as the patch's own.
+  const float* columns() const { return columns_.data(); }
+  const NearLimits& limits() const { return limits_; }
+  /// Of both surfaces together, world length.
+  float margins() const { return limits_.margins * side_->scale; }
+
+ private:
+  struct Slot {
+    std::uint32_t run = 0, slot = 0;
+  };
+
+  const PlacedSurface* side_ = nullptr;
+  NearLimits limits_;
+  std::vector<PlacedPatch> placed_;
+  std::vector<float> columns_;
+  std::vector<Slot> slots_;  // by patch; of another run where nothing is placed
+  std::uint32_t run_ = 0;
+};
+
+}  // namespace cairn::bullet
