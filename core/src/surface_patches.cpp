@@ -35,11 +35,11 @@ void Box::add(const Vec3& p) {
 class SurfacePatches::Maker {
  public:
   Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
-      : tree_(tree),
-        features_(features),
-        out_(out),
-        isVertexOwned_(tree.vertices().size()),
-        isEdgeOwned_(features.edges().size()) {}
+      : tree_(tree), features_(features), out_(out) {
+    out_.ofVertices_.assign(tree.vertices().size(), kNone);
+    out_.ofEdges_.assign(features.edges().size(), kNone);
+    out_.ofTriangles_.assign(tree.triangles().size(), kNone);
+  }
 
   void run() {
     std::vector<std::uint32_t> triangles(tree_.triangles().size());
@@ -136,8 +136,9 @@ class SurfacePatches::Maker {
       }
     makeUnique(vertices);
     makeUnique(edges);
-    const auto firstForeign = ownFirst(vertices, isVertexOwned_);
-    edges.erase(ownFirst(edges, isEdgeOwned_), edges.end());
+    for (const std::uint32_t t : triangles) out_.ofTriangles_[t] = out_.count();
+    const auto firstForeign = ownFirst(vertices, out_.ofVertices_);
+    edges.erase(ownFirst(edges, out_.ofEdges_), edges.end());
     const auto isConvex = [&](std::uint32_t e) { return features_.edges()[e].isConvex; };
     const auto firstFlat = std::stable_partition(edges.begin(), edges.end(), isConvex);
     Record record;
@@ -173,10 +174,12 @@ class SurfacePatches::Maker {
     return {record.box, record.normals};
   }
 
-  // Moves what no patch owns yet to the front, and owns it.
-  static std::vector<std::uint32_t>::iterator ownFirst(std::vector<std::uint32_t>& list, std::vector<bool>& isOwned) {
-    const auto end = std::stable_partition(list.begin(), list.end(), [&](std::uint32_t i) { return !isOwned[i]; });
-    std::for_each(list.begin(), end, [&](std::uint32_t i) { isOwned[i] = true; });
+  // Moves what no patch owns yet to the front, and gives it to the one at hand.
+  std::vector<std::uint32_t>::iterator ownFirst(std::vector<std::uint32_t>& list,
+                                                std::vector<std::uint32_t>& owners) const {
+    const auto end =
+        std::stable_partition(list.begin(), list.end(), [&](std::uint32_t i) { return owners[i] == kNone; });
+    std::for_each(list.begin(), end, [&](std::uint32_t i) { owners[i] = out_.count(); });
     return end;
   }
 
@@ -272,7 +275,6 @@ class SurfacePatches::Maker {
   const SphereTree& tree_;
   const SurfaceFeatures& features_;
   SurfacePatches& out_;
-  std::vector<bool> isVertexOwned_, isEdgeOwned_;  // by the patches made so far
 };
 
 SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features) {
@@ -303,7 +305,8 @@ SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
 std::size_t SurfacePatches::memoryBytes() const {
   return families_.capacity() * sizeof(PatchFamily) + records_.capacity() * sizeof(Record) +
          indices_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(ends_[0]) +
-         numbers_.capacity() * sizeof(float);
+         numbers_.capacity() * sizeof(float) +
+         (ofVertices_.capacity() + ofEdges_.capacity() + ofTriangles_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace cairn

@@ -6,24 +6,61 @@
 
 #include "cairn/core/tree_surface.h"
 #include "kernel/contact_tuning.h"
+#include "kernel/explained.h"
 
 namespace cairn::bullet {
+
+namespace {
+
+// Whether something overlaps by more than a contact distance, for all that these contacts know.
+bool isAnyDeep(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
+               const ContactLimits& limits) {
+  const float slack = tuning::kExplainedSlack * limits.contactDistance;
+  const auto isShallow = [&](const OverlapPoint& point) {
+    return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
+      const float depth = depthUnder(c, point.position, point.isOfA);
+      return depth >= -slack && depth <= limits.contactDistance;
+    });
+  };
+  return std::ranges::any_of(
+      regions, [&](const OverlapRegion& region) { return !std::ranges::all_of(region.points, isShallow); });
+}
+
+}  // namespace
 
 std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, const PlacedTree& b,
                                                         const ContactLimits& limits, KernelMemory& memory,
                                                         const RelativePlacement& placement, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
-  if (!list(surfaces, limits, memory, placement, budget)) return {};
+  ContactLimits shallow = limits;
+  shallow.trustedDepth = std::min(limits.trustedDepth, limits.contactDistance);
+  if (!list(surfaces, shallow, memory, placement, budget)) return {};
   if (!budget.charge(kOverlapTestCost * memory.lists_.size())) return {};
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
-  FeatureContacts(surfaces, placed_, limits).append(memory.lists_, contacts_);
-  dropDeeper(a, b, limits);
+  FeatureContacts(surfaces, placed_, shallow).append(memory.lists_, contacts_);
   appendCrossings(surfaces, placed_, memory.lists_, crossings_);
-  deepOverlap_.append(surfaces, limits, regions_.find(surfaces, crossings_, budget), contacts_);
+  const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
+  if (!appendDeeper(surfaces, limits, regions, budget)) return {};
+  dropDeeper(a, b, limits);
+  deepOverlap_.append(surfaces, limits, regions, contacts_);
   const auto moved = static_cast<float>(placement.displacementSince(memory.near_.at));
   return Answer{contacts_, memory.patches_.empty() ? memory.apart_ - moved : -std::numeric_limits<float>::infinity()};
+}
+
+// What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
+bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
+                                 std::span<const OverlapRegion> regions, Budget& budget) {
+  if (limits.trustedDepth <= limits.contactDistance || !isAnyDeep(regions, contacts_, limits)) return true;
+  ContactLimits deeper = limits;
+  deeper.reach = -limits.contactDistance;
+  deeper.skin = 0;
+  const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
+  if (!lister_.listTouching(surfaces, deeper, pairs, deepLists_, budget)) return false;
+  if (!budget.charge(kOverlapTestCost * deepLists_.size())) return false;
+  FeatureContacts(surfaces, placed_, deeper).append(deepLists_, contacts_);
+  return true;
 }
 
 // Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step.

@@ -13,6 +13,7 @@
 #include "kernel/feature_contacts.h"
 #include "kernel/feature_lister.h"
 #include "kernel/near_patches.h"
+#include "kernel/overlap_patches.h"
 #include "kernel/overlap_regions.h"
 
 namespace cairn::bullet {
@@ -60,6 +61,8 @@ class ContactKernel {
  private:
   bool list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
             const RelativePlacement& placement, Budget& budget);
+  bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
+                    Budget& budget);
   void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
   bool staysInside(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, const FeatureContact& contact,
                    const FeatureContact& other);
@@ -69,6 +72,8 @@ class ContactKernel {
   std::vector<FeatureContact> contacts_, shallow_;
   std::vector<Crossing> crossings_;
   OverlapRegions regions_;
+  OverlapPatches overlapPatches_;
+  FeatureLists deepLists_;
   DeepOverlap deepOverlap_;
   SurfaceRay ray_;
 };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kernel/contact_tuning.h"
+#include "kernel/explained.h"
 
 namespace cairn::bullet {
 
@@ -20,19 +21,6 @@ Box boxOf(std::span<const OverlapPoint> points) {
   Box box{points[0].position, points[0].position};
   for (const OverlapPoint& p : points) box.add(p.position);
   return box;
-}
-
-// How far a point is behind the surface that the contact knows.
-float depthUnder(const FeatureContact& contact, const OverlapPoint& point) {
-  const float height = dot(contact.normal, point.position - contact.position);
-  const float ofPoint = point.isOfA ? height : -height;
-  return -ofPoint - 0.5F * contact.separation;
-}
-
-bool explains(const FeatureContact& contact, const OverlapPoint& point, const ContactLimits& limits) {
-  const float slack = tuning::kExplainedSlack * limits.contactDistance;
-  const float depth = depthUnder(contact, point);
-  return depth >= -slack && depth <= tuning::kExplainedDepths * std::max(-contact.separation, 0.0F) + slack;
 }
 
 FeatureKind kindOf(const OverlapPoint& point) {
@@ -74,9 +62,7 @@ void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLim
                                    std::span<const FeatureContact> explaining) {
   deep_.clear();
   for (const OverlapPoint& point : region.points)
-    if (std::ranges::none_of(explaining,
-                             [&](const FeatureContact& c) { return !isDeep(c.kind) && explains(c, point, limits); }))
-      deep_.push_back(point);
+    if (!isExplained(explaining, point.position, point.isOfA, limits)) deep_.push_back(point);
 }
 
 // Crossings are points of both. Where only one body has any, all are to come up to the highest.

@@ -12,14 +12,18 @@ bool FeatureLister::findNear(const SurfacePair& surfaces, const ContactLimits& l
   return nearPatches_.find(surfaces, a_, b_, near, budget);
 }
 
-bool FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
-                         FeatureLists& lists, Budget& budget) {
+void FeatureLister::place(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near) {
   a_.begin(surfaces.a, limits);
   b_.begin(surfaces.b, limits);
   for (const PatchPair& pair : near) {
     a_.place(pair.a);
     b_.place(pair.b);
   }
+}
+
+bool FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
+                         FeatureLists& lists, Budget& budget) {
+  place(surfaces, limits, near);
   return listFound(surfaces, limits, near, lists, budget);
 }
 
@@ -28,6 +32,15 @@ bool FeatureLister::listFound(const SurfacePair& surfaces, const ContactLimits& 
   lists.clear();
   if (!budget.charge(kOverlapTestCost * near.size())) return false;
   testPatches({surfaces, a_, b_, limits.turn()}, near, lists);
+  return true;
+}
+
+bool FeatureLister::listTouching(const SurfacePair& surfaces, const ContactLimits& limits,
+                                 std::span<const PatchPair> near, FeatureLists& lists, Budget& budget) {
+  lists.clear();
+  if (!budget.charge(kOverlapTestCost * near.size())) return false;
+  place(surfaces, limits, near);
+  testPatches({surfaces, a_, b_, limits.turn(), false}, near, lists);
   return true;
 }
 

@@ -24,8 +24,13 @@ class FeatureLister {
   /// The same of what `findNear` found last, within the limits it was given.
   bool listFound(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
                  FeatureLists& lists, Budget& budget);
+  /// The same of these pairs as `list`, without what crosses.
+  bool listTouching(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
+                    FeatureLists& lists, Budget& budget);
 
  private:
+  void place(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near);
+
   NearPatches nearPatches_;
   PlacedPatches a_, b_;
 };

@@ -10,11 +10,6 @@
 
 namespace cairn::bullet {
 
-/// Two patches: one of A, one of B.
-struct PatchPair {
-  std::uint32_t a = 0, b = 0;
-};
-
 /// Which patches of two surfaces may touch, by their boxes: those of A near all of B, and of each of them those of B
 /// near it. Eight boxes are compared at a time.
 class NearPatches {

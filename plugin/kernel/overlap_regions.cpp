@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "kernel/explained.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -21,15 +23,14 @@ bool isSameEdge(const Crossing& x, const Crossing& y) {
   return x.isEdgeOfA == y.isEdgeOfA && x.edge == y.edge;
 }
 
-const PlacedSurface& sideOf(const SurfacePair& surfaces, bool isOfA) {
-  return isOfA ? surfaces.a : surfaces.b;
-}
-
-const SurfaceEdge& edgeOf(const SurfacePair& surfaces, const Crossing& c) {
-  return sideOf(surfaces, c.isEdgeOfA).features().edges()[c.edge];
-}
-
 }  // namespace
+
+// Precondition: sorted.
+std::span<const Crossing> OverlapRegions::Question::crossingsOf(bool isOfA, std::uint32_t edge) const {
+  const auto key = [](const Crossing& c) { return std::pair(c.isEdgeOfA, c.edge); };
+  const auto own = std::ranges::equal_range(crossings, std::pair(isOfA, edge), {}, key);
+  return {own.begin(), own.end()};
+}
 
 std::uint32_t OverlapRegions::rootOf(std::uint32_t region) {
   while (parent_[region] != region) region = parent_[region] = parent_[parent_[region]];
@@ -41,8 +42,9 @@ void OverlapRegions::join(std::uint32_t x, std::uint32_t y) {
   parent_[std::max(rootX, rootY)] = std::min(rootX, rootY);
 }
 
-std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, std::vector<Crossing>& crossings,
-                                                    Budget& budget) {
+std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, const ContactLimits& limits,
+                                                    std::span<const FeatureContact> contacts,
+                                                    std::vector<Crossing>& crossings, Budget& budget) {
   points_.clear();
   asked_ = 0;
   regions_.clear();
@@ -51,14 +53,15 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
   crossings.erase(std::unique(crossings.begin(), crossings.end(), isSamePlace), crossings.end());
   parent_.resize(crossings.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
-  joinCrossings(surfaces, crossings);
+  const Question question{surfaces, limits, contacts, crossings};
+  joinCrossings(question);
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
-  flood(surfaces, crossings);
+  flood(question);
   budget.chargeAnyway(kAskedCost * asked_);
-  gather(surfaces, crossings);
+  gather(question);
   return regions_;
 }
 
@@ -67,16 +70,16 @@ void OverlapRegions::addArea(Area& area, const Vec3& part) {
   area.sum += length(part);
 }
 
-void OverlapRegions::gather(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
+void OverlapRegions::gather(const Question& question) {
   for (OverlapPoint& point : points_) point.region = rootOf(point.region);
   // By all that tells points apart: a stable sort would allocate.
   std::ranges::sort(points_, {}, [](const OverlapPoint& p) {
     return std::tuple(p.region, !p.isCrossing, p.isOfA, p.feature, p.face);
   });
-  areas_.assign(crossings.size(), {});
+  areas_.assign(question.crossings.size(), {});
   for (std::size_t i = 1; i < trianglePairs_.size(); ++i)
     if (trianglePairs_[i].first == trianglePairs_[i - 1].first)
-      addArea(areas_[rootOf(trianglePairs_[i].second)], areaBetween(surfaces, crossings, i));
+      addArea(areas_[rootOf(trianglePairs_[i].second)], areaBetween(question, i));
   for (std::span<const OverlapPoint> points = points_; !points.empty();) {
     const std::uint32_t region = points[0].region;
     const auto end = std::ranges::find_if(points, [&](const OverlapPoint& p) { return p.region != region; });
@@ -88,8 +91,9 @@ void OverlapRegions::gather(const SurfacePair& surfaces, std::span<const Crossin
 
 // Two triangles cross between two crossings of their edges. On A's surface the border of what is inside B runs along
 // the product of their normals.
-Vec3 OverlapRegions::areaBetween(const SurfacePair& surfaces, std::span<const Crossing> crossings,
-                                 std::size_t at) const {
+Vec3 OverlapRegions::areaBetween(const Question& question, std::size_t at) const {
+  const std::span<const Crossing> crossings = question.crossings;
+  const SurfacePair& surfaces = question.surfaces;
   const auto& [key, second] = trianglePairs_[at];
   const Vec3 origin = crossings[0].position;
   const Vec3 from = crossings[trianglePairs_[at - 1].second].position - origin,
@@ -100,11 +104,12 @@ Vec3 OverlapRegions::areaBetween(const SurfacePair& surfaces, std::span<const Cr
 }
 
 // Two triangles cross along a line, whose ends are crossings of their edges.
-void OverlapRegions::joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
+void OverlapRegions::joinCrossings(const Question& question) {
+  const std::span<const Crossing> crossings = question.crossings;
   trianglePairs_.clear();
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
-    for (const std::uint32_t t : edgeOf(surfaces, c).triangle) {
+    for (const std::uint32_t t : question.edgeOf(c).triangle) {
       if (t == SurfaceEdge::kNone) continue;
       const std::uint64_t ofA = c.isEdgeOfA ? t : c.face, ofB = c.isEdgeOfA ? c.face : t;
       trianglePairs_.emplace_back(ofA << 32 | ofB, i);
@@ -118,61 +123,71 @@ void OverlapRegions::joinCrossings(const SurfacePair& surfaces, std::span<const 
       join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
 }
 
-bool OverlapRegions::crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const {
-  const auto key = [](const Crossing& c) { return std::pair(c.isEdgeOfA, c.edge); };
-  const auto at = std::ranges::lower_bound(crossings, std::pair(isOfA, edge), {}, key);
-  return at != crossings.end() && key(*at) == std::pair(isOfA, edge);
+// Crossings of a vertex's edges say on which side it is. Where they are of two minds, or there are none, a ray is
+// asked.
+bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_t vertex, const Vec3& place) {
+  if (isExplained(question.contacts, place, isOfA, question.limits)) return true;
+  const PlacedSurface &side = question.side(isOfA), &other = question.side(!isOfA);
+  bool isInside = false, isOutside = false;
+  for (const std::uint32_t edge : side.features().edgesAround(vertex)) {
+    const std::span<const Crossing> crossings = question.crossingsOf(isOfA, edge);
+    if (crossings.empty()) continue;
+    const bool isFirst = side.features().edges()[edge].vertex[0] == vertex;
+    const bool isWithin = isFirst ? !crossings.front().enters : crossings.back().enters;
+    (isWithin ? isInside : isOutside) = true;
+  }
+  if (isInside != isOutside) return isInside;
+  ++asked_;
+  return ray_.isInside(*other.tree, side.toOther * side.vertex(vertex));
 }
 
 // Adds the vertex to the region if it is new and inside, and says which point it is.
-std::uint32_t OverlapRegions::visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex,
-                                    std::uint32_t region) {
+std::uint32_t OverlapRegions::visit(const Question& question, bool isOfA, std::uint32_t vertex, std::uint32_t region) {
   Visit& visited = visited_[isOfA ? 0 : 1][vertex];
   if (visited.search == search_) return visited.point;
-  const PlacedSurface& side = sideOf(surfaces, isOfA);
-  const PlacedSurface& other = sideOf(surfaces, !isOfA);
-  const Vec3& own = side.vertex(vertex);
+  const PlacedSurface& side = question.side(isOfA);
+  const Vec3 place = side.toPair * side.vertex(vertex);
   visited = {search_, kOutside};
-  ++asked_;
-  if (!ray_.isInside(*other.tree, side.toOther * own)) return kOutside;
+  if (!isInside(question, isOfA, vertex, place)) return kOutside;
   visited.point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back({side.toPair * own, isOfA, false, vertex, 0, region});
+  points_.push_back({place, isOfA, false, vertex, 0, region});
   waiting_.push_back(visited.point);
   return visited.point;
 }
 
-void OverlapRegions::seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex,
+void OverlapRegions::seed(const Question& question, const Crossing& crossing, std::uint32_t vertex,
                           std::uint32_t region) {
-  const std::uint32_t point = visit(surfaces, crossing.isEdgeOfA, vertex, region);
+  const std::uint32_t point = visit(question, crossing.isEdgeOfA, vertex, region);
   if (point != kOutside) join(points_[point].region, region);
 }
 
-void OverlapRegions::flood(const SurfacePair& surfaces, std::span<const Crossing> crossings) {
+void OverlapRegions::flood(const Question& question) {
   if (++search_ == 0) {  // all stamps are old
     for (std::vector<Visit>& visited : visited_) visited.clear();
     search_ = 1;
   }
   for (const bool isOfA : {true, false}) {
     std::vector<Visit>& visited = visited_[isOfA ? 0 : 1];
-    const std::size_t count = sideOf(surfaces, isOfA).tree->vertices().size();
+    const std::size_t count = question.side(isOfA).tree->vertices().size();
     if (visited.size() < count) visited.resize(count);
   }
   waiting_.clear();
+  const std::span<const Crossing> crossings = question.crossings;
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
-    const SurfaceEdge& edge = edgeOf(surfaces, c);
+    const SurfaceEdge& edge = question.edgeOf(c);
     const bool isFirst = i == 0 || !isSameEdge(crossings[i - 1], c);
     const bool isLast = i + 1 == crossings.size() || !isSameEdge(c, crossings[i + 1]);
-    if (isLast && c.enters) seed(surfaces, c, edge.vertex[1], i);
-    if (isFirst && !c.enters) seed(surfaces, c, edge.vertex[0], i);
+    if (isLast && c.enters) seed(question, c, edge.vertex[1], i);
+    if (isFirst && !c.enters) seed(question, c, edge.vertex[0], i);
   }
   while (!waiting_.empty()) {
     const OverlapPoint here = points_[waiting_.back()];
     waiting_.pop_back();
-    const SurfaceFeatures& features = sideOf(surfaces, here.isOfA).features();
+    const SurfaceFeatures& features = question.side(here.isOfA).features();
     for (const std::uint32_t edge : features.edgesAround(here.feature)) {
-      if (crosses(crossings, here.isOfA, edge)) continue;
-      const std::uint32_t next = visit(surfaces, here.isOfA, features.across(edge, here.feature), here.region);
+      if (!question.crossingsOf(here.isOfA, edge).empty()) continue;
+      const std::uint32_t next = visit(question, here.isOfA, features.across(edge, here.feature), here.region);
       if (next != kOutside) join(points_[next].region, here.region);
     }
   }

@@ -9,6 +9,7 @@
 #include "cairn/core/budget.h"
 #include "cairn/core/surface_ray.h"
 #include "kernel/crossings.h"
+#include "kernel/feature_contacts.h"
 
 namespace cairn::bullet {
 
@@ -34,18 +35,33 @@ struct OverlapRegion {
 /// vertices on the inner sides, and all that these are joined with by edges which do not cross.
 class OverlapRegions {
  public:
-  /// `crossings` are sorted and made unique. Valid until the next call. Charges each vertex that is asked whether it is
-  /// inside, whatever is left of the budget.
-  std::span<const OverlapRegion> find(const SurfacePair& surfaces, std::vector<Crossing>& crossings, Budget& budget);
+  /// `crossings` are sorted and made unique. Points that a contact explains are taken for what crossings say of them;
+  /// of others, a ray is asked where these do not agree. Valid until the next call. Charges the rays, whatever is left
+  /// of the budget.
+  std::span<const OverlapRegion> find(const SurfacePair& surfaces, const ContactLimits& limits,
+                                      std::span<const FeatureContact> contacts, std::vector<Crossing>& crossings,
+                                      Budget& budget);
 
  private:
-  void joinCrossings(const SurfacePair& surfaces, std::span<const Crossing> crossings);
-  void gather(const SurfacePair& surfaces, std::span<const Crossing> crossings);
-  Vec3 areaBetween(const SurfacePair& surfaces, std::span<const Crossing> crossings, std::size_t at) const;
-  void flood(const SurfacePair& surfaces, std::span<const Crossing> crossings);
-  void seed(const SurfacePair& surfaces, const Crossing& crossing, std::uint32_t vertex, std::uint32_t region);
-  std::uint32_t visit(const SurfacePair& surfaces, bool isOfA, std::uint32_t vertex, std::uint32_t region);
-  bool crosses(std::span<const Crossing> crossings, bool isOfA, std::uint32_t edge) const;
+  // What is asked about; lives as long as `find` runs.
+  struct Question {
+    const SurfacePair& surfaces;
+    const ContactLimits& limits;
+    std::span<const FeatureContact> contacts;
+    std::span<const Crossing> crossings;
+
+    const PlacedSurface& side(bool isOfA) const { return isOfA ? surfaces.a : surfaces.b; }
+    const SurfaceEdge& edgeOf(const Crossing& c) const { return side(c.isEdgeOfA).features().edges()[c.edge]; }
+    std::span<const Crossing> crossingsOf(bool isOfA, std::uint32_t edge) const;
+  };
+
+  void joinCrossings(const Question& question);
+  void gather(const Question& question);
+  Vec3 areaBetween(const Question& question, std::size_t at) const;
+  void flood(const Question& question);
+  void seed(const Question& question, const Crossing& crossing, std::uint32_t vertex, std::uint32_t region);
+  std::uint32_t visit(const Question& question, bool isOfA, std::uint32_t vertex, std::uint32_t region);
+  bool isInside(const Question& question, bool isOfA, std::uint32_t vertex, const Vec3& place);
   std::uint32_t rootOf(std::uint32_t region);
   void join(std::uint32_t x, std::uint32_t y);
 

@@ -358,7 +358,7 @@ HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices
   const std::int32_t beyondA = codesOf(pair.bInA, a, pair.codesB);
   if ((beyondA & kNear) != 0) return;
   testTouching(question, pair, lists);
-  if (((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
+  if (question.asksCrossings && ((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
 }
 
 }  // namespace

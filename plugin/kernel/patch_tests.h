@@ -4,7 +4,6 @@
 #include <span>
 
 #include "kernel/feature_lists.h"
-#include "kernel/near_patches.h"
 #include "kernel/placed_patches.h"
 
 namespace cairn::bullet {
@@ -13,7 +12,8 @@ namespace cairn::bullet {
 struct PatchQuestion {
   const SurfacePair& surfaces;
   const PlacedPatches &a, &b;
-  float turn;  ///< how far, in radians, directions may turn while lists hold
+  float turn;                 ///< how far, in radians, directions may turn while lists hold
+  bool asksCrossings = true;  ///< whether edges through faces are listed
 };
 
 /// Puts a patch's vertices into another frame: three columns, as long as the patch's own. Returns the box around them.

@@ -9,6 +9,11 @@
 
 namespace cairn::bullet {
 
+/// Two patches: one of A, one of B.
+struct PatchPair {
+  std::uint32_t a = 0, b = 0;
+};
+
 /// A patch of one surface, and how it stands to the other.
 struct PlacedPatch {
   SurfacePatch patch;

@@ -227,7 +227,7 @@ TEST(ContactKernel, KnowsHowTheOverlapGrows) {
   appendCrossings(surfaces, placed, listed(surfaces, limitsOf()), crossings);
   OverlapRegions regions;
   Budget unlimited = Budget::unlimited();
-  const std::span<const OverlapRegion> found = regions.find(surfaces, crossings, unlimited);
+  const std::span<const OverlapRegion> found = regions.find(surfaces, limitsOf(), {}, crossings, unlimited);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].area.z, -0.12, 1e-5);
   EXPECT_NEAR(found[0].area.x, 0, 1e-5);

@@ -74,6 +74,11 @@ class SurfacePatches {
   SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
+  /// Whose own the features of the mesh are; of vertices of no triangle it is nobody's: `kNone`.
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  std::span<const std::uint32_t> ownersOfVertices() const { return ofVertices_; }
+  std::span<const std::uint32_t> ownersOfEdges() const { return ofEdges_; }
+  std::span<const std::uint32_t> ownersOfTriangles() const { return ofTriangles_; }
   SurfacePatch patch(std::uint32_t index) const;
   /// The first is the root's: of all of the surface.
   std::span<const PatchFamily> families() const { return families_; }
@@ -97,6 +102,7 @@ class SurfacePatches {
   std::vector<std::uint32_t> indices_;
   std::vector<std::array<std::uint8_t, 2>> ends_;
   std::vector<float> numbers_;
+  std::vector<std::uint32_t> ofVertices_, ofEdges_, ofTriangles_;
 };
 
 }  // namespace cairn
