@@ -281,27 +281,6 @@ SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& fe
   Maker(tree, features, *this).run();
 }
 
-SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
-  const Record& r = records_[index];
-  const std::span<const std::uint32_t> lists(indices_);
-  SurfacePatch patch;
-  patch.vertices = lists.subspan(r.firstIndex, r.vertices);
-  patch.edges = lists.subspan(r.firstIndex + r.vertices, r.edges);
-  patch.triangles = lists.subspan(r.firstIndex + r.vertices + r.edges, r.triangles);
-  patch.ownVertices = r.ownVertices;
-  patch.convexEdges = r.convexEdges;
-  patch.edgeEnds = std::span(ends_).subspan(r.firstEnd, r.edges);
-  patch.vertexColumns = numbers_.data() + r.firstNumber;
-  patch.faceColumns = patch.vertexColumns + 3 * SurfacePatch::padded(r.vertices);
-  patch.edgeColumns = patch.faceColumns + 16 * SurfacePatch::padded(r.triangles);
-  patch.box = r.box;
-  patch.normals = r.normals;
-  patch.facing = r.facing;
-  patch.lowest = r.lowest;
-  patch.highest = r.highest;
-  return patch;
-}
-
 std::size_t SurfacePatches::memoryBytes() const {
   return families_.capacity() * sizeof(PatchFamily) + records_.capacity() * sizeof(Record) +
          indices_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(ends_[0]) +

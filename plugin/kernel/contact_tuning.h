@@ -50,8 +50,8 @@ inline constexpr float kNoArea = 1e-3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
 /// Features are listed for so many steps as the last one, within these parts of the skin that patches are listed with.
-inline constexpr float kListSteps = 8;
-inline constexpr float kLeastSkin = 0.05F;
+inline constexpr float kListSteps = 4;
+inline constexpr float kLeastSkin = 0.01F;
 inline constexpr float kMostSkin = 0.5F;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.

@@ -28,9 +28,9 @@ PlacedBox asPlaced(const Box& box) {
 
 }  // namespace
 
-template <class OnPatch>
+template <class MayTouch, class OnPatch>
 bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, const NearLimits& limits, Budget& budget,
-                          const OnPatch& onPatch) {
+                          const MayTouch& mayTouch, const OnPatch& onPatch) {
   const std::span<const PatchFamily> families = surface.surface().patches.families();
   waiting_.assign(1, 0);
   while (!waiting_.empty()) {
@@ -41,6 +41,7 @@ bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, co
     apart_ = std::min(apart_, test.apart * surface.scale);
     for (std::uint32_t lanes = test.near; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      if (!mayTouch(family, lane)) continue;
       if (family.isPatch(lane))
         onPatch(family.child[lane]);
       else
@@ -50,21 +51,34 @@ bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, co
   return true;
 }
 
+bool NearPatches::findNearOfA(const SurfacePair& surfaces, const PlacedPatches& a, const PlacedPatches& b,
+                              Budget& budget) {
+  nearOfA_.clear();
+  const PlacedBox allOfB = placed(surfaces.b.surface().patches.box(), surfaces.b.toOther);
+  const auto mayTouch = [&](const PatchFamily& family, std::uint32_t lane) {
+    budget.chargeAnyway(kOverlapTestCost * PatchFamily::kWidth);
+    const PlacedBox box = placed(family.box(lane), surfaces.a.toOther);
+    const FamilyTest test = testFamily(surfaces.b.surface().patches.families()[0], box, b.limits());
+    apart_ = std::min(apart_, test.apart * surfaces.b.scale);
+    return test.near != 0;
+  };
+  return descend(surfaces.a, allOfB, a.limits(), budget, mayTouch,
+                 [&](std::uint32_t patch) { nearOfA_.push_back(patch); });
+}
+
 bool NearPatches::find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
                        Budget& budget) {
   found.clear();
-  nearOfA_.clear();
   apart_ = std::numeric_limits<float>::infinity();
-  const PlacedBox allOfB = placed(surfaces.b.surface().patches.box(), surfaces.b.toOther);
-  if (!descend(surfaces.a, allOfB, a.limits(), budget, [&](std::uint32_t patch) { nearOfA_.push_back(patch); }))
-    return false;
+  if (!findNearOfA(surfaces, a, b, budget)) return false;
   for (const std::uint32_t ofA : nearOfA_) {
     a.place(ofA);
+    const auto always = [](const PatchFamily&, std::uint32_t) { return true; };
     const auto onPatch = [&](std::uint32_t ofB) {
       b.place(ofB);
       found.push_back({ofA, ofB});
     };
-    if (!descend(surfaces.b, asPlaced(a[ofA].placed), b.limits(), budget, onPatch)) return false;
+    if (!descend(surfaces.b, asPlaced(a[ofA].placed), b.limits(), budget, always, onPatch)) return false;
   }
   apart_ -= a.margins();
   return true;

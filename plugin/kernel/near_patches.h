@@ -10,8 +10,8 @@
 
 namespace cairn::bullet {
 
-/// Which patches of two surfaces may touch, by their boxes: those of A near all of B, and of each of them those of B
-/// near it. Eight boxes are compared at a time.
+/// Which patches of two surfaces may touch, by their boxes: those of A near the largest boxes of B, and of each of them
+/// those of B near it. Eight boxes are compared at a time.
 class NearPatches {
  public:
   /// Replaces `found` by these pairs, and places what stands in them. False when the budget does not cover the boxes
@@ -22,10 +22,13 @@ class NearPatches {
   float apart() const { return apart_; }
 
  private:
-  // Calls `onPatch` with each patch of the surface that may touch the box, in the surface's frame.
-  template <class OnPatch>
+  // Those of A near any of the boxes at the root of B's.
+  bool findNearOfA(const SurfacePair& surfaces, const PlacedPatches& a, const PlacedPatches& b, Budget& budget);
+  // Calls `onPatch` with each patch of the surface that may touch the box, in the surface's frame, and is in no family
+  // that may not.
+  template <class MayTouch, class OnPatch>
   bool descend(const PlacedSurface& surface, const PlacedBox& box, const NearLimits& limits, Budget& budget,
-               const OnPatch& onPatch);
+               const MayTouch& mayTouch, const OnPatch& onPatch);
 
   std::vector<std::uint32_t> waiting_, nearOfA_;  // families; patches
   float apart_ = 0;

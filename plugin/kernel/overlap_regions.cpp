@@ -28,8 +28,10 @@ bool isSameEdge(const Crossing& x, const Crossing& y) {
 // Precondition: sorted.
 std::span<const Crossing> OverlapRegions::Question::crossingsOf(bool isOfA, std::uint32_t edge) const {
   const auto key = [](const Crossing& c) { return std::pair(c.isEdgeOfA, c.edge); };
-  const auto own = std::ranges::equal_range(crossings, std::pair(isOfA, edge), {}, key);
-  return {own.begin(), own.end()};
+  const auto first = std::ranges::lower_bound(crossings, std::pair(isOfA, edge), {}, key);
+  const auto last =
+      std::find_if(first, crossings.end(), [&](const Crossing& c) { return key(c) != std::pair(isOfA, edge); });
+  return {first, last};
 }
 
 std::uint32_t OverlapRegions::rootOf(std::uint32_t region) {

@@ -43,8 +43,8 @@ struct PlacedColumns {
   const float* columns;
   std::uint32_t stride;
 
-  PlacedColumns(const PlacedPatches& side, const PlacedPatch& patch)
-      : columns(side.columns() + patch.firstNumber), stride(SurfacePatch::padded(patch.patch.vertices.size())) {}
+  explicit PlacedColumns(const PlacedPatch& patch)
+      : columns(patch.columns), stride(SurfacePatch::padded(patch.patch.vertices.size())) {}
   Vec3 operator[](std::uint32_t i) const { return {columns[i], columns[stride + i], columns[2 * stride + i]}; }
 };
 
@@ -352,7 +352,7 @@ HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pa
 HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
   const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
   if (!overlap(a.placed, b.near) || !overlap(b.placed, a.near)) return;
-  TestedPair pair{a, b, {question.a, a}, {question.b, b}, {}, {}};
+  TestedPair pair{a, b, PlacedColumns(a), PlacedColumns(b), {}, {}};
   const std::int32_t beyondB = codesOf(pair.aInB, b, pair.codesA);
   if ((beyondB & kNear) != 0) return;
   const std::int32_t beyondA = codesOf(pair.bInA, a, pair.codesB);

@@ -10,8 +10,7 @@ namespace cairn::bullet {
 void PlacedPatches::begin(const PlacedSurface& side, const ContactLimits& limits) {
   side_ = &side;
   limits_ = NearLimits(side.scale, limits);
-  placed_.clear();
-  columns_.clear();
+  count_ = 0;
   const std::uint32_t count = side.surface().patches.count();
   if (slots_.size() < count) slots_.resize(count);
   if (++run_ == 0) {  // all stamps are old
@@ -23,12 +22,11 @@ void PlacedPatches::begin(const PlacedSurface& side, const ContactLimits& limits
 void PlacedPatches::place(std::uint32_t index) {
   Slot& slot = slots_[index];
   if (slot.run == run_) return;
-  slot = {run_, static_cast<std::uint32_t>(placed_.size())};
-  PlacedPatch& here = placed_.emplace_back();
+  slot = {run_, count_};
+  if (count_ == placed_.size()) placed_.emplace_back();
+  PlacedPatch& here = placed_[count_++];
   here.patch = side_->surface().patches.patch(index);
-  here.firstNumber = static_cast<std::uint32_t>(columns_.size());
-  columns_.resize(columns_.size() + 3 * static_cast<std::size_t>(SurfacePatch::padded(here.patch.vertices.size())));
-  here.placed = placeVertices(here.patch, side_->toOther, columns_.data() + here.firstNumber);
+  here.placed = placeVertices(here.patch, side_->toOther, here.columns);
   const SurfacePatch& patch = here.patch;
   here.near = limits_.around(patch.box, patch.normals);
   here.exact = patch.box.grown(limits_.skin);

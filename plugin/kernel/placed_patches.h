@@ -18,8 +18,8 @@ struct PatchPair {
 struct PlacedPatch {
   SurfacePatch patch;
   // In the other's frame and unit.
-  std::uint32_t firstNumber = 0;  ///< of its vertices' columns, see `PlacedPatches::columns`
-  Box placed;                     ///< of its vertices
+  float columns[3 * SurfacePatch::kMaxFeatures];  ///< of its vertices: three, each as long as the patch's own
+  Box placed;                                     ///< of its vertices
   // In its own frame and unit.
   Box near;                               ///< of what may touch its faces
   Box exact;                              ///< of what may cross them
@@ -36,8 +36,6 @@ class PlacedPatches {
   const PlacedPatch& operator[](std::uint32_t index) const { return placed_[slots_[index].slot]; }
   void place(std::uint32_t index);
 
-  /// The coordinates of all placed vertices: those of a patch in three columns, each as long as the patch's own.
-  const float* columns() const { return columns_.data(); }
   const NearLimits& limits() const { return limits_; }
   /// Of both surfaces together, world length.
   float margins() const { return limits_.margins * side_->scale; }
@@ -49,8 +47,8 @@ class PlacedPatches {
 
   const PlacedSurface* side_ = nullptr;
   NearLimits limits_;
-  std::vector<PlacedPatch> placed_;
-  std::vector<float> columns_;
+  std::vector<PlacedPatch> placed_;  // the first so many of this run
+  std::uint32_t count_ = 0;
   std::vector<Slot> slots_;  // by patch; of another run where nothing is placed
   std::uint32_t run_ = 0;
 };

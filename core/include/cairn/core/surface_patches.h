@@ -105,4 +105,25 @@ class SurfacePatches {
   std::vector<std::uint32_t> ofVertices_, ofEdges_, ofTriangles_;
 };
 
+inline SurfacePatch SurfacePatches::patch(std::uint32_t index) const {
+  const Record& r = records_[index];
+  const std::span<const std::uint32_t> lists(indices_);
+  SurfacePatch patch;
+  patch.vertices = lists.subspan(r.firstIndex, r.vertices);
+  patch.edges = lists.subspan(r.firstIndex + r.vertices, r.edges);
+  patch.triangles = lists.subspan(r.firstIndex + r.vertices + r.edges, r.triangles);
+  patch.ownVertices = r.ownVertices;
+  patch.convexEdges = r.convexEdges;
+  patch.edgeEnds = std::span(ends_).subspan(r.firstEnd, r.edges);
+  patch.vertexColumns = numbers_.data() + r.firstNumber;
+  patch.faceColumns = patch.vertexColumns + 3 * SurfacePatch::padded(r.vertices);
+  patch.edgeColumns = patch.faceColumns + 16 * SurfacePatch::padded(r.triangles);
+  patch.box = r.box;
+  patch.normals = r.normals;
+  patch.facing = r.facing;
+  patch.lowest = r.lowest;
+  patch.highest = r.highest;
+  return patch;
+}
+
 }  // namespace cairn
