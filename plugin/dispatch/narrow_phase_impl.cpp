@@ -252,6 +252,11 @@ void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (pair.isSettled()) return;
+  if (const std::optional<PairReport> carried = pair.carryOver()) {
+    ++tally_.statistics.pairs;
+    count(*carried, pair.seenHeld());
+    return dismiss(index);
+  }
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, remeasuredOf(pair), left_, scratch_))
     return dismiss(index);
   ++tally_.statistics.pairs;

@@ -54,6 +54,10 @@ inline constexpr float kListSteps = 4;
 inline constexpr float kLeastSkin = 0.01F;
 inline constexpr float kMostSkin = 0.5F;
 
+/// Until the bodies have moved so far against each other since the last look, their contacts stay as they are. Contact
+/// distances: what comes to touch meanwhile is told in time.
+inline constexpr float kCarried = 0.1F;
+
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
 inline constexpr float kOneManifold = 0.906307787F;
 

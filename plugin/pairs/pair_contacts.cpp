@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Zlib
 #include "pairs/pair_contacts.h"
 
-#include "kernel/contact_tuning.h"
-
 #include <algorithm>
+
+#include "kernel/contact_tuning.h"
 
 namespace cairn::bullet {
 
@@ -35,7 +35,7 @@ void PairContacts::reset() {
   overlooked_ = 0;
   isTold_ = false;
   isRetested_ = false;
-  isKept_ = false;
+  isKept_ = isOfKernel_ = false;
   isFlat_ = liesStill_ = false;
   kept_.reset();
 }
@@ -250,8 +250,8 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.seeds = seeds_;
-  const bool isOfKernel = isOfMesh_ && policy.finest == Finest::triangles;
-  scratch.contacts.group(seeds_, reach, isOfKernel ? tuning::kOneManifold : kClusterCosine);
+  isOfKernel_ = isOfMesh_ && policy.finest == Finest::triangles;
+  scratch.contacts.group(seeds_, reach, isOfKernel_ ? tuning::kOneManifold : kClusterCosine);
   if (isOfMesh_)
     keepNormals(scratch.contacts);
   else

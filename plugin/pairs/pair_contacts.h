@@ -109,6 +109,8 @@ class PairContacts {
   std::uint64_t keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   static constexpr std::uint64_t kKeptCostIfFew = kContactCost * KeptAnswer::kFew;
   bool isKept() const { return isKept_; }
+  /// Whether the contact kernel told the last contacts.
+  bool isOfKernel() const { return isOfKernel_; }
 
   /// See `fetchAhead`: what a step looks at besides the object itself.
   void fetchLists() const {
@@ -200,7 +202,7 @@ class PairContacts {
   bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;
   bool isRetested_ = false;
-  bool isOfMesh_ = false;
+  bool isOfMesh_ = false, isOfKernel_ = false;
   float overlooked_ = 0;
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;

@@ -97,6 +97,10 @@ class alignas(64) TreePair {
   const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
   const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
 
+  /// Instead of all that follows, for a pair that the kernel answered: where the bodies have hardly moved against each
+  /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
+  /// Precondition: collected in this step.
+  std::optional<PairReport> carryOver();
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
   /// first. `sweptTime`: as above. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
