@@ -2,6 +2,7 @@
 // Pairs that lie still: what was said of them is said again.
 #include "kernel/contact_tuning.h"
 #include "pairs/tree_pair.h"
+#include "placement/bullet_math.h"
 
 namespace cairn::bullet {
 
