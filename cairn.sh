@@ -26,6 +26,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench matrix [OPTIONS] how sphere-trees rest, slide and roll with everything Bullet has, beside Bullet's own
                              shapes and the textbook
   ./cairn.sh bench fits FOLDER [OPTIONS] whether pieces that fit (meshes in FOLDER) go together, slide and hold as pieces do
+  ./cairn.sh bench kernel TREE... [OPTIONS] what exact contacts of two bodies that touch cost, stage by stage
   ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
                              shapes, hulls and trees of one to three levels: error and time of each
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
@@ -204,7 +205,7 @@ bench() {
   case ${1:-} in
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
-    effects | fits | interrupted | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
+    effects | fits | interrupted | kernel | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release
   local mesh

@@ -152,7 +152,10 @@ void PairContacts::appendUnmeasured(Counterpart& counterpart, const RelativeMoti
 
 bool PairContacts::appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, const MeshQuestion& question,
                                 std::vector<Contact>& contacts) {
+  const bool isTimed = question.finest == Finest::triangles && question.budget.hasDeadline();
+  const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   const std::optional<float> gap = counterpart.appendOfMesh(question, contacts);
+  if (isTimed) onTriangles_ = Budget::Clock::now() - began;
   if (!gap) return false;
   kept_.setGap(*gap, motion);
   overlooked_ = 0;
@@ -228,6 +231,7 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   const bool isDone = counterpart.traversal().done();
   counterpart.expect(commonNormals_);
   if (!isDone || isResumed_) retest(counterpart, budget, scratch);
+  onTriangles_ = {};
   isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
               appendOfMesh(counterpart, motion, {policy.finest, scratch.kernel, motion.placement, budget}, contacts);
   if (!isOfMesh_) {

@@ -109,6 +109,8 @@ class PairContacts {
   std::uint64_t keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
   static constexpr std::uint64_t kKeptCostIfFew = kContactCost * KeptAnswer::kFew;
   bool isKept() const { return isKept_; }
+  /// How long the last `finish` was with the triangles, under a deadline; else 0.
+  Budget::Clock::duration onTriangles() const { return onTriangles_; }
   /// Whether the contact kernel told the last contacts.
   bool isOfKernel() const { return isOfKernel_; }
 
@@ -204,6 +206,7 @@ class PairContacts {
   bool isRetested_ = false;
   bool isOfMesh_ = false, isOfKernel_ = false;
   float overlooked_ = 0;
+  Budget::Clock::duration onTriangles_{};
   KeptAnswer kept_;  // its beginning as well, see there
   std::vector<NodePair> known_;
   FoundPairs found_;

@@ -98,6 +98,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   report.isUnresolved = !wasDone_;
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
   contacts_.finish(*counterpart_, policy, motion_, reach_, ahead_, budget, scratch);
+  report.onTriangles = contacts_.onTriangles();
   forgetImpulsesAhead();
   const Clusters clusters = clustersOf(scratch.contacts);
   for (std::size_t k = 0; k < clusters.size(); ++k)

@@ -237,6 +237,33 @@ TEST(ContactKernel, KnowsHowTheOverlapGrows) {
       << "the vertices of the peg's end";
 }
 
+// Deeper minima are looked for where surfaces cross alone; whatever is told is one that brute force finds.
+TEST(ContactKernel, TellsMinimaAndNothingElse) {
+  std::size_t shallow = 0, deeper = 0;
+  for (const Bodies& bodies : manyBodies()) {
+    const FeatureLists all = everything(*bodies.a, *bodies.b);
+    std::mt19937_64 engine(kSeed + 4);
+    ContactKernel kernel;
+    for (int trial = 0; trial < 30; ++trial) {
+      const PlacedTree a(*bodies.a, randomPose(engine)), b(*bodies.b, Pose{randomRotation(engine), {}, 1});
+      const ContactLimits limits = limitsOf();
+      const Found expected = found(SurfacePair::of(a, b), all, limits);
+      KernelMemory memory;
+      Budget unlimited = Budget::unlimited();
+      const auto answer = kernel.run(a, b, limits, memory, {}, unlimited);
+      ASSERT_TRUE(answer.has_value());
+      for (const FeatureContact& c : answer->contacts) {
+        if (isDeep(c.kind)) continue;
+        (c.separation < -limits.contactDistance ? deeper : shallow) += 1;
+        const std::array<std::uint32_t, 3> name{std::uint32_t(c.kind), c.featureA, c.featureB};
+        EXPECT_TRUE(std::ranges::binary_search(expected.contacts, name)) << "seed " << kSeed + 4 << ", trial " << trial;
+      }
+    }
+  }
+  EXPECT_GT(shallow, 0U);
+  EXPECT_GT(deeper, 20U);
+}
+
 TEST(ContactKernel, IsCutOffByABudget) {
   const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
   const PlacedTree a(*ring, Pose{Mat3d(), {0.25, 0, 0.1}, 1}), b(*ring, Pose());
