@@ -252,11 +252,7 @@ void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (pair.isSettled()) return;
-  if (const std::optional<PairReport> carried = pair.carryOver()) {
-    ++tally_.statistics.pairs;
-    count(*carried, pair.seenHeld());
-    return dismiss(index);
-  }
+  if (carriesOver(index)) return;
   if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, remeasuredOf(pair), left_, scratch_))
     return dismiss(index);
   ++tally_.statistics.pairs;
@@ -267,6 +263,18 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   if (pair.isDone() && finishesResolvedAtOnce()) return finishPair(index);
   bookTo(pair, left_);
   scheduled_[index] = pair.scheduled();
+}
+
+// In an open step Bullet asks for the pair's points later, and about where the bodies are then.
+bool NarrowPhase::Impl::carriesOver(std::size_t index) {
+  if (stepEnd_ != StepEnd::told) return false;
+  TreePair& pair = *collected_[index];
+  const std::optional<PairReport> carried = pair.carryOver(finest_, timeStep_);
+  if (!carried) return false;
+  ++tally_.statistics.pairs;
+  count(*carried, pair.seenHeld());
+  dismiss(index);
+  return true;
 }
 
 // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.

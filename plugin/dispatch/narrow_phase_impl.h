@@ -97,6 +97,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);
+  bool carriesOver(std::size_t index);
   void fetchPairsAfter(std::size_t index) const;
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);

@@ -12,6 +12,11 @@ namespace cairn::bullet {
 
 namespace {
 
+// Where lists reach: a contact distance into the surfaces themselves. With margins bodies overlap before these cross.
+float shallowDepth(const ContactLimits& limits) {
+  return std::min(limits.trustedDepth, limits.contactDistance + limits.margins);
+}
+
 // Whether something overlaps by more than a contact distance, for all that these contacts know.
 bool isAnyDeep(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
                const ContactLimits& limits) {
@@ -19,7 +24,7 @@ bool isAnyDeep(std::span<const OverlapRegion> regions, std::span<const FeatureCo
   const auto isShallow = [&](const OverlapPoint& point) {
     return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
       const float depth = depthUnder(c, point.position, point.isOfA);
-      return depth >= -slack && depth <= limits.contactDistance;
+      return depth >= -slack && depth <= limits.contactDistance + limits.margins;
     });
   };
   return std::ranges::any_of(
@@ -33,7 +38,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
                                                         const RelativePlacement& placement, Budget& budget) {
   const SurfacePair surfaces = SurfacePair::of(a, b);
   ContactLimits shallow = limits;
-  shallow.trustedDepth = std::min(limits.trustedDepth, limits.contactDistance);
+  shallow.trustedDepth = shallowDepth(limits);
   if (!list(surfaces, shallow, memory, placement, budget)) return {};
   if (!budget.charge(kOverlapTestCost * memory.lists_.size())) return {};
   contacts_.clear();
@@ -52,9 +57,9 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
 // What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
 bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
                                  std::span<const OverlapRegion> regions, Budget& budget) {
-  if (limits.trustedDepth <= limits.contactDistance || !isAnyDeep(regions, contacts_, limits)) return true;
+  if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeep(regions, contacts_, limits)) return true;
   ContactLimits deeper = limits;
-  deeper.reach = -limits.contactDistance;
+  deeper.reach = -shallowDepth(limits);
   deeper.skin = 0;
   const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
   if (!lister_.listTouching(surfaces, deeper, pairs, deepLists_, budget)) return false;

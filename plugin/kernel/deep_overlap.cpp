@@ -11,12 +11,6 @@ namespace cairn::bullet {
 
 namespace {
 
-bool isIn(const Box& box, const Vec3& p) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (p[axis] < box.lower[axis] || p[axis] > box.upper[axis]) return false;
-  return true;
-}
-
 Box boxOf(std::span<const OverlapPoint> points) {
   Box box{points[0].position, points[0].position};
   for (const OverlapPoint& p : points) box.add(p.position);

@@ -15,6 +15,12 @@ inline float depthUnder(const FeatureContact& contact, const Vec3& point, bool i
   return (isOfA ? -height : height) - 0.5F * contact.separation;
 }
 
+inline bool isIn(const Box& box, const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < box.lower[axis] || p[axis] > box.upper[axis]) return false;
+  return true;
+}
+
 /// Whether a point of one body inside the other is there because of what a contact tells, which need not be repeated.
 inline bool isExplained(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA,
                         const ContactLimits& limits) {

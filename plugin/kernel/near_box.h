@@ -21,7 +21,8 @@ struct NearLimits {
   NearLimits(float scale, const ContactLimits& limits) {
     const float unit = kRoundings / scale;
     skin = limits.skin * unit;
-    reach = (limits.reach + limits.margins) * unit + skin;
+    const float reached = limits.reach + limits.margins;
+    reach = (reached < 0 ? reached / (kRoundings * scale) : reached * unit) + skin;
     depth = limits.margins / scale - limits.trustedDepth * unit - skin;
     margins = limits.margins / scale;
     beside = tuning::kBeside * limits.contactDistance * unit + skin;

@@ -56,6 +56,9 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
   parent_.resize(crossings.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   const Question question{surfaces, limits, contacts, crossings};
+  around_ = {crossings[0].position, crossings[0].position};
+  for (const Crossing& c : crossings) around_.add(c.position);
+  around_ = around_.grown(limits.contactDistance);
   joinCrossings(question);
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
@@ -125,10 +128,9 @@ void OverlapRegions::joinCrossings(const Question& question) {
       join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
 }
 
-// Crossings of a vertex's edges say on which side it is. Where they are of two minds, or there are none, a ray is
-// asked.
+// Crossings of a vertex's edges say on which side it is. Where they are of two minds, or there are none, a contact that
+// explains it does, or a ray.
 bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_t vertex, const Vec3& place) {
-  if (isExplained(question.contacts, place, isOfA, question.limits)) return true;
   const PlacedSurface &side = question.side(isOfA), &other = question.side(!isOfA);
   bool isInside = false, isOutside = false;
   for (const std::uint32_t edge : side.features().edgesAround(vertex)) {
@@ -139,6 +141,8 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
     (isWithin ? isInside : isOutside) = true;
   }
   if (isInside != isOutside) return isInside;
+  // Planes of contacts have no end; what they explain is where surfaces cross.
+  if (isIn(around_, place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
   ++asked_;
   return ray_.isInside(*other.tree, side.toOther * side.vertex(vertex));
 }

@@ -35,9 +35,9 @@ struct OverlapRegion {
 /// vertices on the inner sides, and all that these are joined with by edges which do not cross.
 class OverlapRegions {
  public:
-  /// `crossings` are sorted and made unique. Points that a contact explains are taken for what crossings say of them;
-  /// of others, a ray is asked where these do not agree. Valid until the next call. Charges the rays, whatever is left
-  /// of the budget.
+  /// `crossings` are sorted and made unique. Vertices are where crossings of their edges say. Where these do not
+  /// agree, or there are none, what a contact explains is inside; of others a ray is asked. Valid until the next call.
+  /// Charges the rays, whatever is left of the budget.
   std::span<const OverlapRegion> find(const SurfacePair& surfaces, const ContactLimits& limits,
                                       std::span<const FeatureContact> contacts, std::vector<Crossing>& crossings,
                                       Budget& budget);
@@ -74,7 +74,8 @@ class OverlapRegions {
   };
   static void addArea(Area& area, const Vec3& part);
   std::vector<Area> areas_;  // by crossing, where that is its region's root
-  std::uint32_t asked_ = 0;  // vertices
+  std::uint32_t asked_ = 0;  // rays
+  Box around_;               // the crossings, and a contact distance more
   std::vector<OverlapRegion> regions_;
   std::vector<std::uint32_t> waiting_;  // points whose neighbours are to be visited
   // By vertex of A and of B: the point it is, or kOutside, in the search that its stamp names.

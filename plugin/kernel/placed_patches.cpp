@@ -33,7 +33,7 @@ void PlacedPatches::place(std::uint32_t index) {
   here.lowest = patch.lowest - limits_.skin;
   here.highest = patch.highest + limits_.skin;
   here.nearLowest = patch.lowest + std::min(limits_.depth, 0.0F) - limits_.besideDeep;
-  here.nearHighest = patch.highest + limits_.reach + limits_.besideDeep;
+  here.nearHighest = patch.highest + std::max(limits_.reach, 0.0F) + limits_.besideDeep;
 }
 
 }  // namespace cairn::bullet

@@ -100,7 +100,7 @@ class alignas(64) TreePair {
   /// Instead of all that follows, for a pair that the kernel answered: where the bodies have hardly moved against each
   /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
   /// Precondition: collected in this step.
-  std::optional<PairReport> carryOver();
+  std::optional<PairReport> carryOver(Finest finest, btScalar timeStep);
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
   /// first. `sweptTime`: as above. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
@@ -236,6 +236,7 @@ class alignas(64) TreePair {
   // What everything comes up from, however deep it is.
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);
+  bool holdsWhatItSaid() const;
   void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   bool areGuardsLoaded();
   void stayAwake() const;
@@ -314,6 +315,7 @@ class alignas(64) TreePair {
   // Then what tells what it needs where there is not enough for all.
   RelativeMotion motion_;
   RelativePlacement seenAt_, seenNow_;  // in the last step; in this, if it was surveyed
+  RelativePlacement answeredAt_;        // when it was last finished
   std::optional<RootSpheres> roots_;    // of this step
   float smallerSize_ = 0;
   float reach_ = 0;  // contacts with a gap below this are wanted

@@ -6,26 +6,63 @@
 
 namespace cairn::bullet {
 
-std::optional<PairReport> TreePair::carryOver() {
-  if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_ || !contacts_.isOfKernel()) return {};
+namespace {
+
+// Where a callback or the bodies have a say in each point of each step, points are made anew.
+bool isAskedAbout(const btCollisionObject& body) {
+  constexpr int kOwnSay = btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING |
+                          btCollisionObject::CF_HAS_FRICTION_ANCHOR | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK;
+  return (body.getCollisionFlags() & kOwnSay) != 0;
+}
+
+// What Bullet asks of the bodies whenever it is told a point.
+void renewMaterial(btPersistentManifold& manifold) {
+  const btCollisionObject *const body0 = manifold.getBody0(), *const body1 = manifold.getBody1();
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(body0, body1);
+    point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(body0, body1);
+    point.m_combinedRollingFriction = btManifoldResult::calculateCombinedRollingFriction(body0, body1);
+    point.m_combinedSpinningFriction = btManifoldResult::calculateCombinedSpinningFriction(body0, body1);
+  }
+}
+
+}  // namespace
+
+std::optional<PairReport> TreePair::carryOver(Finest finest, btScalar timeStep) {
+  if (finest != Finest::triangles || !contacts_.isOfKernel()) return {};
+  if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
+  if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
   const btCollisionObjectWrapper &treeBody = treeIsBody0_ ? body0() : body1(),
                                  &otherBody = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
   const btCollisionShape& other = *otherBody.getCollisionShape();
-  if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return {};
+  if (!tree || !isSubject(*tree, asSphereTree(&other), other) || !holdsWhatItSaid()) return {};
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
-  const auto moved = static_cast<float>(now.displacementSince(motion_.placement));
-  if (moved > tuning::kCarried * speculative_) return {};
+  const float tolerance = tuning::kCarried * speculative_;
+  const auto moved = static_cast<float>(now.displacementSince(answeredAt_));
+  // What will have moved too far within the step is asked before it has.
+  const float travel = speedInOther(*tree, treeBody, otherBody) * static_cast<float>(timeStep);
+  if (moved > tolerance || travel > tolerance) return {};
   seenAt_ = now;
   origin_ = treeBody.getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   carryPoints(true, false);
+  for (btPersistentManifold* m : manifolds_)
+    if (m) renewMaterial(*m);
   countSaid();
   PairReport report;
   report.contacts = report.exactContacts = saidContacts_;
   report.manifolds = saidManifolds_;
   report.errorFraction = heldError_ + double(moved / smallerSize_);
   return report;
+}
+
+// Users may have taken points away.
+bool TreePair::holdsWhatItSaid() const {
+  std::uint32_t points = 0;
+  for (const btPersistentManifold* m : manifolds_) points += m ? static_cast<std::uint32_t>(m->getNumContacts()) : 0;
+  return points == saidContacts_;
 }
 
 }  // namespace cairn::bullet

@@ -99,6 +99,7 @@ PairReport TreePair::finish(btDispatcher& dispatcher, btManifoldResult& result, 
   report.errorFraction = double(counterpart_->traversal().worstFrontError()) / double(smallerSize_);
   contacts_.finish(*counterpart_, policy, motion_, reach_, ahead_, budget, scratch);
   report.onTriangles = contacts_.onTriangles();
+  answeredAt_ = motion_.placement;
   forgetImpulsesAhead();
   const Clusters clusters = clustersOf(scratch.contacts);
   for (std::size_t k = 0; k < clusters.size(); ++k)

@@ -296,7 +296,8 @@ void TreePair::dropFollowed() {
 
 void TreePair::carryPoints(bool dropsParted, bool writesWhole) {
   const btMatrix3x3& axes = objects_[1]->getWorldTransform().getBasis();
-  const btMatrix3x3 turned = axes * axes_.transpose();
+  // A turn by nothing, step for step, would add its rounding up.
+  const btMatrix3x3 turned = axes == axes_ ? btMatrix3x3::getIdentity() : axes * axes_.transpose();
   for (int k = 0; k < kMaxClusters; ++k) {
     const bool drops = dropsParted && !(writesWhole && k == wholeAt_);
     const btScalar farthest = drops ? breakingThreshold() : std::numeric_limits<btScalar>::max();

@@ -75,6 +75,38 @@ TEST(CarriedPair, IsAskedAgainWhenItCreeps) {
   EXPECT_GE(asked, 10) << "it crept 5 mm";
 }
 
+// A game may make a body slippery while it lies on a slope.
+TEST(CarriedPair, KnowsTheBodiesFriction) {
+  Stack stack;
+  stack.w.world.setGravity(btVector3(btScalar(3), 0, btScalar(-10)));
+  stack.crate->setFriction(1);
+  stack.floor->setFriction(1);
+  stack.w.step(60);
+  EXPECT_LT(std::abs(stack.crate->getLinearVelocity().x()), btScalar(0.01));
+  stack.crate->setFriction(0);
+  stack.w.step(30);
+  EXPECT_NEAR(stack.crate->getLinearVelocity().x(), 1.5, 0.05);
+}
+
+// What is given back at once where nothing is carried over.
+TEST(CarriedPair, IsAskedAgainWhenItsPointsAreTaken) {
+  Stack stack;
+  stack.w.step();
+  for (int m = 0; m < stack.w.dispatcher.getNumManifolds(); ++m)
+    stack.w.dispatcher.getManifoldByIndexInternal(m)->clearManifold();
+  stack.w.step();
+  EXPECT_GE(stack.w.dispatcher.lastStep().contacts, 3U);
+}
+
+// A margin is part of a body: one wider than a contact distance counts before the meshes cross.
+TEST(CarriedPair, RestsOnItsMargin) {
+  Stack stack;
+  for (btRigidBody* body : {stack.floor, stack.crate}) body->getCollisionShape()->setMargin(btScalar(0.01));
+  stack.crate->getWorldTransform().setOrigin(btVector3(0, 0, btScalar(1.01)));
+  stack.w.step(60);
+  EXPECT_NEAR(stack.crate->getWorldTransform().getOrigin().z(), 1.02, 0.003);
+}
+
 // Bodies that move together lie still against each other; their points go with them.
 TEST(CarriedPair, GoesAlongWithWhatCarriesIt) {
   Stack stack;
