@@ -7,6 +7,12 @@
 
 namespace cairn::bullet {
 
+/// World length per second below which nothing bounces: Bullet's default.
+inline btScalar slowestBounce() {
+  static const btScalar kSlowest = btContactSolverInfo().m_restitutionVelocityThreshold;
+  return kSlowest;
+}
+
 /// The distance Bullet's solver is told for a contact of bodies that bounce, so that they leave each other at
 /// `restitution` times the speed they came with, whatever the step.
 ///
@@ -18,8 +24,7 @@ namespace cairn::bullet {
 ///
 /// `closingSpeed`: at the contact, world length per second, positive where the surfaces approach. `timeStep`: seconds.
 inline btScalar distanceToTell(btScalar distance, btScalar closingSpeed, btScalar restitution, btScalar timeStep) {
-  static const btScalar kSlowest = btContactSolverInfo().m_restitutionVelocityThreshold;
-  if (restitution <= 0 || closingSpeed <= kSlowest) return distance;
+  if (restitution <= 0 || closingSpeed <= slowestBounce()) return distance;
   const btScalar travel = closingSpeed * timeStep;
   return distance <= travel ? btScalar(0) : std::max(distance, (1 + restitution) * travel);
 }

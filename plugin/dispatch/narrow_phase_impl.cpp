@@ -269,7 +269,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
 bool NarrowPhase::Impl::carriesOver(std::size_t index) {
   if (stepEnd_ != StepEnd::told) return false;
   TreePair& pair = *collected_[index];
-  const std::optional<PairReport> carried = pair.carryOver(finest_, timeStep_);
+  const std::optional<PairReport> carried = pair.carryOver(finest_);
   if (!carried) return false;
   ++tally_.statistics.pairs;
   count(*carried, pair.seenHeld());

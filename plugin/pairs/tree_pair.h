@@ -100,7 +100,7 @@ class alignas(64) TreePair {
   /// Instead of all that follows, for a pair that the kernel answered: where the bodies have hardly moved against each
   /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
   /// Precondition: collected in this step.
-  std::optional<PairReport> carryOver(Finest finest, btScalar timeStep);
+  std::optional<PairReport> carryOver(Finest finest);
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
   /// first. `sweptTime`: as above. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes

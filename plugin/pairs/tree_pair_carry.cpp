@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
 // Pairs that lie still: what was said of them is said again.
+#include "contacts/restitution.h"
 #include "kernel/contact_tuning.h"
 #include "pairs/tree_pair.h"
 #include "placement/bullet_math.h"
@@ -29,7 +30,7 @@ void renewMaterial(btPersistentManifold& manifold) {
 
 }  // namespace
 
-std::optional<PairReport> TreePair::carryOver(Finest finest, btScalar timeStep) {
+std::optional<PairReport> TreePair::carryOver(Finest finest) {
   if (finest != Finest::triangles || !contacts_.isOfKernel()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
@@ -41,9 +42,8 @@ std::optional<PairReport> TreePair::carryOver(Finest finest, btScalar timeStep) 
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   const float tolerance = tuning::kCarried * speculative_;
   const auto moved = static_cast<float>(now.displacementSince(answeredAt_));
-  // What will have moved too far within the step is asked before it has.
-  const float travel = speedInOther(*tree, treeBody, otherBody) * static_cast<float>(timeStep);
-  if (moved > tolerance || travel > tolerance) return {};
+  const bool mayBounce = speedInOther(*tree, treeBody, otherBody) > static_cast<float>(slowestBounce());
+  if (moved > tolerance || mayBounce) return {};
   seenAt_ = now;
   origin_ = treeBody.getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
