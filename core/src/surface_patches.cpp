@@ -32,13 +32,19 @@ void Box::add(const Vec3& p) {
   }
 }
 
+bool Box::holds(const Vec3& p) const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < lower[axis] || p[axis] > upper[axis]) return false;
+  return true;
+}
+
 class SurfacePatches::Maker {
  public:
   Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
       : tree_(tree), features_(features), out_(out) {
-    out_.ofVertices_.assign(tree.vertices().size(), kNone);
-    out_.ofEdges_.assign(features.edges().size(), kNone);
-    out_.ofTriangles_.assign(tree.triangles().size(), kNone);
+    out_.ofVertices_.assign(tree.vertices().size(), SurfaceEdge::kNone);
+    out_.ofEdges_.assign(features.edges().size(), SurfaceEdge::kNone);
+    out_.ofTriangles_.assign(tree.triangles().size(), SurfaceEdge::kNone);
   }
 
   void run() {
@@ -177,8 +183,8 @@ class SurfacePatches::Maker {
   // Moves what no patch owns yet to the front, and gives it to the one at hand.
   std::vector<std::uint32_t>::iterator ownFirst(std::vector<std::uint32_t>& list,
                                                 std::vector<std::uint32_t>& owners) const {
-    const auto end =
-        std::stable_partition(list.begin(), list.end(), [&](std::uint32_t i) { return owners[i] == kNone; });
+    const auto end = std::stable_partition(list.begin(), list.end(),
+                                           [&](std::uint32_t i) { return owners[i] == SurfaceEdge::kNone; });
     std::for_each(list.begin(), end, [&](std::uint32_t i) { owners[i] = out_.count(); });
     return end;
   }

@@ -17,18 +17,15 @@ float shallowDepth(const ContactLimits& limits) {
   return std::min(limits.trustedDepth, limits.contactDistance + limits.margins);
 }
 
-// Whether something overlaps by more than a contact distance, for all that these contacts know.
-bool isAnyDeep(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
-               const ContactLimits& limits) {
-  const float slack = tuning::kExplainedSlack * limits.contactDistance;
-  const auto isShallow = [&](const OverlapPoint& point) {
-    return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
-      const float depth = depthUnder(c, point.position, point.isOfA);
-      return depth >= -slack && depth <= limits.contactDistance + limits.margins;
-    });
+// Whether something overlaps by more than that, for all that these contacts know.
+bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
+                 const ContactLimits& limits) {
+  const float depth = shallowDepth(limits);
+  const auto isKnown = [&](const OverlapPoint& point) {
+    return isUnderAny(contacts, point.position, point.isOfA, limits, [&](const FeatureContact&) { return depth; });
   };
-  return std::ranges::any_of(
-      regions, [&](const OverlapRegion& region) { return !std::ranges::all_of(region.points, isShallow); });
+  return std::ranges::any_of(regions,
+                             [&](const OverlapRegion& region) { return !std::ranges::all_of(region.points, isKnown); });
 }
 
 }  // namespace
@@ -50,19 +47,20 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
   if (!appendDeeper(surfaces, limits, regions, budget)) return {};
   dropDeeper(a, b, limits);
   deepOverlap_.append(surfaces, limits, regions, contacts_);
-  const auto moved = static_cast<float>(placement.displacementSince(memory.near_.at));
+  const auto moved = static_cast<float>(placement.displacementSince(memory.near_->at));
   return Answer{contacts_, memory.patches_.empty() ? memory.apart_ - moved : -std::numeric_limits<float>::infinity()};
 }
 
 // What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
 bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
                                  std::span<const OverlapRegion> regions, Budget& budget) {
-  if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeep(regions, contacts_, limits)) return true;
+  if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
   ContactLimits deeper = limits;
   deeper.reach = -shallowDepth(limits);
   deeper.skin = 0;
   const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
-  if (!lister_.listTouching(surfaces, deeper, pairs, deepLists_, budget)) return false;
+  lister_.begin(surfaces, deeper);
+  if (!lister_.list(pairs, Asked::touching, deepLists_, budget)) return false;
   if (!budget.charge(kOverlapTestCost * deepLists_.size())) return false;
   FeatureContacts(surfaces, placed_, deeper).append(deepLists_, contacts_);
   return true;
@@ -73,22 +71,23 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
                          const RelativePlacement& placement, Budget& budget) {
   const auto moved = static_cast<float>(placement.displacementSince(memory.lastAt_));
   memory.lastAt_ = placement;
-  const bool areNear = memory.near_.holdsAt(placement, limits.reach);
-  if (areNear && memory.features_.holdsAt(placement, limits.reach)) return true;
-  memory.features_.skin = KernelMemory::kNone;
-  ContactLimits narrow = limits;
-  narrow.skin =
-      std::clamp(tuning::kListSteps * moved, tuning::kLeastSkin * limits.skin, tuning::kMostSkin * limits.skin);
+  const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.reach);
+  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return true;
+  memory.features_.reset();
   if (!areNear) {
-    memory.near_.skin = KernelMemory::kNone;
-    if (!lister_.findNear(surfaces, limits, memory.patches_, budget)) return false;
+    memory.near_.reset();
+    lister_.begin(surfaces, limits);
+    if (!lister_.findNear(memory.patches_, budget)) return false;
     memory.apart_ = lister_.apart();
     memory.near_ = {placement, limits.reach, limits.skin};
   }
-  const bool arePlaced = !areNear && narrow.skin == limits.skin;
-  if (arePlaced ? !lister_.listFound(surfaces, narrow, memory.patches_, memory.lists_, budget)
-                : !lister_.list(surfaces, narrow, memory.patches_, memory.lists_, budget))
-    return false;
+  ContactLimits narrow = limits;
+  // What lies still need not be listed anew for less than it may be carried over for.
+  const float least = tuning::kCarried * limits.contactDistance;
+  narrow.skin = std::min(std::max(tuning::kListSteps * moved, least), limits.skin);
+  // What was placed for the patches stands where features have the same skin.
+  if (areNear || narrow.skin != limits.skin) lister_.begin(surfaces, narrow);
+  if (!lister_.list(memory.patches_, Asked::all, memory.lists_, budget)) return false;
   memory.features_ = {placement, limits.reach, narrow.skin};
   return true;
 }

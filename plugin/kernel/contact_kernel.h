@@ -22,22 +22,25 @@ namespace cairn::bullet {
 /// until a point of one body has moved by its skin against the other; the patches' skin is the wider one.
 class KernelMemory {
  public:
-  void forget() { near_.skin = features_.skin = kNone; }
+  /// Nothing is listed any more.
+  void forget() {
+    near_.reset();
+    features_.reset();
+  }
 
  private:
   friend class ContactKernel;
 
-  static constexpr float kNone = -1;
   struct Listed {
     RelativePlacement at;
-    float reach = 0, skin = kNone;  // world length; so far the lists reach
+    float reach, skin;  // world length; so far the lists reach
 
     bool holdsAt(const RelativePlacement& placement, float wanted) const {
       return skin > 0 && wanted <= reach && static_cast<float>(placement.displacementSince(at)) <= skin;
     }
   };
 
-  Listed near_, features_;
+  std::optional<Listed> near_, features_;
   std::vector<PatchPair> patches_;
   FeatureLists lists_;
   float apart_ = 0;  // of what is not listed, where the patches were

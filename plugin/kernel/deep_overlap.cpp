@@ -26,7 +26,7 @@ FeatureKind kindOf(const OverlapPoint& point) {
 void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, std::vector<FeatureContact>& contacts) {
   const Box box = boxOf(region.points).grown(near);
   std::erase_if(contacts, [&](const FeatureContact& c) {
-    return !isDeep(c.kind) && dot(c.normal, normal) < 0 && isIn(box, c.position);
+    return !isDeep(c.kind) && dot(c.normal, normal) < 0 && box.holds(c.position);
   });
 }
 

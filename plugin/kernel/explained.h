@@ -15,20 +15,22 @@ inline float depthUnder(const FeatureContact& contact, const Vec3& point, bool i
   return (isOfA ? -height : height) - 0.5F * contact.separation;
 }
 
-inline bool isIn(const Box& box, const Vec3& p) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (p[axis] < box.lower[axis] || p[axis] > box.upper[axis]) return false;
-  return true;
+/// Whether some minimum of the distance has the point behind its plane, no deeper than `most(contact)` says and hardly
+/// before it.
+template <class Most>
+bool isUnderAny(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA, const ContactLimits& limits,
+                const Most& most) {
+  return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
+    const float depth = depthUnder(c, point, isOfA);
+    return !isDeep(c.kind) && depth >= -tuning::kExplainedSlack * limits.contactDistance && depth <= most(c);
+  });
 }
 
 /// Whether a point of one body inside the other is there because of what a contact tells, which need not be repeated.
 inline bool isExplained(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA,
                         const ContactLimits& limits) {
-  const float slack = tuning::kExplainedSlack * limits.contactDistance;
-  return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
-    const float depth = depthUnder(c, point, isOfA);
-    return !isDeep(c.kind) && depth >= -slack &&
-           depth <= tuning::kExplainedDepths * std::max(-c.separation, 0.0F) + slack;
+  return isUnderAny(contacts, point, isOfA, limits, [&](const FeatureContact& c) {
+    return tuning::kExplainedDepths * std::max(-c.separation, 0.0F) + tuning::kExplainedSlack * limits.contactDistance;
   });
 }
 

@@ -5,42 +5,25 @@
 
 namespace cairn::bullet {
 
-bool FeatureLister::findNear(const SurfacePair& surfaces, const ContactLimits& limits, std::vector<PatchPair>& near,
-                             Budget& budget) {
+void FeatureLister::begin(const SurfacePair& surfaces, const ContactLimits& limits) {
+  surfaces_ = &surfaces;
+  turn_ = limits.turn();
   a_.begin(surfaces.a, limits);
   b_.begin(surfaces.b, limits);
-  return nearPatches_.find(surfaces, a_, b_, near, budget);
 }
 
-void FeatureLister::place(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near) {
-  a_.begin(surfaces.a, limits);
-  b_.begin(surfaces.b, limits);
+bool FeatureLister::findNear(std::vector<PatchPair>& near, Budget& budget) {
+  return nearPatches_.find(*surfaces_, a_, b_, near, budget);
+}
+
+bool FeatureLister::list(std::span<const PatchPair> near, Asked asked, FeatureLists& lists, Budget& budget) {
+  lists.clear();
+  if (!budget.charge(kOverlapTestCost * near.size())) return false;
   for (const PatchPair& pair : near) {
     a_.place(pair.a);
     b_.place(pair.b);
   }
-}
-
-bool FeatureLister::list(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
-                         FeatureLists& lists, Budget& budget) {
-  place(surfaces, limits, near);
-  return listFound(surfaces, limits, near, lists, budget);
-}
-
-bool FeatureLister::listFound(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const PatchPair> near,
-                              FeatureLists& lists, Budget& budget) {
-  lists.clear();
-  if (!budget.charge(kOverlapTestCost * near.size())) return false;
-  testPatches({surfaces, a_, b_, limits.turn()}, near, lists);
-  return true;
-}
-
-bool FeatureLister::listTouching(const SurfacePair& surfaces, const ContactLimits& limits,
-                                 std::span<const PatchPair> near, FeatureLists& lists, Budget& budget) {
-  lists.clear();
-  if (!budget.charge(kOverlapTestCost * near.size())) return false;
-  place(surfaces, limits, near);
-  testPatches({surfaces, a_, b_, limits.turn(), false}, near, lists);
+  testPatches({*surfaces_, a_, b_, turn_, asked}, near, lists);
   return true;
 }
 

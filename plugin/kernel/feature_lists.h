@@ -8,6 +8,12 @@
 
 namespace cairn::bullet {
 
+/// Which of their lists are asked for.
+enum class Asked : std::uint8_t {
+  all,
+  touching  ///< without what crosses
+};
+
 /// Pairs of features of two surfaces that may touch: A's first. Indices are the meshes' own.
 struct FeatureLists {
   using List = std::vector<std::array<std::uint32_t, 2>>;

@@ -142,7 +142,7 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
   }
   if (isInside != isOutside) return isInside;
   // Planes of contacts have no end; what they explain is where surfaces cross.
-  if (isIn(around_, place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
+  if (around_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
   ++asked_;
   return ray_.isInside(*other.tree, side.toOther * side.vertex(vertex));
 }

@@ -4,9 +4,7 @@
 // Highway. Products and sums stay separate and in the order of `Vec3`'s.
 #include "kernel/patch_tests.h"
 
-#include <algorithm>
 #include <bit>
-#include <limits>
 
 // The instruction sets Highway compiles for, as in the core.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -16,19 +14,16 @@
 
 #include <hwy/highway.h>
 
+#include "kernel/edge_tests-inl.h"
+#include "kernel/points-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace cairn::bullet::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<float, SurfacePatch::kBatch>;
 using IntTag = hn::RebindToSigned<Tag>;
-using Lanes = hn::Vec<Tag>;
-
-struct Points {
-  Lanes x, y, z;
-};
 
 // Which planes each vertex of a patch is beyond, as bits: those of the near box and slab, and in the next byte those of
 // the exact ones.
@@ -47,40 +42,6 @@ struct PlacedColumns {
       : columns(patch.columns), stride(SurfacePatch::padded(patch.patch.vertices.size())) {}
   Vec3 operator[](std::uint32_t i) const { return {columns[i], columns[stride + i], columns[2 * stride + i]}; }
 };
-
-HWY_INLINE Points all(const Vec3& p) {
-  const Tag d;
-  return {hn::Set(d, p.x), hn::Set(d, p.y), hn::Set(d, p.z)};
-}
-
-HWY_INLINE Points load(const float* columns, std::uint32_t stride, std::uint32_t at) {
-  const Tag d;
-  return {hn::LoadU(d, columns + at), hn::LoadU(d, columns + stride + at), hn::LoadU(d, columns + 2 * stride + at)};
-}
-
-HWY_INLINE Lanes dotOf(const Points& a, const Points& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-HWY_INLINE Points minus(const Points& a, const Points& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-HWY_INLINE Points crossOf(const Points& a, const Points& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
-
-HWY_INLINE std::uint32_t bitsOf(hn::Mask<Tag> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Tag(), mask, bytes);
-  return bytes[0];
-}
-
-template <class Add>
-HWY_INLINE void addEach(std::uint32_t bits, std::uint32_t at, const Add& add) {
-  for (; bits != 0; bits &= bits - 1) add(at + static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
 
 HWY_INLINE hn::Vec<IntTag> codeIf(hn::Mask<Tag> mask, std::int32_t bit) {
   const IntTag d;
@@ -187,104 +148,6 @@ HWY_INLINE void edgeThroughFaces(const Vec3& from, const Vec3& to, const Surface
   }
 }
 
-HWY_INLINE hn::Mask<Tag> areBoxesNear(const Points& p, const Points& q, const Box& box) {
-  const Points lower = all(box.lower), upper = all(box.upper);
-  const auto onAxis = [&](Lanes u, Lanes v, Lanes low, Lanes high)
-                          HWY_ATTR { return hn::And(hn::Le(hn::Min(u, v), high), hn::Ge(hn::Max(u, v), low)); };
-  return hn::And(onAxis(p.x, q.x, lower.x, upper.x),
-                 hn::And(onAxis(p.y, q.y, lower.y, upper.y), onAxis(p.z, q.z, lower.z, upper.z)));
-}
-
-HWY_INLINE Lanes clamped(Lanes v) {
-  const Tag d;
-  return hn::Max(hn::Zero(d), hn::Min(v, hn::Set(d, 1.0F)));
-}
-
-// From one edge to another where they are nearest; `between`: from the second's first end to the first's. Where they
-// are parallel any place along them does.
-HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
-                            Lanes lengthSqB) {
-  const Tag d;
-  const auto tiny = hn::Set(d, std::numeric_limits<float>::min());
-  const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);
-  const auto det = hn::Max(hn::Sub(hn::Mul(lengthSqA, lengthSqB), hn::Mul(ab, ab)), tiny);
-  const auto first = clamped(hn::Div(hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da)), det));
-  const auto onB = clamped(hn::Div(hn::Add(hn::Mul(ab, first), db), hn::Max(lengthSqB, tiny)));
-  const auto onA = clamped(hn::Div(hn::Sub(hn::Mul(ab, onB), da), hn::Max(lengthSqA, tiny)));
-  return {hn::Sub(hn::Add(between.x, hn::Mul(way.x, onA)), hn::Mul(wayB.x, onB)),
-          hn::Sub(hn::Add(between.y, hn::Mul(way.y, onA)), hn::Mul(wayB.y, onB)),
-          hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
-}
-
-// Whether both edges' lines are nearest no farther beyond their ends.
-HWY_INLINE hn::Mask<Tag> passesWithin(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
-                                      Lanes lengthSqB, Lanes farther) {
-  const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);
-  const auto det = hn::Sub(hn::Mul(lengthSqA, lengthSqB), hn::Mul(ab, ab));
-  const auto onA = hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da));
-  const auto onB = hn::Sub(hn::Mul(lengthSqA, db), hn::Mul(ab, da));
-  // Ways along them times `det`.
-  const auto beyondA = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqA)));
-  const auto beyondB = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqB)));
-  const auto isOnA = hn::And(hn::Ge(onA, hn::Neg(beyondA)), hn::Le(hn::Sub(onA, det), beyondA));
-  const auto isOnB = hn::And(hn::Ge(onB, hn::Neg(beyondB)), hn::Le(hn::Sub(onB, det), beyondB));
-  return hn::And(isOnA, isOnB);
-}
-
-// Sine of the angle from which a normal of two edges turns little when they do.
-constexpr float kClearSine = 0.1F;
-// Of where such edges are nearest, as a part of what is looked at beside them.
-constexpr float kRounding = 1e-3F;
-
-// An edge of A against the convex ones of B that `nearEdges` names: what is no farther than contacts are, and may face
-// each other once the bodies have turned a little.
-template <class Add>
-HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwardOfA, const SurfacePatch& edges,
-                            std::uint32_t nearEdges, const NearLimits& limits, float turn, const Add& add) {
-  const Tag d;
-  const std::uint32_t stride = SurfacePatch::padded(edges.convexEdges);
-  const float grown = std::max(limits.reach, -limits.depth) + limits.besideDeep;
-  Box box{from, from};
-  box.add(to);
-  box = box.grown(grown);
-  const Points p = all(from), way = all(to - from), outwardA = all(outwardOfA);
-  const auto lengthSqA = dotOf(way, way);
-  for (std::uint32_t at = 0; at < stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
-    const std::uint32_t nearHere = nearEdges >> at & ((1U << hn::Lanes(d)) - 1);
-    if (nearHere == 0) continue;
-    const Points r = load(edges.edgeColumns, stride, at), s = load(edges.edgeColumns + 3 * stride, stride, at);
-    auto mask = areBoxesNear(r, s, box);
-    if ((bitsOf(mask) & nearHere) == 0) continue;
-    const Points wayB = minus(s, r), across = crossOf(way, wayB);
-    const auto lengthSqB = dotOf(wayB, wayB), lengths = hn::Sqrt(hn::Mul(lengthSqA, lengthSqB));
-    const auto norm = hn::Sqrt(dotOf(across, across));
-    const auto slack = hn::Mul(hn::Set(d, turn), hn::Add(norm, lengths));
-    const auto alongA = dotOf(across, outwardA),
-               alongB = dotOf(across, load(edges.edgeColumns + 6 * stride, stride, at));
-    const auto up = hn::And(hn::Ge(alongB, hn::Neg(slack)), hn::Le(alongA, slack));
-    const auto down = hn::And(hn::Le(alongB, slack), hn::Ge(alongA, hn::Neg(slack)));
-    mask = hn::And(mask, hn::Or(up, down));
-    if ((bitsOf(mask) & nearHere) == 0) continue;
-    const Points apart = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
-    const auto distanceSq = dotOf(apart, apart), upwards = dotOf(apart, across);
-    mask = hn::And(mask, hn::Le(distanceSq, hn::Set(d, grown * grown)));
-    // What is clearly in front, and not nearly parallel, stays so.
-    const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
-    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, hn::Sqrt(distanceSq)))),
-                                   hn::Gt(norm, hn::Mul(hn::Set(d, kClearSine), lengths)));
-    const float ahead = limits.reach + limits.besideDeep;
-    mask = hn::AndNot(hn::And(isInFront, hn::Gt(distanceSq, hn::Set(d, ahead * ahead))), mask);
-    // Lines that are not nearly parallel pass each other where they do, but for a little.
-    const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, std::max(kClearSine, 4 * turn)), lengths));
-    const auto cosecant = hn::Div(lengths, hn::Max(norm, hn::Set(d, std::numeric_limits<float>::min())));
-    const auto farther = hn::Add(hn::Set(d, limits.besideDeep),
-                                 hn::Mul(hn::Set(d, 4 * (limits.skin + grown * (turn + kRounding))), cosecant));
-    const auto passes = passesWithin(minus(p, r), way, wayB, lengthSqA, lengthSqB, farther);
-    mask = hn::And(mask, hn::Or(hn::Not(isClear), passes));
-    addEach(bitsOf(mask) & nearHere, at, add);
-  }
-}
-
 HWY_INLINE bool mayBeNear(const Codes& codes, const std::array<std::uint8_t, 2>& ends, std::int32_t planes) {
   return (codes.of[ends[0]] & codes.of[ends[1]] & planes) == 0;
 }
@@ -358,36 +221,13 @@ HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices
   const std::int32_t beyondA = codesOf(pair.bInA, a, pair.codesB);
   if ((beyondA & kNear) != 0) return;
   testTouching(question, pair, lists);
-  if (question.asksCrossings && ((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
+  if (question.asked == Asked::all && ((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
 }
 
 }  // namespace
 
 void testPairs(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
   for (const PatchPair& pair : pairs) testPair(question, pair, lists);
-}
-
-void place(const SurfacePatch& patch, const Similarity& to, float* columns, Box& box) {
-  const Tag d;
-  const std::uint32_t stride = SurfacePatch::padded(patch.vertices.size());
-  const Points rows[3] = {all(to.linear.rows[0]), all(to.linear.rows[1]), all(to.linear.rows[2])};
-  const Points shift = all(to.translation);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const Vec3 far(kInfinity, kInfinity, kInfinity);
-  Points least = all(far), most = all(-far);
-  for (std::uint32_t i = 0; i < stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-    const Points p = load(patch.vertexColumns, stride, i);
-    const Points q{hn::Add(dotOf(rows[0], p), shift.x), hn::Add(dotOf(rows[1], p), shift.y),
-                   hn::Add(dotOf(rows[2], p), shift.z)};
-    hn::StoreU(q.x, d, columns + i);
-    hn::StoreU(q.y, d, columns + stride + i);
-    hn::StoreU(q.z, d, columns + 2 * stride + i);
-    least = {hn::Min(least.x, q.x), hn::Min(least.y, q.y), hn::Min(least.z, q.z)};
-    most = {hn::Max(most.x, q.x), hn::Max(most.y, q.y), hn::Max(most.z, q.z)};
-  }
-  const auto low = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
-  const auto high = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-  box = {{low(least.x), low(least.y), low(least.z)}, {high(most.x), high(most.y), high(most.z)}};
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE
@@ -397,13 +237,6 @@ HWY_AFTER_NAMESPACE();
 namespace cairn::bullet {
 
 HWY_EXPORT(testPairs);
-HWY_EXPORT(place);
-
-Box placeVertices(const SurfacePatch& patch, const Similarity& to, float* columns) {
-  Box box;
-  HWY_DYNAMIC_DISPATCH(place)(patch, to, columns, box);
-  return box;
-}
 
 void testPatches(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
   HWY_DYNAMIC_DISPATCH(testPairs)(question, pairs, lists);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/patch_tests.h"
+#include "kernel/place_vertices.h"
 
 namespace cairn::bullet {
 

@@ -35,7 +35,7 @@ void PairContacts::reset() {
   overlooked_ = 0;
   isTold_ = false;
   isRetested_ = false;
-  isKept_ = isOfKernel_ = false;
+  isKept_ = isOfTriangles_ = false;
   isFlat_ = liesStill_ = false;
   kept_.reset();
 }
@@ -254,8 +254,8 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   known_.clear();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
   scratch.seeds = seeds_;
-  isOfKernel_ = isOfMesh_ && policy.finest == Finest::triangles;
-  scratch.contacts.group(seeds_, reach, isOfKernel_ ? tuning::kOneManifold : kClusterCosine);
+  isOfTriangles_ = isOfMesh_ && policy.finest == Finest::triangles;
+  scratch.contacts.group(seeds_, reach, isOfTriangles_ ? tuning::kOneManifold : kClusterCosine);
   if (isOfMesh_)
     keepNormals(scratch.contacts);
   else

@@ -111,8 +111,8 @@ class PairContacts {
   bool isKept() const { return isKept_; }
   /// How long the last `finish` was with the triangles, under a deadline; else 0.
   Budget::Clock::duration onTriangles() const { return onTriangles_; }
-  /// Whether the contact kernel told the last contacts.
-  bool isOfKernel() const { return isOfKernel_; }
+  /// Whether triangles told the last contacts, not leaves.
+  bool isOfTriangles() const { return isOfTriangles_; }
 
   /// See `fetchAhead`: what a step looks at besides the object itself.
   void fetchLists() const {
@@ -204,7 +204,7 @@ class PairContacts {
   bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;
   bool isRetested_ = false;
-  bool isOfMesh_ = false, isOfKernel_ = false;
+  bool isOfMesh_ = false, isOfTriangles_ = false;
   float overlooked_ = 0;
   Budget::Clock::duration onTriangles_{};
   KeptAnswer kept_;  // its beginning as well, see there

@@ -97,7 +97,7 @@ class alignas(64) TreePair {
   const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
   const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
 
-  /// Instead of all that follows, for a pair that the kernel answered: where the bodies have hardly moved against each
+  /// Instead of all that follows, for a pair that triangles answered: where the bodies have hardly moved against each
   /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
   /// Precondition: collected in this step.
   std::optional<PairReport> carryOver(Finest finest);
@@ -236,7 +236,6 @@ class alignas(64) TreePair {
   // What everything comes up from, however deep it is.
   bool isOnGround() const { return kind_ == CounterpartKind::terrain || kind_ == CounterpartKind::plane; }
   bool mayStay(btScalar timeStep);
-  bool holdsWhatItSaid() const;
   void standIn(btScalar timeStep, btDispatcher& dispatcher, btManifoldResult& result);
   bool areGuardsLoaded();
   void stayAwake() const;

@@ -28,17 +28,24 @@ void renewMaterial(btPersistentManifold& manifold) {
   }
 }
 
+// Users may have taken some away.
+std::uint32_t pointsOf(std::span<btPersistentManifold* const> manifolds) {
+  std::uint32_t points = 0;
+  for (const btPersistentManifold* m : manifolds) points += m ? static_cast<std::uint32_t>(m->getNumContacts()) : 0;
+  return points;
+}
+
 }  // namespace
 
 std::optional<PairReport> TreePair::carryOver(Finest finest) {
-  if (finest != Finest::triangles || !contacts_.isOfKernel()) return {};
+  if (finest != Finest::triangles || !contacts_.isOfTriangles()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
   const btCollisionObjectWrapper &treeBody = treeIsBody0_ ? body0() : body1(),
                                  &otherBody = treeIsBody0_ ? body1() : body0();
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
   const btCollisionShape& other = *otherBody.getCollisionShape();
-  if (!tree || !isSubject(*tree, asSphereTree(&other), other) || !holdsWhatItSaid()) return {};
+  if (!tree || !isSubject(*tree, asSphereTree(&other), other) || pointsOf(manifolds_) != saidContacts_) return {};
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   const float tolerance = tuning::kCarried * speculative_;
   const auto moved = static_cast<float>(now.displacementSince(answeredAt_));
@@ -56,13 +63,6 @@ std::optional<PairReport> TreePair::carryOver(Finest finest) {
   report.manifolds = saidManifolds_;
   report.errorFraction = heldError_ + double(moved / smallerSize_);
   return report;
-}
-
-// Users may have taken points away.
-bool TreePair::holdsWhatItSaid() const {
-  std::uint32_t points = 0;
-  for (const btPersistentManifold* m : manifolds_) points += m ? static_cast<std::uint32_t>(m->getNumContacts()) : 0;
-  return points == saidContacts_;
 }
 
 }  // namespace cairn::bullet

@@ -97,9 +97,10 @@ FeatureLists listed(const SurfacePair& surfaces, const ContactLimits& limits, fl
   std::vector<PatchPair> near;
   FeatureLists lists;
   FeatureLister lister;
+  lister.begin(surfaces, limits);
   Budget unlimited = Budget::unlimited();
-  EXPECT_TRUE(lister.findNear(surfaces, limits, near, unlimited));
-  EXPECT_TRUE(lister.listFound(surfaces, limits, near, lists, unlimited));
+  EXPECT_TRUE(lister.findNear(near, unlimited));
+  EXPECT_TRUE(lister.list(near, Asked::all, lists, unlimited));
   if (apart) *apart = near.empty() ? lister.apart() : 0;
   return lists;
 }
@@ -262,6 +263,29 @@ TEST(ContactKernel, TellsMinimaAndNothingElse) {
   }
   EXPECT_GT(shallow, 0U);
   EXPECT_GT(deeper, 20U);
+}
+
+// Bodies that creep are not listed anew in each step; features, which have the narrower skin, more often than patches.
+TEST(ContactKernel, ListsLastForSomeSteps) {
+  const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
+  const PlacedTree b(*ring, Pose());
+  ContactKernel kernel;
+  KernelMemory memory;
+  std::vector<std::uint64_t> used;
+  for (int step = 0; step < 60; ++step) {
+    const double moved = 5e-5 * step;
+    bullet::RelativePlacement placement;
+    placement.treeInOther.setOrigin(btVector3(btScalar(moved), 0, 0));
+    placement.radius = btScalar(0.5);
+    Budget budget = Budget::operations(1000000);
+    ASSERT_TRUE(kernel.run(PlacedTree(*ring, Pose{Mat3d(), {0.25 + moved, 0, 0.238}, 1}), b, limitsOf(0.006F), memory,
+                           placement, budget));
+    used.push_back(budget.used());
+  }
+  const std::uint64_t least = *std::ranges::min_element(used);
+  const auto listed = std::ranges::count_if(used, [&](std::uint64_t u) { return u > 3 * least; });
+  EXPECT_GE(listed, 6) << "with a skin four steps wide";
+  EXPECT_LE(listed, 25);
 }
 
 TEST(ContactKernel, IsCutOffByABudget) {

@@ -130,11 +130,16 @@ class Stages {
   }
 
   void findPatches() {
-    for (std::size_t i = 0; i < meetings_.size(); ++i) lister_.findNear(surfaces_[i], limits_, near_[i], unlimited_);
+    for (std::size_t i = 0; i < meetings_.size(); ++i) {
+      lister_.begin(surfaces_[i], limits_);
+      lister_.findNear(near_[i], unlimited_);
+    }
   }
   void listFeatures() {
-    for (std::size_t i = 0; i < meetings_.size(); ++i)
-      lister_.list(surfaces_[i], limits_, near_[i], lists_[i], unlimited_);
+    for (std::size_t i = 0; i < meetings_.size(); ++i) {
+      lister_.begin(surfaces_[i], limits_);
+      lister_.list(near_[i], Asked::all, lists_[i], unlimited_);
+    }
   }
   void decide() {
     for (std::size_t i = 0; i < meetings_.size(); ++i) {

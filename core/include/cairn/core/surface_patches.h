@@ -19,6 +19,7 @@ struct Box {
   void add(const Vec3& p);
   Box grown(float by) const { return {lower - Vec3(by, by, by), upper + Vec3(by, by, by)}; }
   Vec3 middle() const { return (lower + upper) * 0.5F; }
+  bool holds(const Vec3& p) const;
 };
 
 /// A few triangles of a surface that lie together, with their vertices, and the edges and vertices that are this
@@ -74,8 +75,7 @@ class SurfacePatches {
   SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
-  /// Whose own the features of the mesh are; of vertices of no triangle it is nobody's: `kNone`.
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  /// Whose own the features of the mesh are, by index; a vertex of no triangle is nobody's (`SurfaceEdge::kNone`).
   std::span<const std::uint32_t> ownersOfVertices() const { return ofVertices_; }
   std::span<const std::uint32_t> ownersOfEdges() const { return ofEdges_; }
   std::span<const std::uint32_t> ownersOfTriangles() const { return ofTriangles_; }
