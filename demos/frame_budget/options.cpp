@@ -104,7 +104,7 @@ void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
       ->capture_default_str();
   app.add_flag("--no-sleeping", raw.noSleeping, "keep resting bodies awake");
   app.add_option("--shape", raw.lists.shapes,
-                 "tree, tree+triangles (contacts between source triangles, past the leaves), gimpact, hull, spheres, "
+                 "tree, tree+triangles (the same), tree+leaves (contacts between its leaves), gimpact, hull, spheres, "
                  "compound (of the "
                  "hulls HACD cuts the mesh into) or fcl (only in converge); "
                  "several with commas, compared in one run")

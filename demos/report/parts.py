@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"  # accuracy_cost's own default
-SHAPES = "tree,tree+triangles,hull,spheres,gimpact"
+SHAPES = "tree,tree+leaves,hull,spheres,gimpact"
 METHODS = "octree,grid,hubbard,merge,expand,combined,adaptive"
 # After the thesis's appendix B: sphere sets of a whole solid, then trees.
 SET_REDUCTIONS = "hubbard,merge,expand,burst"

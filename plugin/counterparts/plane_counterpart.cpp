@@ -39,6 +39,7 @@ void PlaneCounterpart::place(const PairPlacement& placement) {
   otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
+  isQuery_ = placement.reach > placement.ownReach;
   const btVector3 normal = placement.other.getBasis() * shape.getPlaneNormal();
   normal_ = toVec3(normal);
   offset_ = static_cast<float>(shape.getPlaneConstant() + normal.dot(placement.other.getOrigin()));
@@ -117,10 +118,12 @@ void PlaneCounterpart::findVertices() {
       }
 }
 
-// The lowest of a mesh are vertices, whichever leaf they are in.
+// The lowest of a mesh are vertices, whichever leaf they are in: a query that looks farther than contacts are wants to
+// know. What rolls on its many vertices would lose to their facets what a leaf, as round as its ball, does not.
 std::optional<float> PlaneCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
   if (traversal_.leafPairs().empty()) return std::nullopt;
-  if (!hasFewVertices() && question.finest != Finest::triangles) return std::nullopt;
+  const bool isDistanceWanted = question.finest == Finest::triangles && isQuery_;
+  if (!hasFewVertices() && !isDistanceWanted) return std::nullopt;
   if (!areFound_) findVertices();
   const std::uint64_t cost = kSphereUpdateCost * nearVertices_.size();
   if (!hasFewVertices() && !question.budget.charge(cost)) return std::nullopt;

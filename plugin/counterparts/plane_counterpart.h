@@ -52,6 +52,7 @@ class PlaneCounterpart final : public Counterpart {
   int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float reach_ = 0;
+  bool isQuery_ = false;  // it looks farther than contacts reach
   float skin_ = 0;
   Vec3 normal_;  // pair frame; the plane is dot(normal_, p) == offset_
   float offset_ = 0;

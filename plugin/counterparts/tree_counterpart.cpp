@@ -41,8 +41,6 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
 
 void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
   fewFaces_.start(a_.tree(), b_.tree());
-  skin_ = skin;
-  kernelMemory_.forget();
   traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 
@@ -236,14 +234,10 @@ std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question,
   return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), question.budget, contacts);
 }
 
-// Contacts of meshes know no leaves: those are taken whose balls are nearest.
+// Contacts of meshes know no leaves.
 NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
-  const std::span<const NodePair> pairs = traversal_.leafPairs();
-  if (contact.pair != NodePair{kRootNode, kRootNode} || pairs.empty()) return contact.pair;
-  return *std::ranges::min_element(pairs, {}, [&](const NodePair& pair) {
-    return lengthSq(a_.sphere(pair.a).center - contact.position) +
-           lengthSq(b_.sphere(pair.b).center - contact.position);
-  });
+  if (contact.pair != NodePair{kRootNode, kRootNode}) return contact.pair;
+  return {a_.leafAt(contact.position), b_.leafAt(contact.position)};
 }
 
 namespace {
@@ -288,7 +282,7 @@ std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& questio
       std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
   const ContactLimits limits{
       contactDistance_, reach_, std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),
-      margins_,         skin_,  size};
+      margins_,         0,      size};
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(a_, b_, limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};

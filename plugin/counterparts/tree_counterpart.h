@@ -67,7 +67,6 @@ class TreeCounterpart final : public Counterpart {
   float reach_ = 0;
   float contactDistance_ = 0;
   KernelMemory kernelMemory_;
-  float skin_ = 0;  // of the traversal at hand
   TreePairTraversal traversal_;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;

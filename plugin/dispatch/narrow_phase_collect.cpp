@@ -69,7 +69,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   if (mayDefer && isOfCompound && !isRetired_ && !pair.isOfCompound()) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) fetchPairsAskedNext(pair);
-    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_)) {
+    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), outlook())) {
       ++apartPairs_;
       if (pair.isBrokenPair()) countBroken();
       return;
@@ -147,8 +147,8 @@ void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrap
   if (pair.settleBroken(body0, body1)) return countBroken();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
-  if (!pair.begin(body0, body1, info.m_timeStep, 0, result.m_closestPointDistanceThreshold, Remeasured::all, budget,
-                  scratch))
+  if (!pair.begin(body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold, Remeasured::all,
+                  budget, scratch))
     return;
   pair.refine(budget);
   pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);

@@ -253,8 +253,7 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (pair.isSettled()) return;
   if (carriesOver(index)) return;
-  if (!pair.begin(pair.body0(), pair.body1(), timeStep_, sweptTime_, 0, remeasuredOf(pair), left_, scratch_))
-    return dismiss(index);
+  if (!pair.begin(pair.body0(), pair.body1(), outlook(), 0, remeasuredOf(pair), left_, scratch_)) return dismiss(index);
   ++tally_.statistics.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.
@@ -267,9 +266,9 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
 
 // In an open step Bullet asks for the pair's points later, and about where the bodies are then.
 bool NarrowPhase::Impl::carriesOver(std::size_t index) {
-  if (stepEnd_ != StepEnd::told) return false;
+  if (stepEnd_ != StepEnd::told || finest_ != Finest::triangles) return false;
   TreePair& pair = *collected_[index];
-  const std::optional<PairReport> carried = pair.carryOver(finest_);
+  const std::optional<PairReport> carried = pair.carryOver();
   if (!carried) return false;
   ++tally_.statistics.pairs;
   count(*carried, pair.seenHeld());

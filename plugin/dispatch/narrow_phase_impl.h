@@ -77,6 +77,10 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   StepBudget stepLimit() const { return tighter(budget_, frame_.share()); }
   static Budget budgetOf(const StepBudget& limit);
   bool mayBeInterrupted() const;
+  Outlook outlook() const {
+    const bool asksTriangles = finest_ == Finest::triangles;
+    return {timeStep_, sweptTime_, asksTriangles ? timeStep_ : btScalar(0), asksTriangles};
+  }
   AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
   bool finishesResolvedAtOnce() const;
   void orderPairs();
@@ -144,7 +148,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   FrameBudget frame_;
   bool hasFrameBudget_ = false;
   Unresolved policy_ = Unresolved::guard;
-  Finest finest_ = Finest::leaves;
+  Finest finest_ = Finest::triangles;
   std::unique_ptr<Priority> priority_, nextPriority_;
   std::optional<PairCounts> nextRoom_;
   bool hasRoomForDeadlines_ = false;

@@ -59,7 +59,7 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
     open_.forget(pair);
     return false;
   }
-  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), finest_, sweptTime_);
+  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), outlook());
   open_.answered(pair, wasExpected || pair.isSettled());
   pair.setLastReport({});
   if (pair.isSettled()) {
@@ -102,7 +102,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   open_.begin(dispatcher_, collected_);
   const bool alsoFromGround = mayBeInterrupted();
   const auto near = std::ranges::count_if(collected_, [&](TreePair* pair) {
-    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, finest_, sweptTime_);
+    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, outlook());
   });
   const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
@@ -172,7 +172,7 @@ bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWr
         std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = budgetOf(share);
   const Remeasured remeasured = mayBeInterrupted() ? Remeasured::allIfFew : Remeasured::all;
-  const bool hasBegun = pair.begin(body0, body1, timeStep_, sweptTime_, 0, remeasured, budget, scratch_);
+  const bool hasBegun = pair.begin(body0, body1, outlook(), 0, remeasured, budget, scratch_);
   if (hasBegun) pair.refine(budget);
   bookRefinement(budget, began);
   return hasBegun;

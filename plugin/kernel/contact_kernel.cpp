@@ -12,15 +12,20 @@ namespace cairn::bullet {
 
 namespace {
 
-// Where lists reach: a contact distance into the surfaces themselves. With margins bodies overlap before these cross.
+// Where lists reach: a contact distance into the surfaces themselves.
 float shallowDepth(const ContactLimits& limits) {
-  return std::min(limits.trustedDepth, limits.contactDistance + limits.margins);
+  return std::min(limits.trustedDepth, limits.contactDistance);
+}
+
+// What would not outlast the next step gains nothing from looking farther.
+float skinOr0(float skin, float moved) {
+  return skin < moved ? 0 : skin;
 }
 
 // Whether something overlaps by more than that, for all that these contacts know.
 bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
                  const ContactLimits& limits) {
-  const float depth = shallowDepth(limits);
+  const float depth = limits.margins + shallowDepth(limits);
   const auto isKnown = [&](const OverlapPoint& point) {
     return isUnderAny(contacts, point.position, point.isOfA, limits, [&](const FeatureContact&) { return depth; });
   };
@@ -41,14 +46,15 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
-  FeatureContacts(surfaces, placed_, shallow).append(memory.lists_, contacts_);
-  appendCrossings(surfaces, placed_, memory.lists_, crossings_);
+  const float moved = memory.features_->movedBy(placement) + limits.rounding();
+  FeatureContacts(surfaces, placed_, shallow).append(memory.lists_, moved, contacts_);
+  appendCrossings(surfaces, placed_, memory.lists_, moved, crossings_);
   const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
   if (!appendDeeper(surfaces, limits, regions, budget)) return {};
   dropDeeper(a, b, limits);
   deepOverlap_.append(surfaces, limits, regions, contacts_);
-  const auto moved = static_cast<float>(placement.displacementSince(memory.near_->at));
-  return Answer{contacts_, memory.patches_.empty() ? memory.apart_ - moved : -std::numeric_limits<float>::infinity()};
+  if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
+  return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
 }
 
 // What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
@@ -56,17 +62,18 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
                                  std::span<const OverlapRegion> regions, Budget& budget) {
   if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
   ContactLimits deeper = limits;
-  deeper.reach = -shallowDepth(limits);
+  deeper.reach = -limits.margins - shallowDepth(limits);
   deeper.skin = 0;
   const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
   lister_.begin(surfaces, deeper);
-  if (!lister_.list(pairs, Asked::touching, deepLists_, budget)) return false;
+  if (!lister_.list(pairs, 0, Asked::touching, deepLists_, budget)) return false;
   if (!budget.charge(kOverlapTestCost * deepLists_.size())) return false;
-  FeatureContacts(surfaces, placed_, deeper).append(deepLists_, contacts_);
+  FeatureContacts(surfaces, placed_, deeper).append(deepLists_, 0, contacts_);
   return true;
 }
 
-// Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step.
+// Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step. What
+// lies still need not be listed anew for less than it may be carried over for.
 bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                          const RelativePlacement& placement, Budget& budget) {
   const auto moved = static_cast<float>(placement.displacementSince(memory.lastAt_));
@@ -74,21 +81,21 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
   const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.reach);
   if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return true;
   memory.features_.reset();
+  lister_.begin(surfaces, limits);
   if (!areNear) {
     memory.near_.reset();
-    lister_.begin(surfaces, limits);
+    const float skin = skinOr0(tuning::kPatchSkin * limits.size, moved);
+    lister_.setSkin(skin);
     if (!lister_.findNear(memory.patches_, budget)) return false;
     memory.apart_ = lister_.apart();
-    memory.near_ = {placement, limits.reach, limits.skin};
+    memory.near_ = {placement, limits.reach, skin};
   }
-  ContactLimits narrow = limits;
-  // What lies still need not be listed anew for less than it may be carried over for.
+  const float sincePatches = memory.near_->movedBy(placement), left = memory.near_->skin - sincePatches;
   const float least = tuning::kCarried * limits.contactDistance;
-  narrow.skin = std::min(std::max(tuning::kListSteps * moved, least), limits.skin);
-  // What was placed for the patches stands where features have the same skin.
-  if (areNear || narrow.skin != limits.skin) lister_.begin(surfaces, narrow);
-  if (!lister_.list(memory.patches_, Asked::all, memory.lists_, budget)) return false;
-  memory.features_ = {placement, limits.reach, narrow.skin};
+  const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, least), left), moved);
+  lister_.setSkin(skin);
+  if (!lister_.list(memory.patches_, sincePatches, Asked::all, memory.lists_, budget)) return false;
+  memory.features_ = {placement, limits.reach, skin};
   return true;
 }
 

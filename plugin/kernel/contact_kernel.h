@@ -35,8 +35,11 @@ class KernelMemory {
     RelativePlacement at;
     float reach, skin;  // world length; so far the lists reach
 
+    float movedBy(const RelativePlacement& placement) const {
+      return static_cast<float>(placement.displacementSince(at));
+    }
     bool holdsAt(const RelativePlacement& placement, float wanted) const {
-      return skin > 0 && wanted <= reach && static_cast<float>(placement.displacementSince(at)) <= skin;
+      return skin > 0 && wanted <= reach && movedBy(placement) <= skin;
     }
   };
 

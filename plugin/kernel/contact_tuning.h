@@ -18,6 +18,10 @@ inline constexpr float kTrustedDepth = 0.02F;
 /// And never more than this part of the thinner body's thickness: beyond its middle the other side is nearer.
 inline constexpr float kTrustedThickness = 0.5F;
 
+/// Bodies that could cross half of a thin wall in a step are met that much ahead, at most so many walls. Without, three of
+/// 18 bodies leave a shaken cup; with many more, bodies stick to what they only pass, and each step asks of more.
+inline constexpr float kMostWalls = 4;
+
 /// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact
 /// distances. Rounding, and corners that lie on corners. Where they overlap it is the depth, up to one contact
 /// distance.
@@ -54,9 +58,11 @@ inline constexpr float kDeepPart = 0.3F;
 inline constexpr float kNoArea = 1e-3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
 inline constexpr float kLeastWidth = 0.5F;
-/// Features are listed for about so many steps like the last one, and for no more than patches are. A matter of time
-/// alone: with more, each step asks more of them; with fewer, they are listed more often.
-inline constexpr float kListSteps = 4;
+/// Near patches are looked for so much farther than contacts reach, and found again once bodies have moved by that.
+/// Sizes. Their features are listed for about so many steps like the last one. Matters of time alone: with more, each
+/// step asks more of them; with less, they are listed more often.
+inline constexpr float kPatchSkin = 0.01F;
+inline constexpr float kListSteps = 3;
 
 /// Until the bodies have moved so far against each other since the last look, their contacts stay as they are. Contact
 /// distances: what comes to touch meanwhile is told in time. Without, four of seven heaps of cubes and blocks stay

@@ -21,12 +21,14 @@ void append(const PlacedSurface& edged, PlacedVertices& placed, const PlacedSurf
 
 }  // namespace
 
-void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists,
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists, float moved,
                      std::vector<Crossing>& crossings) {
-  for (const auto& [edge, face] : lists.edgesThroughFaces)
+  FeatureLists::forEachAt(moved, lists.edgesThroughFaces, [&](std::uint32_t edge, std::uint32_t face) {
     append(surfaces.a, placed.aInB, surfaces.b, edge, face, true, crossings);
-  for (const auto& [face, edge] : lists.facesThroughEdges)
+  });
+  FeatureLists::forEachAt(moved, lists.facesThroughEdges, [&](std::uint32_t face, std::uint32_t edge) {
     append(surfaces.b, placed.bInA, surfaces.a, edge, face, false, crossings);
+  });
 }
 
 }  // namespace cairn::bullet

@@ -20,8 +20,8 @@ struct Crossing {
   auto place() const { return std::tuple(isEdgeOfA, edge, along, face); }
 };
 
-/// Appends all crossings among what is listed.
-void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists,
+/// Appends all crossings among what is listed. `moved`: as far as bodies may have moved, a world length, since.
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists, float moved,
                      std::vector<Crossing>& crossings);
 
 }  // namespace cairn::bullet

@@ -15,7 +15,7 @@
 #include <limits>
 
 #include "kernel/contact_tuning.h"
-#include "kernel/near_box.h"
+#include "kernel/placed_patches.h"
 #include "kernel/points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,29 +51,31 @@ HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Poin
           hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
 }
 
-// Whether both edges' lines are nearest no farther beyond their ends.
-HWY_INLINE hn::Mask<Tag> passesWithin(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
-                                      Lanes lengthSqB, Lanes farther) {
+// How far beyond their ends two edges' lines are nearest, at most of either; negative within both. Precondition: not
+// parallel.
+HWY_INLINE Lanes beyondEnds(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
+                            Lanes lengthSqB) {
   const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);
   const auto det = hn::Sub(hn::Mul(lengthSqA, lengthSqB), hn::Mul(ab, ab));
   const auto onA = hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da));
   const auto onB = hn::Sub(hn::Mul(lengthSqA, db), hn::Mul(ab, da));
   // Ways along them times `det`.
-  const auto beyondA = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqA)));
-  const auto beyondB = hn::Mul(det, hn::Div(farther, hn::Sqrt(lengthSqB)));
-  const auto isOnA = hn::And(hn::Ge(onA, hn::Neg(beyondA)), hn::Le(hn::Sub(onA, det), beyondA));
-  const auto isOnB = hn::And(hn::Ge(onB, hn::Neg(beyondB)), hn::Le(hn::Sub(onB, det), beyondB));
-  return hn::And(isOnA, isOnB);
+  const auto ofA = hn::Mul(hn::Max(hn::Neg(onA), hn::Sub(onA, det)), hn::Sqrt(lengthSqA));
+  const auto ofB = hn::Mul(hn::Max(hn::Neg(onB), hn::Sub(onB, det)), hn::Sqrt(lengthSqB));
+  return hn::Div(hn::Max(ofA, ofB), det);
 }
 
 // An edge of A against the convex ones of B that `nearEdges` names: what is no farther than contacts are, and may face
 // each other once the bodies have turned a little.
 template <class Add>
 HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwardOfA, const SurfacePatch& edges,
-                            std::uint32_t nearEdges, const NearLimits& limits, float turn, const Add& add) {
+                            std::uint32_t nearEdges, const PlacedPatches& side, float turn, const Add& add) {
   const Tag d;
+  const NearLimits& limits = side.limits();
   const std::uint32_t stride = SurfacePatch::padded(edges.convexEdges);
-  const float grown = std::max(limits.reach, -limits.depth) + limits.besideDeep;
+  const float ahead = limits.reach + limits.besideDeep,
+              around = std::max(limits.reach, -limits.depth) + limits.besideDeep;
+  const float grown = around + limits.skin;
   Box box{from, from};
   box.add(to);
   box = box.grown(grown);
@@ -96,23 +98,22 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     mask = hn::And(mask, hn::Or(up, down));
     if ((bitsOf(mask) & nearHere) == 0) continue;
     const Points apart = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
-    const auto distanceSq = dotOf(apart, apart), upwards = dotOf(apart, across);
-    mask = hn::And(mask, hn::Le(distanceSq, hn::Set(d, grown * grown)));
+    const auto gap = hn::Sqrt(dotOf(apart, apart)), upwards = dotOf(apart, across);
     // What is clearly in front, and not nearly parallel, stays so.
     const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
-    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, hn::Sqrt(distanceSq)))),
+    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, gap))),
                                    hn::Gt(norm, hn::Mul(hn::Set(d, tuning::kClearSine), lengths)));
-    const float ahead = limits.reach + limits.besideDeep;
-    mask = hn::AndNot(hn::And(isInFront, hn::Gt(distanceSq, hn::Set(d, ahead * ahead))), mask);
+    auto margin = hn::Sub(gap, hn::IfThenElse(isInFront, hn::Set(d, ahead), hn::Set(d, around)));
     // Lines that are not nearly parallel pass each other where they do, but for a little.
     const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, std::max(tuning::kClearSine, 4 * turn)), lengths));
     const auto cosecant = hn::Div(lengths, hn::Max(norm, hn::Set(d, std::numeric_limits<float>::min())));
-    const auto farther =
-        hn::Add(hn::Set(d, limits.besideDeep),
-                hn::Mul(hn::Set(d, 4 * (limits.skin + grown * (turn + tuning::kPassingRounding))), cosecant));
-    const auto passes = passesWithin(minus(p, r), way, wayB, lengthSqA, lengthSqB, farther);
-    mask = hn::And(mask, hn::Or(hn::Not(isClear), passes));
-    addEach(bitsOf(mask) & nearHere, at, add);
+    const auto turned = hn::Mul(hn::Set(d, 4 * grown * (turn + tuning::kPassingRounding)), cosecant);
+    const auto beyond = hn::Sub(beyondEnds(minus(p, r), way, wayB, lengthSqA, lengthSqB),
+                                hn::Add(hn::Set(d, limits.besideDeep), turned));
+    const auto passing = hn::Div(beyond, hn::Add(hn::Mul(hn::Set(d, 4.0F), cosecant), hn::Set(d, 1.0F)));
+    margin = hn::IfThenElse(isClear, hn::Max(margin, passing), margin);
+    mask = hn::And(mask, hn::Le(margin, hn::Set(d, limits.skin)));
+    addEach(bitsOf(mask) & nearHere, at, worldLengths(margin, side), add);
   }
 }
 

@@ -21,29 +21,30 @@ using FamilyTag = hn::CappedTag<float, PatchFamily::kWidth>;
 // See `NearLimits::around`.
 void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits, FamilyTest& result) {
   const FamilyTag d;
-  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach),
-             deep = hn::Set(d, limits.depth < 0 ? limits.depth : 0), beside = hn::Set(d, limits.besideDeep);
+  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach), deep = hn::Set(d, limits.depth),
+             beside = hn::Set(d, limits.besideDeep);
   result.near = 0;
-  auto least = hn::Set(d, std::numeric_limits<float>::infinity());
+  const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
+  auto least = infinity;
   for (std::uint32_t at = 0; at < PatchFamily::kWidth; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
-    auto isNear = hn::Eq(zero, zero);
-    auto apart = hn::Set(d, -std::numeric_limits<float>::infinity());
+    auto margin = hn::Neg(infinity), apart = margin;
     for (int axis = 0; axis < 3; ++axis) {
       const auto low = hn::LoadU(d, family.normalLower[axis] + at), high = hn::LoadU(d, family.normalUpper[axis] + at);
       const auto lower = hn::LoadU(d, family.lower[axis] + at), upper = hn::LoadU(d, family.upper[axis] + at);
-      const auto most = hn::Set(d, box.middle[axis] + box.half[axis]),
-                 first = hn::Set(d, box.middle[axis] - box.half[axis]);
-      const auto grownLower =
-          hn::Sub(hn::Add(lower, hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)))), beside);
-      const auto grownUpper =
-          hn::Add(hn::Add(upper, hn::Max(zero, hn::Max(hn::Mul(reach, high), hn::Mul(deep, low)))), beside);
-      isNear = hn::And(isNear, hn::And(hn::Le(grownLower, most), hn::Ge(grownUpper, first)));
-      apart = hn::Max(apart, hn::Max(hn::Sub(lower, most), hn::Sub(first, upper)));
+      const auto below = hn::Sub(lower, hn::Set(d, box.middle[axis] + box.half[axis])),
+                 above = hn::Sub(hn::Set(d, box.middle[axis] - box.half[axis]), upper);
+      const auto downwards = hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)));
+      const auto upwards = hn::Max(zero, hn::Max(hn::Mul(reach, high), hn::Mul(deep, low)));
+      margin = hn::Max(margin, hn::Max(hn::Add(below, downwards), hn::Sub(above, upwards)));
+      apart = hn::Max(apart, hn::Max(below, above));
     }
+    margin = hn::Sub(margin, beside);
+    hn::StoreU(margin, d, result.margin + at);
+    const auto isNear = hn::Le(margin, hn::Set(d, limits.skin));
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, isNear, bytes);
     result.near |= static_cast<std::uint32_t>(bytes[0]) << at;
-    least = hn::Min(least, hn::IfThenElse(isNear, hn::Set(d, std::numeric_limits<float>::infinity()), apart));
+    least = hn::Min(least, hn::IfThenElse(isNear, infinity, apart));
   }
   result.apart = hn::GetLane(hn::MinOfLanes(d, least));
 }

@@ -65,12 +65,15 @@ bool isWithin(float along, float length, float beside) {
 
 }  // namespace
 
-void FeatureContacts::append(const FeatureLists& lists, std::vector<FeatureContact>& contacts) const {
-  for (const auto& [vertex, face] : lists.verticesOnFaces)
+void FeatureContacts::append(const FeatureLists& lists, float moved, std::vector<FeatureContact>& contacts) const {
+  FeatureLists::forEachAt(moved, lists.verticesOnFaces, [&](std::uint32_t vertex, std::uint32_t face) {
     appendVertexFace(surfaces_.a, surfaces_.b, vertex, face, contacts);
-  for (const auto& [face, vertex] : lists.facesOnVertices)
+  });
+  FeatureLists::forEachAt(moved, lists.facesOnVertices, [&](std::uint32_t face, std::uint32_t vertex) {
     appendVertexFace(surfaces_.b, surfaces_.a, vertex, face, contacts);
-  for (const auto& [ofA, ofB] : lists.edgesOnEdges) appendEdgeEdge(ofA, ofB, contacts);
+  });
+  FeatureLists::forEachAt(moved, lists.edgesOnEdges,
+                          [&](std::uint32_t ofA, std::uint32_t ofB) { appendEdgeEdge(ofA, ofB, contacts); });
 }
 
 // Neighbours of the vertex that are nearer to the other surface than it is touch in its place. `towards`: unit, own

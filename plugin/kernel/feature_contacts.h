@@ -39,7 +39,8 @@ class FeatureContacts {
   FeatureContacts(const SurfacePair& surfaces, PlacedPair& placed, const ContactLimits& limits)
       : surfaces_(surfaces), placed_(placed), limits_(limits) {}
 
-  void append(const FeatureLists& lists, std::vector<FeatureContact>& contacts) const;
+  /// `moved`: as far as bodies may have moved, a world length, since these were listed.
+  void append(const FeatureLists& lists, float moved, std::vector<FeatureContact>& contacts) const;
 
  private:
   void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,

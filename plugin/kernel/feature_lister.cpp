@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: Zlib
 #include "kernel/feature_lister.h"
 
+#include <algorithm>
+
 #include "kernel/patch_tests.h"
 
 namespace cairn::bullet {
 
 void FeatureLister::begin(const SurfacePair& surfaces, const ContactLimits& limits) {
   surfaces_ = &surfaces;
-  turn_ = limits.turn();
+  limits_ = limits;
   a_.begin(surfaces.a, limits);
   b_.begin(surfaces.b, limits);
+}
+
+void FeatureLister::setSkin(float skin) {
+  limits_.skin = skin;
+  a_.setSkin(skin);
+  b_.setSkin(skin);
 }
 
 bool FeatureLister::findNear(std::vector<PatchPair>& near, Budget& budget) {
   return nearPatches_.find(*surfaces_, a_, b_, near, budget);
 }
 
-bool FeatureLister::list(std::span<const PatchPair> near, Asked asked, FeatureLists& lists, Budget& budget) {
+bool FeatureLister::list(std::span<const PatchPair> near, float moved, Asked asked, FeatureLists& lists,
+                         Budget& budget) {
   lists.clear();
-  if (!budget.charge(kOverlapTestCost * near.size())) return false;
+  const PatchQuestion question{*surfaces_, a_, b_, limits_.turn(), moved + limits_.skin + limits_.rounding(), asked};
+  const auto isAsked = [&](const PatchPair& pair) { return pair.margin <= question.nearer; };
+  if (!budget.charge(kOverlapTestCost * static_cast<std::uint64_t>(std::ranges::count_if(near, isAsked)))) return false;
   for (const PatchPair& pair : near) {
+    if (!isAsked(pair)) continue;
     a_.place(pair.a);
     b_.place(pair.b);
   }
-  testPatches({*surfaces_, a_, b_, turn_, asked}, near, lists);
+  testPatches(question, near, lists);
   return true;
 }
 

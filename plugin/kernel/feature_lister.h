@@ -17,17 +17,20 @@ class FeatureLister {
  public:
   /// Forgets the last pair. `surfaces` must outlive what follows.
   void begin(const SurfacePair& surfaces, const ContactLimits& limits);
+  /// From now on lists hold until bodies have moved so far, a world length.
+  void setSkin(float skin);
   /// Replaces `near` by all pairs of patches that may touch. False when the budget does not cover what is compared.
   bool findNear(std::vector<PatchPair>& near, Budget& budget);
   /// How far apart the surfaces are outside of what was found last, at least; world length.
   float apart() const { return nearPatches_.apart(); }
   /// Replaces `lists` by features of these pairs, each pair of features once. False as above. Patches may have been
-  /// found with a wider skin, or by something else.
-  bool list(std::span<const PatchPair> near, Asked asked, FeatureLists& lists, Budget& budget);
+  /// found with a wider skin, when the bodies stood elsewhere, or by something else. `moved`: as far as bodies may have
+  /// moved since, a world length.
+  bool list(std::span<const PatchPair> near, float moved, Asked asked, FeatureLists& lists, Budget& budget);
 
  private:
   const SurfacePair* surfaces_ = nullptr;
-  float turn_ = 0;
+  ContactLimits limits_;
   NearPatches nearPatches_;
   PlacedPatches a_, b_;
 };

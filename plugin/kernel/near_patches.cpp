@@ -43,7 +43,7 @@ bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, co
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (!mayTouch(family, lane)) continue;
       if (family.isPatch(lane))
-        onPatch(family.child[lane]);
+        onPatch(family.child[lane], test.margin[lane]);
       else
         waiting_.push_back(family.child[lane]);
     }
@@ -63,7 +63,7 @@ bool NearPatches::findNearOfA(const SurfacePair& surfaces, const PlacedPatches& 
     return test.near != 0;
   };
   return descend(surfaces.a, allOfB, a.limits(), budget, mayTouch,
-                 [&](std::uint32_t patch) { nearOfA_.push_back(patch); });
+                 [&](std::uint32_t patch, float) { nearOfA_.push_back(patch); });
 }
 
 bool NearPatches::find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
@@ -74,9 +74,15 @@ bool NearPatches::find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatc
   for (const std::uint32_t ofA : nearOfA_) {
     a.place(ofA);
     const auto always = [](const PatchFamily&, std::uint32_t) { return true; };
-    const auto onPatch = [&](std::uint32_t ofB) {
+    const auto onPatch = [&](std::uint32_t ofB, float margin) {
       b.place(ofB);
-      found.push_back({ofA, ofB});
+      const PlacedPatch& here = a[ofA];
+      const Box& there = b[ofB].placed;
+      const float marginInA = there.gapTo(here.near);
+      if (marginInA <= a.limits().skin)
+        found.push_back({ofA, ofB, std::max(margin * b.scale(), marginInA * a.scale())});
+      else
+        apart_ = std::min(apart_, there.gapTo(here.patch.box) * a.scale());
     };
     if (!descend(surfaces.b, asPlaced(a[ofA].placed), b.limits(), budget, always, onPatch)) return false;
   }

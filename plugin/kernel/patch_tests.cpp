@@ -64,15 +64,16 @@ HWY_INLINE hn::Vec<IntTag> codesOf(const Points& p, const Box& box, Lanes height
 
 // A patch's vertices as they stand to a patch of the other surface. Returns the bits of all planes that every one is
 // beyond.
-HWY_INLINE std::int32_t codesOf(const PlacedColumns& placed, const PlacedPatch& faced, Codes& codes) {
+HWY_INLINE std::int32_t codesOf(const PlacedColumns& placed, const PlacedPatch& faced, float skin, Codes& codes) {
   const Tag d;
   const Points facing = all(faced.patch.facing);
+  const Box near = faced.near.grown(skin), exact = faced.patch.box.grown(skin);
   auto common = hn::Set(IntTag(), -1);
   for (std::uint32_t i = 0; i < placed.stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const Points p = load(placed.columns, placed.stride, i);
     const auto height = dotOf(facing, p);
-    const auto code = hn::Or(codesOf(p, faced.near, height, faced.nearLowest, faced.nearHighest, 0),
-                             codesOf(p, faced.exact, height, faced.lowest, faced.highest, 8));
+    const auto code = hn::Or(codesOf(p, near, height, faced.nearLowest - skin, faced.nearHighest + skin, 0),
+                             codesOf(p, exact, height, faced.patch.lowest - skin, faced.patch.highest + skin, 8));
     common = hn::And(common, code);
     hn::Store(code, IntTag(), codes.of + i);
   }
@@ -99,20 +100,27 @@ FaceRows rowsOf(const SurfacePatch& patch) {
   return {patch.faceColumns, SurfacePatch::padded(patch.triangles.size())};
 }
 
+// Margins are by how much what has to hold of a contact does not, however far that changes at most when bodies move.
 template <class Add>
-HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, const NearLimits& limits, const Add& add) {
+HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, const PlacedPatches& facing,
+                              const Add& add) {
   const Tag d;
   const FaceRows rows = rowsOf(faces);
   const Points p = all(vertex);
-  const auto least = hn::Set(d, limits.beside), most = hn::Set(d, limits.besideDeep);
+  const NearLimits& limits = facing.limits();
+  const auto skin = hn::Set(d, limits.skin);
   for (std::uint32_t at = 0; at < rows.stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const auto height = hn::Sub(dotOf(rows.normal(at), p), rows.offset(at));
-    auto mask = hn::And(hn::Le(height, hn::Set(d, limits.reach)), hn::Ge(height, hn::Set(d, limits.depth)));
-    if (hn::AllFalse(d, mask)) continue;
-    const auto depth = hn::Sub(hn::Set(d, limits.margins + 2 * limits.skin), height);
-    const auto beside = hn::Neg(hn::Max(least, hn::Min(depth, most)));
-    for (int side = 0; side < 3; ++side) mask = hn::And(mask, hn::Ge(rows.inside(side, p, at), beside));
-    addEach(bitsOf(mask), at, add);
+    auto margin = hn::Max(hn::Sub(height, hn::Set(d, limits.reach)), hn::Sub(hn::Set(d, limits.depth), height));
+    if (hn::AllFalse(d, hn::Le(margin, skin))) continue;
+    auto inside = rows.inside(0, p, at);
+    for (int side = 1; side < 3; ++side) inside = hn::Min(inside, rows.inside(side, p, at));
+    // How far beside it may be grows with its depth, up to some depth.
+    const auto outside = hn::Neg(inside), depth = hn::Sub(hn::Set(d, limits.margins), height);
+    const auto ifDeep =
+        hn::Max(hn::Mul(hn::Set(d, 0.5F), hn::Sub(outside, depth)), hn::Sub(outside, hn::Set(d, limits.besideDeep)));
+    margin = hn::Max(margin, hn::Min(hn::Sub(outside, hn::Set(d, limits.beside)), ifDeep));
+    addEach(bitsOf(hn::Le(margin, skin)), at, worldLengths(margin, facing), add);
   }
 }
 
@@ -120,31 +128,33 @@ HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, con
 // then on the face now is a skin or less from it, and from there to where the edge's line goes through its plane is as
 // much farther as the edge is flat to it.
 template <class Add>
-HWY_INLINE void edgeThroughFaces(const Vec3& from, const Vec3& to, const SurfacePatch& faces, const NearLimits& limits,
-                                 const Add& add) {
+HWY_INLINE void edgeThroughFaces(const Vec3& from, const Vec3& to, const SurfacePatch& faces,
+                                 const PlacedPatches& facing, const Add& add) {
   const Tag d;
   const FaceRows rows = rowsOf(faces);
-  const auto skin = hn::Set(d, limits.skin), zero = hn::Zero(d);
-  const auto moved = hn::Set(d, 2 * limits.skin * length(to - from));
+  const auto skin = hn::Set(d, facing.limits().skin), zero = hn::Zero(d), one = hn::Set(d, 1.0F);
+  const auto twiceLength = hn::Set(d, 2 * length(to - from));
   const Points p = all(from), way = all(to - from), q = all(to);
   for (std::uint32_t at = 0; at < rows.stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const Points normal = rows.normal(at);
     const auto offset = rows.offset(at);
     const auto first = hn::Sub(dotOf(normal, p), offset), second = hn::Sub(dotOf(normal, q), offset);
-    auto mask = hn::And(hn::Le(hn::Min(first, second), skin), hn::Ge(hn::Max(first, second), hn::Neg(skin)));
-    if (hn::AllFalse(d, mask)) continue;
+    auto margin = hn::Max(hn::Min(first, second), hn::Neg(hn::Max(first, second)));
+    if (hn::AllFalse(d, hn::Le(margin, skin))) continue;
     const auto goesThrough = hn::Xor(hn::Lt(first, zero), hn::Lt(second, zero));
     const auto rise = hn::Sub(first, second);
-    const auto along = hn::Div(first, hn::IfThenElse(goesThrough, rise, hn::Set(d, 1.0F)));
+    const auto along = hn::Div(first, hn::IfThenElse(goesThrough, rise, one));
     const Points place{hn::Add(p.x, hn::Mul(way.x, along)), hn::Add(p.y, hn::Mul(way.y, along)),
                        hn::Add(p.z, hn::Mul(way.z, along))};
-    const auto slack = hn::Neg(hn::Div(moved, hn::IfThenElse(goesThrough, hn::Abs(rise), hn::Set(d, 1.0F))));
+    auto inside = rows.inside(0, place, at);
     for (int side = 0; side < 3; ++side) {
       const auto ends = hn::Max(rows.inside(side, p, at), rows.inside(side, q, at));
-      const auto isInside = hn::Or(hn::Not(goesThrough), hn::Ge(rows.inside(side, place, at), slack));
-      mask = hn::And(mask, hn::And(isInside, hn::Ge(ends, hn::Neg(skin))));
+      margin = hn::Max(margin, hn::Neg(ends));
+      if (side > 0) inside = hn::Min(inside, rows.inside(side, place, at));
     }
-    addEach(bitsOf(mask), at, add);
+    const auto outside = hn::Neg(hn::Div(hn::Mul(inside, hn::Abs(rise)), twiceLength));
+    margin = hn::IfThenElse(goesThrough, hn::Max(margin, outside), margin);
+    addEach(bitsOf(hn::Le(margin, skin)), at, worldLengths(margin, facing), add);
   }
 }
 
@@ -160,11 +170,6 @@ HWY_INLINE std::uint32_t nearEdgesOf(const SurfacePatch& patch, const Codes& cod
   return bits;
 }
 
-HWY_INLINE bool overlap(const Box& a, const Box& b) {
-  return a.lower.x <= b.upper.x && a.upper.x >= b.lower.x && a.lower.y <= b.upper.y && a.upper.y >= b.lower.y &&
-         a.lower.z <= b.upper.z && a.upper.z >= b.lower.z;
-}
-
 struct TestedPair {
   const PlacedPatch &a, &b;
   PlacedColumns aInB, bInA;
@@ -175,13 +180,13 @@ HWY_INLINE void testTouching(const PatchQuestion& question, const TestedPair& pa
   const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
   for (std::uint32_t i = 0; i < a.ownVertices; ++i)
     if ((pair.codesA.of[i] & kNear) == 0)
-      vertexOnFaces(pair.aInB[i], b, question.b.limits(), [&](std::uint32_t f) {
-        lists.verticesOnFaces.push_back({a.vertices[i], b.triangles[f]});
+      vertexOnFaces(pair.aInB[i], b, question.b, [&](std::uint32_t f, float margin) {
+        lists.verticesOnFaces.push_back({a.vertices[i], b.triangles[f], margin});
       });
   for (std::uint32_t i = 0; i < b.ownVertices; ++i)
     if ((pair.codesB.of[i] & kNear) == 0)
-      vertexOnFaces(pair.bInA[i], a, question.a.limits(), [&](std::uint32_t f) {
-        lists.facesOnVertices.push_back({a.triangles[f], b.vertices[i]});
+      vertexOnFaces(pair.bInA[i], a, question.a, [&](std::uint32_t f, float margin) {
+        lists.facesOnVertices.push_back({a.triangles[f], b.vertices[i], margin});
       });
   const std::uint32_t nearEdges = nearEdgesOf(b, pair.codesB);
   const float* const outward = a.edgeColumns + 6 * static_cast<std::size_t>(SurfacePatch::padded(a.convexEdges));
@@ -190,9 +195,9 @@ HWY_INLINE void testTouching(const PatchQuestion& question, const TestedPair& pa
     const auto [from, to] = a.edgeEnds[e];
     const std::uint32_t stride = SurfacePatch::padded(a.convexEdges);
     const Vec3 outwardInA(outward[e], outward[stride + e], outward[2 * stride + e]);
-    edgeOnEdges(pair.aInB[from], pair.aInB[to], question.surfaces.a.axesToOther * outwardInA, b, nearEdges,
-                question.b.limits(), question.turn, [&](std::uint32_t f) {
-                  lists.edgesOnEdges.push_back({a.edges[e], b.edges[f]});
+    edgeOnEdges(pair.aInB[from], pair.aInB[to], question.surfaces.a.axesToOther * outwardInA, b, nearEdges, question.b,
+                question.turn, [&](std::uint32_t f, float margin) {
+                  lists.edgesOnEdges.push_back({a.edges[e], b.edges[f], margin});
                 });
   }
 }
@@ -201,24 +206,25 @@ HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pa
   const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
   for (std::uint32_t e = 0; e < a.edges.size(); ++e)
     if (const auto& ends = a.edgeEnds[e]; mayBeNear(pair.codesA, ends, kExact))
-      edgeThroughFaces(pair.aInB[ends[0]], pair.aInB[ends[1]], b, question.b.limits(), [&](std::uint32_t f) {
-        lists.edgesThroughFaces.push_back({a.edges[e], b.triangles[f]});
+      edgeThroughFaces(pair.aInB[ends[0]], pair.aInB[ends[1]], b, question.b, [&](std::uint32_t f, float margin) {
+        lists.edgesThroughFaces.push_back({a.edges[e], b.triangles[f], margin});
       });
   for (std::uint32_t e = 0; e < b.edges.size(); ++e)
     if (const auto& ends = b.edgeEnds[e]; mayBeNear(pair.codesB, ends, kExact))
-      edgeThroughFaces(pair.bInA[ends[0]], pair.bInA[ends[1]], a, question.a.limits(), [&](std::uint32_t f) {
-        lists.facesThroughEdges.push_back({a.triangles[f], b.edges[e]});
+      edgeThroughFaces(pair.bInA[ends[0]], pair.bInA[ends[1]], a, question.a, [&](std::uint32_t f, float margin) {
+        lists.facesThroughEdges.push_back({a.triangles[f], b.edges[e], margin});
       });
 }
 
 // Boxes of what is placed are tighter than those of placed boxes, and say no to most.
 HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
   const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
-  if (!overlap(a.placed, b.near) || !overlap(b.placed, a.near)) return;
+  const float skinA = question.a.limits().skin, skinB = question.b.limits().skin;
+  if (a.placed.gapTo(b.near) > skinB || b.placed.gapTo(a.near) > skinA) return;
   TestedPair pair{a, b, PlacedColumns(a), PlacedColumns(b), {}, {}};
-  const std::int32_t beyondB = codesOf(pair.aInB, b, pair.codesA);
+  const std::int32_t beyondB = codesOf(pair.aInB, b, skinB, pair.codesA);
   if ((beyondB & kNear) != 0) return;
-  const std::int32_t beyondA = codesOf(pair.bInA, a, pair.codesB);
+  const std::int32_t beyondA = codesOf(pair.bInA, a, skinA, pair.codesB);
   if ((beyondA & kNear) != 0) return;
   testTouching(question, pair, lists);
   if (question.asked == Asked::all && ((beyondA | beyondB) & kExact) == 0) testCrossing(question, pair, lists);
@@ -227,7 +233,8 @@ HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices
 }  // namespace
 
 void testPairs(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
-  for (const PatchPair& pair : pairs) testPair(question, pair, lists);
+  for (const PatchPair& pair : pairs)
+    if (pair.margin <= question.nearer) testPair(question, pair, lists);
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE

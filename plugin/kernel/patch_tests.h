@@ -12,7 +12,8 @@ namespace cairn::bullet {
 struct PatchQuestion {
   const SurfacePair& surfaces;
   const PlacedPatches &a, &b;
-  float turn;  ///< how far, in radians, directions may turn while lists hold
+  float turn;    ///< how far, in radians, directions may turn while lists hold
+  float nearer;  ///< only pairs of a margin up to this
   Asked asked;
 };
 

@@ -29,10 +29,7 @@ void PlacedPatches::place(std::uint32_t index) {
   here.placed = placeVertices(here.patch, side_->toOther, here.columns);
   const SurfacePatch& patch = here.patch;
   here.near = limits_.around(patch.box, patch.normals);
-  here.exact = patch.box.grown(limits_.skin);
-  here.lowest = patch.lowest - limits_.skin;
-  here.highest = patch.highest + limits_.skin;
-  here.nearLowest = patch.lowest + std::min(limits_.depth, 0.0F) - limits_.besideDeep;
+  here.nearLowest = patch.lowest + limits_.depth - limits_.besideDeep;
   here.nearHighest = patch.highest + std::max(limits_.reach, 0.0F) + limits_.besideDeep;
 }
 

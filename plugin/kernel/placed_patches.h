@@ -9,9 +9,11 @@
 
 namespace cairn::bullet {
 
-/// Two patches: one of A, one of B.
+/// Two patches: one of A, one of B. Nothing of them touches before some point of one body has moved by the margin, a
+/// world length, against the other.
 struct PatchPair {
   std::uint32_t a = 0, b = 0;
+  float margin = 0;
 };
 
 /// A patch of one surface, and how it stands to the other.
@@ -20,11 +22,9 @@ struct PlacedPatch {
   // In the other's frame and unit.
   float columns[3 * SurfacePatch::kMaxFeatures];  ///< of its vertices: three, each as long as the patch's own
   Box placed;                                     ///< of its vertices
-  // In its own frame and unit.
+  // In its own frame and unit, where bodies are.
   Box near;                               ///< of what may touch its faces
-  Box exact;                              ///< of what may cross them
   float nearLowest = 0, nearHighest = 0;  ///< along `patch.facing`: of what may touch them
-  float lowest = 0, highest = 0;          ///< of what may cross them
 };
 
 /// The patches of one surface, each placed when it is first asked for: most stand in several pairs.
@@ -35,10 +35,14 @@ class PlacedPatches {
   /// Precondition: `place` was asked since `begin`.
   const PlacedPatch& operator[](std::uint32_t index) const { return placed_[slots_[index].slot]; }
   void place(std::uint32_t index);
+  /// What is placed stands for any skin, a world length.
+  void setSkin(float skin) { limits_.setSkin(skin / scale()); }
 
   const NearLimits& limits() const { return limits_; }
+  /// World length of the surface's unit.
+  float scale() const { return side_->scale; }
   /// Of both surfaces together, world length.
-  float margins() const { return limits_.margins * side_->scale; }
+  float margins() const { return limits_.margins * scale(); }
 
  private:
   struct Slot {

@@ -15,7 +15,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "cairn/core/surface_patches.h"
+#include "kernel/placed_patches.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::bullet::HWY_NAMESPACE {
@@ -59,9 +59,21 @@ HWY_INLINE std::uint32_t bitsOf(hn::Mask<Tag> mask) {
   return bytes[0];
 }
 
+// Of margins in the surface's unit.
+HWY_INLINE Lanes worldLengths(Lanes margins, const PlacedPatches& side) {
+  return hn::Mul(margins, hn::Set(Tag(), side.scale()));
+}
+
+// Calls `add` with each lane's place and its margin.
 template <class Add>
-HWY_INLINE void addEach(std::uint32_t bits, std::uint32_t at, const Add& add) {
-  for (; bits != 0; bits &= bits - 1) add(at + static_cast<std::uint32_t>(std::countr_zero(bits)));
+HWY_INLINE void addEach(std::uint32_t bits, std::uint32_t at, Lanes margins, const Add& add) {
+  if (bits == 0) return;
+  float margin[SurfacePatch::kBatch];
+  hn::StoreU(margins, Tag(), margin);
+  for (; bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+    add(at + lane, margin[lane]);
+  }
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <cmath>
+#include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/core/tree_surface.h"
+#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -30,6 +33,13 @@ btScalar sumOf(const btVector3& v) {
 
 btScalar sumOf(const btTransform& pose) {
   return sumOf(pose.getOrigin() + pose.getBasis()[0] + pose.getBasis()[1] + pose.getBasis()[2]);
+}
+
+// How thick a shell's wall is, world length; endless of what is no shell.
+float wallOf(const SphereTreeShape& shape) {
+  const float thickness = shape.tree().surface().thickness * static_cast<float>(shape.scale());
+  const bool isShell = thickness < tuning::kTrustedDepth * static_cast<float>(shape.size());
+  return isShell ? thickness : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -61,6 +71,19 @@ float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
   const float travel = closingSpeed(first, second, disc) * static_cast<float>(time);
   const bool isFast = (one > 0 && travel > static_cast<float>(one)) || (two > 0 && travel > static_cast<float>(two));
   return isFast && std::isfinite(travel) ? travel : 0;
+}
+
+float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time) {
+  const SphereTreeShape *const tree0 = asSphereTree(body0.getCollisionShape()), *const tree1 = asSphereTree(
+                                                                                    body1.getCollisionShape());
+  if (time <= 0 || !tree0 || !tree1) return 0;
+  const float thinner = std::min(wallOf(*tree0), wallOf(*tree1));
+  if (!std::isfinite(thinner)) return 0;
+  const float disc = static_cast<float>(tree0->getAngularMotionDisc());
+  const float travel =
+      closingSpeed(*body0.getCollisionObject(), *body1.getCollisionObject(), disc) * static_cast<float>(time);
+  const bool mayCross = travel > tuning::kTrustedThickness * thinner;
+  return mayCross ? std::min(travel, tuning::kMostWalls * thinner) : 0;
 }
 
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {

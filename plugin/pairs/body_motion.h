@@ -25,6 +25,10 @@ float closingSpeed(const btCollisionObject& first, const btCollisionObject& seco
 /// shapes; a tree's turning counts too); else 0.
 float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
+/// The same of two sphere-trees of which one is a shell, its wall thinner than `kTrustedDepth` of its size, if they may
+/// come so far in that time that they cross half of the wall: from there on its other side is nearer. Else 0.
+float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
+
 /// Bound on how fast points of the first body move in the frame of the second, which may turn; world length
 /// per second. `disc`: as above.
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);

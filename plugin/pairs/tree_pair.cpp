@@ -74,11 +74,12 @@ void TreePair::reset() {
 }
 
 bool TreePair::settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                           bool alsoFromGround, Finest finest, btScalar sweptTime) {
-  const float travel = fastTravel(body0, body1, sweptTime);
-  isFast_ = travel > 0 || (sweep_ && sweep_->isAnchored());
+                           bool alsoFromGround, const Outlook& outlook) {
+  const float fast = fastTravel(body0, body1, outlook.sweptTime);
+  const float travel = std::max(fast, wallTravel(body0, body1, outlook.wallTime));
+  isFast_ = fast > 0 || (sweep_ && sweep_->isAnchored());
   isBroken_ = false;
-  if (!stillApart(body0, body1, finest, travel)) {
+  if (!stillApart(body0, body1, outlook.asksTriangles, travel)) {
     if (settleBroken(body0, body1)) return true;
     const std::optional<RootSpheres> roots = rootSpheres(body0, body1);
     if ((!roots && !alsoFromGround) || !areRootsApart(body0, body1, roots, btScalar(travel))) {
@@ -109,8 +110,8 @@ void TreePair::forgetWaiting() {
   if (sweep_) sweep_->forget();
 }
 
-bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, Finest finest,
-                          float travel) const {
+bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                          bool asksTriangles, float travel) const {
   if (!subject_.tree || !contacts_.mayBeApart(speculative_ + travel)) return false;
   const btCollisionObjectWrapper& treeBody = treeIsBody0_ ? body0 : body1;
   const btCollisionObjectWrapper& otherBody = treeIsBody0_ ? body1 : body0;
@@ -118,7 +119,7 @@ bool TreePair::stillApart(const btCollisionObjectWrapper& body0, const btCollisi
   const btCollisionShape& other = *otherBody.getCollisionShape();
   if (!tree || !isSubject(*tree, asSphereTree(&other), other)) return false;
   return contacts_.stillApart(relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform()),
-                              speculative_ + travel, finest == Finest::triangles);
+                              speculative_ + travel, asksTriangles);
 }
 
 bool TreePair::collect(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
@@ -138,8 +139,8 @@ PairKey TreePair::key(std::size_t arrival) const {
   return {uid0 << 32 | uid1, std::uint64_t{childPath(body0())} << 32 | childPath(body1()), arrival};
 }
 
-bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-                     btScalar sweptTime, btScalar threshold, Remeasured remeasured, Budget& budget,
+bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                     const Outlook& outlook, btScalar threshold, Remeasured remeasured, Budget& budget,
                      ContactScratch& scratch) {
   promised_ = {};  // of a step that an exception ended
   const SphereTreeShape* first = asSphereTree(body0.getCollisionShape());
@@ -151,7 +152,10 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   objects_[1] = body1.getCollisionObject();
   untold_ = isHeld_ ? 0 : moved_;
   if (isHeld_) tellOfWaiting(treeBody, otherBody);
-  PairPlacement placement = place(treeBody, otherBody, threshold);
+  isFast_ = fastTravel(treeBody, otherBody, outlook.sweptTime) > 0;
+  const auto ahead = btScalar(isFast_ ? 0 : wallTravel(treeBody, otherBody, outlook.wallTime));
+  PairPlacement placement = place(treeBody, otherBody, std::max(threshold, ahead));
+  const btScalar timeStep = outlook.timeStep;
   setMotion(*placement.treeShape, treeBody, otherBody, timeStep);
   placement.travel = closingSpeed_ * static_cast<float>(timeStep);
   const bool isMeshOnTree = kind_ == CounterpartKind::triangles && !treeIsSmaller_;
@@ -160,7 +164,7 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
   isPlaced_ = isBegun_ = true;
   moved_ = unseenWay_ = 0;
   counterpart_->place(placement);
-  lookAhead(placement, treeBody, otherBody, sweptTime, budget);
+  lookAhead(placement, treeBody, otherBody, outlook.sweptTime, budget);
   const PairContacts::Beginning beginning{remeasured, saysItsLast()};
   if (contacts_.begin(*counterpart_, motion_, beginning, budget, scratch)) spent_ = 0;
   return true;
@@ -169,7 +173,6 @@ bool TreePair::begin(const btCollisionObjectWrapper& body0, const btCollisionObj
 void TreePair::lookAhead(const PairPlacement& placement, const btCollisionObjectWrapper& treeBody,
                          const btCollisionObjectWrapper& otherBody, btScalar sweptTime, Budget& budget) {
   ahead_ = {};
-  isFast_ = fastTravel(treeBody, otherBody, sweptTime) > 0;
   const bool isAnchored = sweep_ && sweep_->isAnchored();
   if (!isFast_ && !isAnchored) return;
   if (!sweep_) sweep_ = std::make_unique<Sweep>(kind_);

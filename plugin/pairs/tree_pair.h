@@ -38,6 +38,14 @@ struct PairReport {
   Budget::Clock::duration onTriangles{};  ///< time spent past the leaves; measured only under a deadline
 };
 
+/// How far ahead a step looks, and how closely.
+struct Outlook {
+  btScalar timeStep = 0;      ///< seconds
+  btScalar sweptTime = 0;     ///< seconds that fast bodies look ahead, see `fastTravel`; 0: they do not
+  btScalar wallTime = 0;      ///< the same of bodies that are fast for thin walls, see `wallTravel`
+  bool asksTriangles = true;  ///< what leaves say is not enough
+};
+
 /// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
 /// paths collide.
 struct PairKey {
@@ -62,10 +70,8 @@ class alignas(64) TreePair {
   /// and nothing moved far since, or `settleBroken`: the pair then has none, and needs no more work in this step.
   /// Cheap. `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where
   /// nothing is interrupted a traversal says it once for many steps, and pairs keep the order they always had.
-  /// `sweptTime`: seconds that fast bodies look ahead, see `fastTravel`; 0: they do not. `finest`: where triangles are
-  /// asked, what leaves said of them is not enough.
   bool settleApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool alsoFromGround,
-                   Finest finest, btScalar sweptTime);
+                   const Outlook& outlook);
   /// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
   bool settleBroken(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   /// Whether it has points of an earlier step between bodies of which one `isBroken` now. It may not be asked about in
@@ -100,13 +106,13 @@ class alignas(64) TreePair {
   /// Instead of all that follows, for a pair that triangles answered: where the bodies have hardly moved against each
   /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
   /// Precondition: collected in this step.
-  std::optional<PairReport> carryOver(Finest finest);
+  std::optional<PairReport> carryOver();
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
-  /// first. `sweptTime`: as above. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
+  /// first. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
   /// are no longer a sphere-tree and something it can meet.
-  bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar timeStep,
-             btScalar sweptTime, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch);
+  bool begin(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, const Outlook& outlook,
+             btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch);
   /// What a priority is told. Precondition: `begin` succeeded in this step.
   ScheduledPair scheduled();
   Progress refine(Budget& budget) { return counterpart_->traversal().refine(budget); }
@@ -262,7 +268,7 @@ class alignas(64) TreePair {
   void tellOfWaiting(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& otherBody);
   void clearManifolds();
   bool isSubject(const SphereTreeShape& tree, const SphereTreeShape* otherTree, const btCollisionShape& other) const;
-  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, Finest finest,
+  bool stillApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool asksTriangles,
                   float travel) const;
   bool adopt(const SphereTreeShape* tree, const btCollisionShape& other);
   void forget();

@@ -37,8 +37,8 @@ std::uint32_t pointsOf(std::span<btPersistentManifold* const> manifolds) {
 
 }  // namespace
 
-std::optional<PairReport> TreePair::carryOver(Finest finest) {
-  if (finest != Finest::triangles || !contacts_.isOfTriangles()) return {};
+std::optional<PairReport> TreePair::carryOver() {
+  if (!contacts_.isOfTriangles()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
   const btCollisionObjectWrapper &treeBody = treeIsBody0_ ? body0() : body1(),

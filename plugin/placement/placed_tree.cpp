@@ -48,4 +48,20 @@ Vec3 PlacedTree::farthestOf(std::span<const std::uint32_t> corners, const Vec3& 
   return dot(direction, there) > dot(direction, point) ? there : point;
 }
 
+NodeId PlacedTree::leafAt(const Vec3& point) const {
+  const Vec3 here = toTree(point);
+  const auto outside = [&](NodeId node) {
+    const Sphere ball = tree_->sphere(node);
+    return distance(ball.center, here) - ball.radius;
+  };
+  NodeId node = kRootNode;
+  while (!tree_->isLeaf(node)) {
+    const NodeId first = tree_->childFamily(node) * kFamilyWidth, count = tree_->childCount(node);
+    node = first;
+    for (NodeId child = first + 1; child < first + count; ++child)
+      if (outside(child) < outside(node)) node = child;
+  }
+  return node;
+}
+
 }  // namespace cairn::bullet

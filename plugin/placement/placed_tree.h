@@ -62,6 +62,8 @@ class PlacedTree {
   /// The same, but the farthest of the region's corners where the tree lists them. As dear as six contacts, where there
   /// are many.
   Vec3 extreme(NodeId node, const Vec3& direction) const;
+  /// A leaf whose ball holds the point, or is near it: the child with most room around it, level by level.
+  NodeId leafAt(const Vec3& point) const;
 
  private:
   Vec3 certainReach(NodeId node, const Vec3& direction, const Vec3& point) const;

@@ -165,7 +165,7 @@ TEST_P(ConvergeShape, MissesNothingDeepAndIsAsWrongAsItsKindIs) {
   EXPECT_EQ(accuracy.truePairs + accuracy.falseGap.pairs, accuracy.reportedPairs);
   EXPECT_GE(accuracy.meanError, accuracy.meanStray);
   EXPECT_EQ(reports.value()[0].records.size(), scene.runs * scene.frames);
-  if (GetParam() == ShapeKind::treeTriangles) {
+  if (GetParam() == ShapeKind::tree) {
     // Of the gap along a contact's normal and the distance of the meshes; half a hundredth of the size is what
     // spheres leave.
     EXPECT_LT(accuracy.meanError, 0.0005);

@@ -15,7 +15,7 @@
 namespace cairn::scenes::crush_test {
 namespace {
 
-constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact,
+constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeLeaves, ShapeKind::gimpact,
                                           ShapeKind::hull, ShapeKind::spheres};
 
 const Model& rock() {

@@ -15,7 +15,7 @@
 namespace cairn::scenes::heap_test {
 namespace {
 
-constexpr ShapeKind kAllShapes[] = {ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact, ShapeKind::hull,
+constexpr ShapeKind kAllShapes[] = {ShapeKind::tree, ShapeKind::treeLeaves, ShapeKind::gimpact, ShapeKind::hull,
                                     ShapeKind::spheres};
 
 HeapOptions heapOf(std::uint32_t bodies) {

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
     Demos, ProgramsWrongUsage,
     ::testing::Values(
         WrongUsage{"frame_budget", "--shape triangle",
-                   "use tree, tree+triangles, gimpact, hull, spheres, compound or fcl"},
+                   "use tree, tree+triangles, tree+leaves, gimpact, hull, spheres, compound or fcl"},
         WrongUsage{"frame_budget", "--shape tree,", "there is no shape ''"},
         WrongUsage{"frame_budget", "--scene landslide", "use heap, crush, converge or rockfall"},
         WrongUsage{"frame_budget", "--scene heap,", "there is no scene ''"},

@@ -51,7 +51,7 @@ FeatureLists edgesAlone(const SphereTree& a, const SphereTree& b) {
   FeatureLists lists;
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j)
-      if (ofA[i].isConvex && ofB[j].isConvex) lists.edgesOnEdges.push_back({i, j});
+      if (ofA[i].isConvex && ofB[j].isConvex) lists.edgesOnEdges.push_back({i, j, 0});
   return lists;
 }
 
@@ -59,7 +59,7 @@ FeatureLists everything(const SphereTree& a, const SphereTree& b) {
   FeatureLists lists;
   const auto product = [](std::size_t ofA, std::size_t ofB, FeatureLists::List& list) {
     for (std::uint32_t i = 0; i < ofA; ++i)
-      for (std::uint32_t j = 0; j < ofB; ++j) list.push_back({i, j});
+      for (std::uint32_t j = 0; j < ofB; ++j) list.push_back({i, j, 0});
   };
   product(a.vertices().size(), b.triangles().size(), lists.verticesOnFaces);
   product(a.triangles().size(), b.vertices().size(), lists.facesOnVertices);
@@ -77,13 +77,14 @@ struct Found {
   bool operator==(const Found&) const = default;
 };
 
-Found found(const SurfacePair& surfaces, const FeatureLists& lists, const ContactLimits& limits = limitsOf()) {
+Found found(const SurfacePair& surfaces, const FeatureLists& lists, const ContactLimits& limits = limitsOf(),
+            float moved = 0) {
   PlacedPair placed;
   placed.begin(surfaces);
   std::vector<FeatureContact> contacts;
-  FeatureContacts(surfaces, placed, limits).append(lists, contacts);
+  FeatureContacts(surfaces, placed, limits).append(lists, moved, contacts);
   std::vector<Crossing> crossings;
-  appendCrossings(surfaces, placed, lists, crossings);
+  appendCrossings(surfaces, placed, lists, moved, crossings);
   Found result;
   for (const FeatureContact& c : contacts) result.contacts.push_back({std::uint32_t(c.kind), c.featureA, c.featureB});
   for (const Crossing& c : crossings) result.crossings.push_back({c.isEdgeOfA, c.edge, c.face});
@@ -100,7 +101,7 @@ FeatureLists listed(const SurfacePair& surfaces, const ContactLimits& limits, fl
   lister.begin(surfaces, limits);
   Budget unlimited = Budget::unlimited();
   EXPECT_TRUE(lister.findNear(near, unlimited));
-  EXPECT_TRUE(lister.list(near, Asked::all, lists, unlimited));
+  EXPECT_TRUE(lister.list(near, 0, Asked::all, lists, unlimited));
   if (apart) *apart = near.empty() ? lister.apart() : 0;
   return lists;
 }
@@ -164,7 +165,8 @@ TEST(ContactKernel, ListsWhatAQueryAsksForFarAway) {
   EXPECT_GE(contacts, 12U);
 }
 
-// While no point has moved by more than the skin, what was listed is all that can touch.
+// While no point has moved by more than the skin, what was listed is all that can touch, and what has a margin does not
+// before they have moved by that.
 TEST(ContactKernel, ListsWithASkinHoldUntilBodiesHaveMovedByIt) {
   constexpr float kSkin = 0.005F;
   std::size_t contacts = 0;
@@ -175,19 +177,20 @@ TEST(ContactKernel, ListsWithASkinHoldUntilBodiesHaveMovedByIt) {
       const PlacedTree a(*bodies.a, pose), b(*bodies.b, still);
       const FeatureLists lists = listed(SurfacePair::of(a, b), limitsOf(kSkin));
       for (int move = 0; move < 6; ++move) {
-        // Half of the skin by turning about any axis, half by shifting; the bodies reach no farther than 0.6.
-        const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3)) * (0.5 * double(kSkin) / 0.6);
+        // Half of the way by turning about any axis, half by shifting; the bodies reach no farther than 0.6.
+        const double way = uniform(engine, 0, double(kSkin));
+        const Vec3d axis = normalized(randomPoint(engine) + Vec3d(0, 0, 1e-3)) * (0.5 * way / 0.6);
         Pose moved = pose;
         Mat3d turn;
         turn.rows = {Vec3d(1, -axis.z, axis.y), Vec3d(axis.z, 1, -axis.x), Vec3d(-axis.y, axis.x, 1)};
         const Mat3d turned = turn * pose.rotation;
         const Vec3d x = normalized(turned.column(0)), z = normalized(cross(x, turned.column(1)));
         moved.rotation = transpose(Mat3d{{x, cross(z, x), z}});
-        moved.translation += normalized(randomPoint(engine)) * (0.45 * double(kSkin));
+        moved.translation += normalized(randomPoint(engine)) * (0.45 * way);
         const SurfacePair now = SurfacePair::of(PlacedTree(*bodies.a, moved), b);
         const Found expected = found(now, listed(now, limitsOf()));
         contacts += expected.contacts.size();
-        EXPECT_EQ(found(now, lists), expected) << "seed " << kSeed + 1 << ", trial " << trial;
+        EXPECT_EQ(found(now, lists, limitsOf(), float(way)), expected) << "seed " << kSeed + 1 << ", trial " << trial;
       }
     }
   }
@@ -225,7 +228,7 @@ TEST(ContactKernel, KnowsHowTheOverlapGrows) {
   PlacedPair placed;
   placed.begin(surfaces);
   std::vector<Crossing> crossings;
-  appendCrossings(surfaces, placed, listed(surfaces, limitsOf()), crossings);
+  appendCrossings(surfaces, placed, listed(surfaces, limitsOf()), 0, crossings);
   OverlapRegions regions;
   Budget unlimited = Budget::unlimited();
   const std::span<const OverlapRegion> found = regions.find(surfaces, limitsOf(), {}, crossings, unlimited);

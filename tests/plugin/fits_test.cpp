@@ -17,7 +17,6 @@ struct Fit {
   BulletWorld<> w;
 
   Fit() {
-    w.dispatcher.setFinest(bullet::Finest::triangles);
     w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
   }
   // In the solid's own frame.
@@ -115,6 +114,31 @@ TEST(Fits, ABodyInACavityDoesNotTouchIt) {
   fit.w.world.setGravity(btVector3(0, 0, 0));
   fit.w.step(2);
   EXPECT_EQ(fit.w.dispatcher.lastStep().contacts, 0U);
+}
+
+// A plate that comes farther in a step than it is thick takes along what it meets.
+TEST(Fits, AThinWallIsNotCrossedByWhatIsFasterThanItIsThick) {
+  for (const double speed : {0.5, 1.0, 1.5, 2.0}) {
+    Fit fit;
+    fit.w.world.setGravity(btVector3(0, 0, 0));
+    constexpr double kThick = 0.01;
+    btRigidBody& plate = fit.add(cuboid({1, 1, kThick}, 8), 0, 1, at(0, 0, 0));
+    plate.setCollisionFlags(plate.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    plate.setActivationState(DISABLE_DEACTIVATION);
+    btRigidBody& body = fit.add(ball(0.02, 6), 1, 0, at(0.013, 0.02, 0.3));
+    double height = 0;
+    for (int step = 0; step < 120; ++step) {
+      height += speed / 60;
+      plate.setLinearVelocity(btVector3(0, 0, btScalar(speed)));
+      plate.setInterpolationWorldTransform(plate.getWorldTransform());
+      plate.setInterpolationLinearVelocity(plate.getLinearVelocity());
+      btTransform place = plate.getWorldTransform();
+      place.getOrigin().setZ(btScalar(height));
+      plate.setWorldTransform(place);
+      fit.w.step();
+    }
+    EXPECT_GT(double(fit.placeOf(body).z()), height) << speed << " m/s";
+  }
 }
 
 // A tongue in a groove, pulled at: it holds by its shoulders, within its play.

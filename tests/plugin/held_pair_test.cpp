@@ -228,6 +228,7 @@ TYPED_TEST(HeldPairs, ThatCostMoreThanAStepHasComeToAnAnswer) {
   for (const std::int64_t operations : {20, 100, 400}) {
     BulletWorld<TypeParam> w;
     w.world.setGravity(btVector3(0, 0, 0));
+    w.dispatcher.setFinest(bullet::Finest::leaves);
     const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));
     btRigidBody* bodies[2];
     for (int i = 0; i < 2; ++i) bodies[i] = &w.add(cube, 1, btVector3(0, 0, btScalar(0.9995) * btScalar(i)));
@@ -255,6 +256,7 @@ TYPED_TEST(HeldPairs, ThatCostMoreThanAStepHasStayWithinItOnceAnswered) {
   for (const std::int64_t operations : {100, 400, 2000}) {
     BulletWorld<TypeParam> w;
     w.world.setGravity(btVector3(0, 0, 0));
+    w.dispatcher.setFinest(bullet::Finest::leaves);
     const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 8)));
     for (int i = 0; i < 2; ++i) w.add(cube, 1, btVector3(0, 0, btScalar(0.9995) * btScalar(i)));
     ASSERT_TRUE(w.dispatcher.setBudget({operations, {}}).ok());

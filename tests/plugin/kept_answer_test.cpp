@@ -77,6 +77,8 @@ struct Two {
     w.world.performDiscreteCollisionDetection();
   }
 
+  void setFinest(bullet::Finest finest) { w.dispatcher.setFinest(finest); }
+
   // Of the contacts with another body; nothing without one.
   std::optional<btScalar> deepest(int otherBody) const {
     std::optional<btScalar> least;
@@ -92,7 +94,16 @@ struct Two {
   }
 };
 
-TEST(KeptAnswer, IsWhatAFreshWorldFinds) {
+class KeptAnswerOf : public ::testing::TestWithParam<bullet::Finest> {};
+
+TEST_P(KeptAnswerOf, IsWhatAFreshWorldFinds) {
+  const bool isExact = GetParam() == bullet::Finest::triangles;
+  constexpr double kSize = 0.71;  // of the smaller body
+  // A contact that is held stays chosen until another is deeper by a quarter of the speculative distance, 0.2 % of the
+  // size; what triangles said holds until the bodies have moved by a tenth of that distance.
+  const btScalar held = btScalar((isExact ? 0.35 : 0.25) * 0.002 * kSize);
+  // Deeper than minima are trusted the overlap's shape says how deep it is: no bound, but that there is something.
+  const btScalar deepest = btScalar(isExact ? -0.02 * kSize : -BT_LARGE_FLOAT);
   // Leaves that are not flat: those of flat ones share a normal that is kept over steps.
   const auto fixed = plainTree(torus(0.3, 0.12, 30), 8), tree = plainTree(torus(0.25, 0.1, 28), 8);
   std::mt19937_64 engine(kSeed);
@@ -102,23 +113,23 @@ TEST(KeptAnswer, IsWhatAFreshWorldFinds) {
     btTransform pose(btQuaternion(direction(engine), btScalar(uniform(engine, 0, 6))),
                      direction(engine) * btScalar(uniform(engine, 0.25, 0.6)));
     Two lasting(fixed, tree, pose);
+    lasting.setFinest(GetParam());
     for (int step = 0; step < 25; ++step) {
       pose = nudged(pose, 2e-4, engine);
       lasting.detectAt(pose);
       Two newborn(fixed, tree, pose);
+      newborn.setFinest(GetParam());
       newborn.detectAt(pose);
       kept += lasting.w.dispatcher.lastStep().operations;
       fresh += newborn.w.dispatcher.lastStep().operations;
       for (const int other : {0, 1}) {
         const auto expected = newborn.deepest(other), found = lasting.deepest(other);
-        // A contact that is held stays chosen until another is deeper by a quarter of the speculative distance, 0.2 %
-        // of the smaller size, 0.71.
-        constexpr btScalar kHeld = btScalar(0.25 * 0.002 * 0.71);
         ASSERT_EQ(found.has_value(), expected.has_value())
             << "seed " << kSeed << ", start " << start << ", step " << step << ", body " << other;
         if (!expected) continue;
         ++contacts;
-        EXPECT_NEAR(*found, *expected, kHeld)
+        if (*expected < deepest) continue;
+        EXPECT_NEAR(*found, *expected, held)
             << "seed " << kSeed << ", start " << start << ", step " << step << ", body " << other;
       }
     }
@@ -126,6 +137,7 @@ TEST(KeptAnswer, IsWhatAFreshWorldFinds) {
   EXPECT_GT(contacts, 500);
   EXPECT_LT(2 * kept, fresh) << "nothing was kept: the test shows nothing";
 }
+INSTANTIATE_TEST_SUITE_P(All, KeptAnswerOf, ::testing::Values(bullet::Finest::leaves, bullet::Finest::triangles));
 
 // One leap that velocities do not tell of, after many small steps.
 TEST(KeptAnswer, LapsesWhenABodyIsSetElsewhere) {
@@ -233,6 +245,7 @@ TEST(KeptAnswer, IsNotMeasuredAllOverAgainBeyondTheBudget) {
   const auto tile = treeShape(plainTree(cuboid({1, 1, 0.1}, kCells)));
   const auto round = treeShape(plainTree(ball(0.5, kCells)));
   BulletWorld<> w;
+  w.dispatcher.setFinest(bullet::Finest::leaves);
   w.world.setGravity(btVector3(0, 0, 0));
   std::vector<btRigidBody*> tiles;
   for (int i = 0; i < kPairs; ++i) {
@@ -266,6 +279,7 @@ std::uint64_t mostOfTilesAt(double apart, const btVector3& moved, int every) {
   const auto tile = treeShape(plainTree(cuboid({1, 1, 0.1}, 16)));
   const double size = double(tile->size());
   BulletWorld<> w;
+  w.dispatcher.setFinest(bullet::Finest::leaves);
   w.world.setGravity(btVector3(0, 0, 0));
   std::vector<btRigidBody*> tiles;
   for (int i = 0; i < kPairs; ++i) {

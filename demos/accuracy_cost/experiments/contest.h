@@ -15,7 +15,7 @@ namespace cairn::accuracy_cost {
 /// A shape at one setting.
 struct Contender {
   std::string series;  ///< contenders of one series differ in one setting, in the order they are listed
-  scenes::ShapeKind shape = scenes::ShapeKind::tree;
+  scenes::ShapeKind shape = scenes::ShapeKind::treeLeaves;
   std::string method;                        ///< of its tree; empty: it has none
   unsigned depth = 0;                        ///< of its tree
   std::optional<std::int64_t> operations{};  ///< a frame; nothing: as many as it takes

@@ -41,6 +41,8 @@ const char* shapeName(ShapeKind kind) {
       return "tree";
     case ShapeKind::treeTriangles:
       return "tree+triangles";
+    case ShapeKind::treeLeaves:
+      return "tree+leaves";
     case ShapeKind::gimpact:
       return "gimpact";
     case ShapeKind::hull:
@@ -59,7 +61,7 @@ Result<ShapeKind> parseShape(std::string_view name) {
   for (const ShapeKind kind : kShapeKinds)
     if (name == shapeName(kind)) return kind;
   return Error{"there is no shape '" + std::string(name) +
-               "': use tree, tree+triangles, gimpact, hull, spheres, compound or fcl"};
+               "': use tree, tree+triangles, tree+leaves, gimpact, hull, spheres, compound or fcl"};
 }
 
 Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model& model, const ShapeOptions& options) {
@@ -69,7 +71,8 @@ Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model
   };
   switch (kind) {
     case ShapeKind::tree:
-    case ShapeKind::treeTriangles: {
+    case ShapeKind::treeTriangles:
+    case ShapeKind::treeLeaves: {
       auto shape = bullet::SphereTreeShape::create(model.tree, bullet::BodyFrame::principalAxes,
                                                    static_cast<btScalar>(model.scale));
       if (!shape) return shape.error();

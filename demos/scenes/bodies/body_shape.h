@@ -20,7 +20,8 @@ namespace cairn::scenes {
 /// What a moving body collides as.
 enum class ShapeKind : std::uint8_t {
   tree,           ///< Cairn's certified sphere-tree
-  treeTriangles,  ///< the same, with contacts measured past its leaves, between source triangles
+  treeTriangles,  ///< the same, by name: contacts between source triangles, where the budget lasts
+  treeLeaves,     ///< the same, with contacts between its leaves
   gimpact,        ///< btGImpactMeshShape: the triangles themselves
   hull,           ///< btConvexHullShape: dents filled
   spheres,        ///< btCompoundShape of one level of the tree: the same spheres, brute force
@@ -29,13 +30,13 @@ enum class ShapeKind : std::uint8_t {
 };
 
 /// All of them, in the order they are listed to users.
-inline constexpr std::array kShapeKinds{ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::gimpact,
-                                        ShapeKind::hull, ShapeKind::spheres,       ShapeKind::compound,
-                                        ShapeKind::fcl};
+inline constexpr std::array kShapeKinds{
+    ShapeKind::tree, ShapeKind::treeTriangles, ShapeKind::treeLeaves, ShapeKind::gimpact,
+    ShapeKind::hull, ShapeKind::spheres,       ShapeKind::compound,   ShapeKind::fcl};
 
 /// Whether Cairn's narrow phase answers for it.
 constexpr bool isSphereTree(ShapeKind kind) {
-  return kind == ShapeKind::tree || kind == ShapeKind::treeTriangles;
+  return kind == ShapeKind::tree || kind == ShapeKind::treeTriangles || kind == ShapeKind::treeLeaves;
 }
 
 const char* shapeName(ShapeKind kind);

@@ -38,7 +38,7 @@ void World::makeDispatcher() {
   if (isSphereTree(options_.shape)) {
     auto dispatcher = std::make_unique<TimedDispatcher<TreeDispatcher>>(narrowPhaseCpuUs_, &configuration_);
     dispatcher->setUnresolved(options_.unresolved);
-    if (options_.shape == ShapeKind::treeTriangles) dispatcher->setFinest(bullet::Finest::triangles);
+    if (options_.shape == ShapeKind::treeLeaves) dispatcher->setFinest(bullet::Finest::leaves);
     dispatcher->setPriority(makePriority(options_.priority));
     treeDispatcher_ = dispatcher.get();
     dispatcher_ = std::move(dispatcher);

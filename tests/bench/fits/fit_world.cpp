@@ -17,8 +17,8 @@ const char* nameOf(FitShape shape) {
   switch (shape) {
     case FitShape::tree:
       return "tree";
-    case FitShape::treeTriangles:
-      return "tree+triangles";
+    case FitShape::treeLeaves:
+      return "tree+leaves";
     case FitShape::gimpact:
       return "gimpact";
   }
@@ -46,7 +46,7 @@ std::unique_ptr<btCollisionDispatcher> makeDispatcher(FitShape shape, btCollisio
     return dispatcher;
   }
   auto dispatcher = std::make_unique<bullet::Dispatcher<>>(configuration);
-  if (shape == FitShape::treeTriangles) dispatcher->setFinest(bullet::Finest::triangles);
+  if (shape == FitShape::treeLeaves) dispatcher->setFinest(bullet::Finest::leaves);
   return dispatcher;
 }
 

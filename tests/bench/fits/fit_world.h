@@ -17,7 +17,7 @@ class btTriangleIndexVertexArray;
 namespace cairn::bench {
 
 /// What the pieces collide as.
-enum class FitShape { tree, treeTriangles, gimpact };
+enum class FitShape { tree, treeLeaves, gimpact };
 const char* nameOf(FitShape shape);
 
 /// The pieces of a folder of meshes, and their trees, each made when it is first asked for.

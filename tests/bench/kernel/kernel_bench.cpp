@@ -138,21 +138,21 @@ class Stages {
   void listFeatures() {
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
       lister_.begin(surfaces_[i], limits_);
-      lister_.list(near_[i], Asked::all, lists_[i], unlimited_);
+      lister_.list(near_[i], 0, Asked::all, lists_[i], unlimited_);
     }
   }
   void decide() {
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
       contacts_[i].clear();
       placed_.begin(surfaces_[i]);
-      FeatureContacts(surfaces_[i], placed_, limits_).append(lists_[i], contacts_[i]);
+      FeatureContacts(surfaces_[i], placed_, limits_).append(lists_[i], 0, contacts_[i]);
     }
   }
   void cross() {
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
       crossings_[i].clear();
       placed_.begin(surfaces_[i]);
-      appendCrossings(surfaces_[i], placed_, lists_[i], crossings_[i]);
+      appendCrossings(surfaces_[i], placed_, lists_[i], 0, crossings_[i]);
     }
   }
   void findRegions() {
@@ -160,13 +160,11 @@ class Stages {
       regions_.find(surfaces_[i], limits_, contacts_[i], crossings_[i], unlimited_);
   }
   // With what was listed a step ago, if there is.
-  void run(std::vector<KernelMemory>& memories, float skin) {
-    ContactLimits limits = limitsOf(tree_);
-    limits.skin = skin;
+  void run(std::vector<KernelMemory>& memories) {
     found_ = 0;
     hash_ = {};
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
-      const auto answer = kernel_.run(meetings_[i].a, meetings_[i].b, limits, memories[i], {}, unlimited_);
+      const auto answer = kernel_.run(meetings_[i].a, meetings_[i].b, limits_, memories[i], {}, unlimited_);
       found_ += answer->contacts.size();
       for (const FeatureContact& c : answer->contacts)
         for (const float v :
@@ -241,10 +239,11 @@ Figures measure(const SphereTree& tree, const Options& options) {
   figures.crossings = time([&] { stages.cross(); });
   figures.regions = time([&] { stages.findRegions(); });
   std::vector<KernelMemory> memories(meetings.size());
-  figures.whole = time([&] { stages.run(memories, 0); });
-  const float skin = 0.006F * sizeOf(tree);
-  stages.run(memories, skin);
-  figures.carriedLists = time([&] { stages.run(memories, skin); });
+  figures.whole = time([&] {
+    for (KernelMemory& memory : memories) memory.forget();
+    stages.run(memories);
+  });
+  figures.carriedLists = time([&] { stages.run(memories); });
   stages.count(figures);
   return figures;
 }

@@ -34,6 +34,7 @@ constexpr KnownMiss kKnown[] = {
     {"D1", "drift, friction in two directions", 0.02, 0.214},
     {"D1", "drift, upper tenth, friction in two directions", 0.067, 0.83},
     {"D3", "a card house of 7 cards stands, mean", kHolds, 5.4},
+    {"D4", "1 : 1000, greatest speed", 3, 3},
     {"D10", "roll, aside of the way on the plane", 6.8, 11.3},
     {"D11", "deepest penetration", 19.9, 34.6},
     {"D13", "a centimetre at rest, RMS", kHolds, 1.64},

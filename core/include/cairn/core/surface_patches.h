@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,14 @@ struct Box {
   Box grown(float by) const { return {lower - Vec3(by, by, by), upper + Vec3(by, by, by)}; }
   Vec3 middle() const { return (lower + upper) * 0.5F; }
   bool holds(const Vec3& p) const;
+  /// Of the axes along which the boxes are apart, how far along the one where they are farthest; negative where they
+  /// overlap.
+  float gapTo(const Box& other) const {
+    float gap = -std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+      gap = std::max({gap, other.lower[axis] - upper[axis], lower[axis] - other.upper[axis]});
+    return gap;
+  }
 };
 
 /// A few triangles of a surface that lie together, with their vertices, and the edges and vertices that are this
