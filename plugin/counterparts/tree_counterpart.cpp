@@ -23,7 +23,7 @@ constexpr int kMaxWholeSplits = 8;
 void TreeCounterpart::reset() {
   Counterpart::reset();
   fewFaces_.reset();
-  kernelMemory_ = {};
+  kernelMemory_.forget();
 }
 
 void TreeCounterpart::place(const PairPlacement& placement) {

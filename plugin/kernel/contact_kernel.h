@@ -22,10 +22,11 @@ namespace cairn::bullet {
 /// until a point of one body has moved by its skin against the other; the patches' skin is the wider one.
 class KernelMemory {
  public:
-  /// Nothing is listed any more.
+  /// As new, but for the room it has.
   void forget() {
     near_.reset();
     features_.reset();
+    lastAt_ = {};
   }
 
  private:

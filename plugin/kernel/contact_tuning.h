@@ -18,8 +18,9 @@ inline constexpr float kTrustedDepth = 0.02F;
 /// And never more than this part of the thinner body's thickness: beyond its middle the other side is nearer.
 inline constexpr float kTrustedThickness = 0.5F;
 
-/// Bodies that could cross half of a thin wall in a step are met that much ahead, at most so many walls. Without, three of
-/// 18 bodies leave a shaken cup; with many more, bodies stick to what they only pass, and each step asks of more.
+/// What could cross half of a shell's wall in a step is met that much ahead, up to this many walls, so that a fast body
+/// is not asked about all of the other. Without, three of 18 bodies leave a shaken cup, and a plate passes a ball
+/// (`Fits.AThinWallIsNotCrossedByWhatIsFasterThanItIsThick`).
 inline constexpr float kMostWalls = 4;
 
 /// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact
@@ -34,9 +35,10 @@ inline constexpr float kConeOpening = 0.2F;
 /// Sine of the angle below which two edges are parallel: their faces and vertices touch instead.
 inline constexpr float kParallelSine = 0.02F;
 
-/// Sine of the angle from which vectors may say that two edges do not touch, because normal and nearest points turn
-/// little when the edges do; and what rounding may shift these points by, as a part of how far beside them is looked.
+/// Sine of the angle from which lists may leave out two edges by their normal or by where their lines pass: both turn
+/// little then when the edges do.
 inline constexpr float kClearSine = 0.1F;
+/// What rounding may shift where two lines pass, as a part of how far beside them is looked.
 inline constexpr float kPassingRounding = 1e-3F;
 
 /// A penetrating contact gives way to one near it that is shallower than this part of its depth, if their normals are
@@ -60,7 +62,7 @@ inline constexpr float kNoArea = 1e-3F;
 inline constexpr float kLeastWidth = 0.5F;
 /// Near patches are looked for so much farther than contacts reach, and found again once bodies have moved by that.
 /// Sizes. Their features are listed for about so many steps like the last one. Matters of time alone: with more, each
-/// step asks more of them; with less, they are listed more often.
+/// step asks more of them; with less, they are listed more often (`ContactKernel.ListsLastForSomeSteps`).
 inline constexpr float kPatchSkin = 0.01F;
 inline constexpr float kListSteps = 3;
 

@@ -28,7 +28,7 @@ bool FeatureLister::list(std::span<const PatchPair> near, float moved, Asked ask
                          Budget& budget) {
   lists.clear();
   const PatchQuestion question{*surfaces_, a_, b_, limits_.turn(), moved + limits_.skin + limits_.rounding(), asked};
-  const auto isAsked = [&](const PatchPair& pair) { return pair.margin <= question.nearer; };
+  const auto isAsked = [&](const PatchPair& pair) { return pair.margin <= question.mostMargin; };
   if (!budget.charge(kOverlapTestCost * static_cast<std::uint64_t>(std::ranges::count_if(near, isAsked)))) return false;
   for (const PatchPair& pair : near) {
     if (!isAsked(pair)) continue;

@@ -234,7 +234,7 @@ HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices
 
 void testPairs(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
   for (const PatchPair& pair : pairs)
-    if (pair.margin <= question.nearer) testPair(question, pair, lists);
+    if (pair.margin <= question.mostMargin) testPair(question, pair, lists);
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE

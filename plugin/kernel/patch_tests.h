@@ -12,8 +12,8 @@ namespace cairn::bullet {
 struct PatchQuestion {
   const SurfacePair& surfaces;
   const PlacedPatches &a, &b;
-  float turn;    ///< how far, in radians, directions may turn while lists hold
-  float nearer;  ///< only pairs of a margin up to this
+  float turn;        ///< how far, in radians, directions may turn while lists hold
+  float mostMargin;  ///< only pairs of patches with no larger one are asked, world length
   Asked asked;
 };
 

@@ -287,7 +287,7 @@ TEST(ContactKernel, ListsLastForSomeSteps) {
   }
   const std::uint64_t least = *std::ranges::min_element(used);
   const auto listed = std::ranges::count_if(used, [&](std::uint64_t u) { return u > 3 * least; });
-  EXPECT_GE(listed, 6) << "with a skin four steps wide";
+  EXPECT_GE(listed, 6) << "with a skin three steps wide";
   EXPECT_LE(listed, 25);
 }
 

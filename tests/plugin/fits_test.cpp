@@ -16,9 +16,7 @@ constexpr double kG = 10;
 struct Fit {
   BulletWorld<> w;
 
-  Fit() {
-    w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
-  }
+  Fit() { w.world.setGravity(btVector3(0, 0, btScalar(-kG))); }
   // In the solid's own frame.
   btRigidBody& add(const Solid& solid, btScalar mass, btScalar friction, const btTransform& place) {
     auto created = bullet::SphereTreeShape::create(plainTree(solid, 4), bullet::BodyFrame::principalAxes);

@@ -33,7 +33,7 @@ enum class Unresolved : std::uint8_t {
 
 /// Where refinement ends.
 enum class Finest : std::uint8_t {
-  leaves,     ///< contacts between the regions of leaves: a third of the time, off by up to the tree's error
+  leaves,     ///< contacts between the regions of leaves: quicker, off by up to the tree's error
   triangles,  ///< what is left of the budget once the leaves are found goes on to the source meshes (thesis 8.3.7):
               ///< contacts of two sphere-trees are the local minima of the distance between their meshes (default)
 };
