@@ -19,7 +19,8 @@ inline constexpr float kTrustedDepth = 0.02F;
 inline constexpr float kTrustedThickness = 0.5F;
 
 /// What could cross half of a shell's wall in a step is met that much ahead, up to this many walls, so that a fast body
-/// is not asked about all of the other. Without, three of 18 bodies leave a shaken cup, and a plate passes a ball
+/// is not asked about all of the other. Without, three of 18 bodies leave a shaken cup, at one wall one, and a plate
+/// passes a ball
 /// (`Fits.AThinWallIsNotCrossedByWhatIsFasterThanItIsThick`).
 inline constexpr float kMostWalls = 4;
 
@@ -34,12 +35,6 @@ inline constexpr float kConeOpening = 0.2F;
 
 /// Sine of the angle below which two edges are parallel: their faces and vertices touch instead.
 inline constexpr float kParallelSine = 0.02F;
-
-/// Sine of the angle from which lists may leave out two edges by their normal or by where their lines pass: both turn
-/// little then when the edges do.
-inline constexpr float kClearSine = 0.1F;
-/// What rounding may shift where two lines pass, as a part of how far beside them is looked.
-inline constexpr float kPassingRounding = 1e-3F;
 
 /// A penetrating contact gives way to one near it that is shallower than this part of its depth, if their normals are
 /// farther apart than this (50 degrees), and they are within so many of its depths and contact distances of each other.

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernel/contact_tuning.h"
 #include "kernel/placed_patches.h"
 #include "kernel/points-inl.h"
 
@@ -99,15 +98,14 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     if ((bitsOf(mask) & nearHere) == 0) continue;
     const Points apart = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
     const auto gap = hn::Sqrt(dotOf(apart, apart)), upwards = dotOf(apart, across);
-    // What is clearly in front, and not nearly parallel, stays so.
+    // The normal of two edges turns by no more than a quarter radian, where they are not nearly parallel: what is
+    // clearly in front stays so, and lines pass each other where they do, but for a little.
+    const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, 4 * turn), lengths));
     const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
-    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, gap))),
-                                   hn::Gt(norm, hn::Mul(hn::Set(d, tuning::kClearSine), lengths)));
+    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, gap))), isClear);
     auto margin = hn::Sub(gap, hn::IfThenElse(isInFront, hn::Set(d, ahead), hn::Set(d, around)));
-    // Lines that are not nearly parallel pass each other where they do, but for a little.
-    const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, std::max(tuning::kClearSine, 4 * turn)), lengths));
     const auto cosecant = hn::Div(lengths, hn::Max(norm, hn::Set(d, std::numeric_limits<float>::min())));
-    const auto turned = hn::Mul(hn::Set(d, 4 * grown * (turn + tuning::kPassingRounding)), cosecant);
+    const auto turned = hn::Mul(hn::Set(d, 4 * grown * turn), cosecant);
     const auto beyond = hn::Sub(beyondEnds(minus(p, r), way, wayB, lengthSqA, lengthSqB),
                                 hn::Add(hn::Set(d, limits.besideDeep), turned));
     const auto passing = hn::Div(beyond, hn::Add(hn::Mul(hn::Set(d, 4.0F), cosecant), hn::Set(d, 1.0F)));

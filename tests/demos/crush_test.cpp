@@ -15,8 +15,8 @@
 namespace cairn::scenes::crush_test {
 namespace {
 
-constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeLeaves, ShapeKind::gimpact,
-                                          ShapeKind::hull, ShapeKind::spheres};
+constexpr ShapeKind kSimulatedShapes[] = {ShapeKind::tree, ShapeKind::treeLeaves, ShapeKind::gimpact, ShapeKind::hull,
+                                          ShapeKind::spheres};
 
 const Model& rock() {
   static const Model model = makeModel(test::smallRockTree(), 1.0);

@@ -276,7 +276,7 @@ TEST(ContactKernel, ListsLastForSomeSteps) {
   KernelMemory memory;
   std::vector<std::uint64_t> used;
   for (int step = 0; step < 60; ++step) {
-    const double moved = 5e-5 * step;
+    const double moved = 4e-4 * step;
     bullet::RelativePlacement placement;
     placement.treeInOther.setOrigin(btVector3(btScalar(moved), 0, 0));
     placement.radius = btScalar(0.5);
