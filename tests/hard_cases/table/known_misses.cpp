@@ -23,7 +23,8 @@ struct KnownMiss {
 };
 
 constexpr KnownMiss kKnown[] = {
-    // A rock's creeping is chance: single ones differ twentyfold. Quick runs are of three, and go both ways.
+    // A rock's creeping is chance: single ones differ twentyfold. Quick runs are of three, L1's of five, and go both
+    // ways.
     {"D1", "place, RMS about its mean", 0.033, 0.48},
     {"D1", "drift", 0.112, 1.67},
     {"D1", "drift, upper tenth", 0.17, 6.5},
