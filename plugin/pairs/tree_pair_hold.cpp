@@ -317,7 +317,7 @@ void TreePair::writeStandIn(std::span<Contact> contacts, btDispatcher& dispatche
   if (contacts.empty() && !manifolds_[static_cast<std::size_t>(wholeAt_)]) return;
   btPersistentManifold* const m = manifold(dispatcher, wholeAt_);
   if (!m) return;
-  ManifoldWriter writer(result, origin_, treeIsBody0_, kInheritanceFraction * smallerSize_, motion_);
+  ManifoldWriter writer = writerOf(result);
   const HeldContacts held = writer.held(*m);
   writer.write(*m, contacts, chooseContacts(contacts, held.span(), kSeparationFactor * speculative_, speculative_));
 }

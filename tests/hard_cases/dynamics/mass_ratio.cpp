@@ -54,14 +54,15 @@ Outcome runMassRatio(Effort effort) {
                                  {"1 : 100, deepest penetration", 5, Bound::atMost, "% of size"},
                                  {"top lower, up to 1 : 100", 5, Bound::atMost, "% of size"},
                                  {"1 : 1000, greatest speed", 2, Bound::atMost, "of sqrt(2gH)"}};
-  return {compare(asked, cubes(1),
-                  [&](const CaseBody& body) -> Figures {
-                    const Figures ten = load(body.body, 10, seconds), hundred = load(body.body, 100, seconds),
-                                  thousand = load(body.body, 1000, seconds);
-                    return {ten[0], hundred[0], test::greatest(ten[2], hundred[2]), thousand[1]};
-                  }),
-          "The light cubes are crushed: what is deep is told as deep as it is, and Bullet's solver throws out in "
-          "proportion."};
+  return {
+      compare(asked, cubes(1),
+              [&](const CaseBody& body) -> Figures {
+                const Figures ten = load(body.body, 10, seconds), hundred = load(body.body, 100, seconds),
+                              thousand = load(body.body, 1000, seconds);
+                return {ten[0], hundred[0], test::greatest(ten[2], hundred[2]), thousand[1]};
+              }),
+      "The heavy cube falls on a corner of a light one and squeezes it out along the ground: how fast is chance, 1.1 "
+      "to 3.8 in runs that differ by a rounding or by how deep the solver is told they are."};
 }
 
 }  // namespace
