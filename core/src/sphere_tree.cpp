@@ -57,8 +57,8 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   }
   listCorners();
   surface_.features = SurfaceFeatures(data_.vertices, data_.triangles);
-  surface_.patches = SurfacePatches(*this, surface_.features);
-  surface_.thickness = surfaceThickness(*this);
+  surface_.patches = SurfacePatches(data_.vertices, data_.triangles, surface_.features);
+  surface_.thickness = surfaceThickness(surfaceView());
 }
 
 // A triangle without area faces nowhere and contradicts nothing.

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numeric>
 
-#include "cairn/core/sphere_tree.h"
-
 namespace cairn {
 
 namespace {
@@ -40,15 +38,16 @@ bool Box::holds(const Vec3& p) const {
 
 class SurfacePatches::Maker {
  public:
-  Maker(const SphereTree& tree, const SurfaceFeatures& features, SurfacePatches& out)
-      : tree_(tree), features_(features), out_(out) {
-    out_.ofVertices_.assign(tree.vertices().size(), SurfaceEdge::kNone);
+  Maker(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+        const SurfaceFeatures& features, SurfacePatches& out)
+      : meshVertices_(vertices), meshTriangles_(triangles), features_(features), out_(out) {
+    out_.ofVertices_.assign(vertices.size(), SurfaceEdge::kNone);
     out_.ofEdges_.assign(features.edges().size(), SurfaceEdge::kNone);
-    out_.ofTriangles_.assign(tree.triangles().size(), SurfaceEdge::kNone);
+    out_.ofTriangles_.assign(triangles.size(), SurfaceEdge::kNone);
   }
 
   void run() {
-    std::vector<std::uint32_t> triangles(tree_.triangles().size());
+    std::vector<std::uint32_t> triangles(meshTriangles_.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
     out_.box_ = addFamily(triangles).box;
   }
@@ -56,7 +55,7 @@ class SurfacePatches::Maker {
  private:
   Vec3 middle(std::uint32_t triangle) const {
     Box box = kNothing;
-    for (const std::uint32_t v : tree_.triangles()[triangle]) box.add(tree_.vertices()[v]);
+    for (const std::uint32_t v : meshTriangles_[triangle]) box.add(meshVertices_[v]);
     return box.middle();
   }
 
@@ -137,7 +136,7 @@ class SurfacePatches::Maker {
     std::vector<std::uint32_t> vertices, edges;
     for (const std::uint32_t t : triangles)
       for (std::size_t k = 0; k < 3; ++k) {
-        vertices.push_back(tree_.triangles()[t][k]);
+        vertices.push_back(meshTriangles_[t][k]);
         edges.push_back(features_.edgesOf()[t][k]);
       }
     makeUnique(vertices);
@@ -157,7 +156,7 @@ class SurfacePatches::Maker {
     record.triangles = static_cast<std::uint16_t>(triangles.size());
     record.convexEdges = static_cast<std::uint16_t>(firstFlat - edges.begin());
     record.box = kNothing;
-    for (const std::uint32_t v : vertices) record.box.add(tree_.vertices()[v]);
+    for (const std::uint32_t v : vertices) record.box.add(meshVertices_[v]);
     const std::vector<std::uint32_t> touched =
         trianglesAround(triangles, std::span(vertices).first(record.ownVertices), edges);
     const Vec3 mean = facingOf(touched);
@@ -166,8 +165,8 @@ class SurfacePatches::Maker {
     record.lowest = kInfinity;
     record.highest = -kInfinity;
     for (const std::uint32_t v : vertices) {
-      record.lowest = std::min(record.lowest, dot(record.facing, tree_.vertices()[v]));
-      record.highest = std::max(record.highest, dot(record.facing, tree_.vertices()[v]));
+      record.lowest = std::min(record.lowest, dot(record.facing, meshVertices_[v]));
+      record.highest = std::max(record.highest, dot(record.facing, meshVertices_[v]));
     }
     for (const auto& list :
          {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
@@ -254,7 +253,7 @@ class SurfacePatches::Maker {
 
   void addVertices(std::span<const std::uint32_t> vertices) {
     addColumns(vertices.size(), 3, [&](std::size_t i, int column) {
-      return tree_.vertices()[vertices[std::min(i, vertices.size() - 1)]][column];
+      return meshVertices_[vertices[std::min(i, vertices.size() - 1)]][column];
     });
   }
 
@@ -274,17 +273,19 @@ class SurfacePatches::Maker {
       if (i >= edges.size()) return 0.0F;
       const SurfaceEdge& edge = features_.edges()[edges[i]];
       if (column >= 6) return edge.outward[column - 6];
-      return tree_.vertices()[edge.vertex[static_cast<std::size_t>(column / 3)]][column % 3];
+      return meshVertices_[edge.vertex[static_cast<std::size_t>(column / 3)]][column % 3];
     });
   }
 
-  const SphereTree& tree_;
+  std::span<const Vec3> meshVertices_;
+  std::span<const std::array<std::uint32_t, 3>> meshTriangles_;
   const SurfaceFeatures& features_;
   SurfacePatches& out_;
 };
 
-SurfacePatches::SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features) {
-  Maker(tree, features, *this).run();
+SurfacePatches::SurfacePatches(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+                               const SurfaceFeatures& features) {
+  Maker(vertices, triangles, features, *this).run();
 }
 
 std::size_t SurfacePatches::memoryBytes() const {

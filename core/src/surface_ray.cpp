@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/core/surface_ray.h"
 
-#include "cairn/core/tree_surface.h"
+#include <algorithm>
+#include <cmath>
+
+#include "cairn/core/traversal.h"
 
 namespace cairn {
 
 namespace {
 
+// Of a unit vector along an axis: what is slower stays where it is.
+constexpr float kLeastSpeed = 1e-12F;
+
 struct Ray {
   Vec3 origin, direction;
 };
 
-// Whether the ray passes the ball before `nearest`.
-bool passes(const Ray& ray, const Sphere& ball, float nearest) {
-  const Vec3 to = ball.center - ray.origin;
-  const float along = dot(to, ray.direction);
-  if (along < -ball.radius || along > nearest + ball.radius) return false;
-  return lengthSq(to - ray.direction * along) <= ball.radius * ball.radius * (1 + kOverlapSlack);
+// Whether the ray passes the box before `nearest`. `slack`: what rounding may take from it. Boxes of nothing end before
+// they begin.
+bool passes(const Ray& ray, const Box& box, float slack, float nearest) {
+  if (box.lower.x > box.upper.x) return false;
+  float from = 0, to = nearest;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = box.lower[axis] - slack - ray.origin[axis], high = box.upper[axis] + slack - ray.origin[axis];
+    const float speed = ray.direction[axis];
+    if (std::abs(speed) < kLeastSpeed) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    from = std::max(from, std::min(low / speed, high / speed));
+    to = std::min(to, std::max(low / speed, high / speed));
+  }
+  return from <= to;
 }
 
 void meet(const Ray& ray, const SurfaceFace& face, std::uint32_t triangle, SurfaceHit& hit) {
@@ -32,29 +48,33 @@ void meet(const Ray& ray, const SurfaceFace& face, std::uint32_t triangle, Surfa
 
 }  // namespace
 
-SurfaceHit SurfaceRay::cast(const SphereTree& tree, const Vec3& origin, const Vec3& direction, std::uint32_t except) {
+SurfaceHit SurfaceRay::cast(const SurfaceView& surface, const Vec3& origin, const Vec3& direction,
+                            std::uint32_t except) {
   const Ray ray{origin, direction};
-  const std::span<const SurfaceFace> faces = tree.surface().features.faces();
+  const SurfacePatches& patches = surface.patches();
+  const std::span<const SurfaceFace> faces = surface.features().faces();
+  const float slack = kOverlapSlack * length(patches.box().upper - patches.box().lower);
   SurfaceHit hit;
-  stack_.assign(1, kRootNode);
-  while (!stack_.empty()) {
-    const NodeId node = stack_.back();
-    stack_.pop_back();
-    if (!passes(ray, tree.sphere(node), hit.distance)) continue;
-    if (tree.isLeaf(node)) {
-      for (const std::uint32_t t : tree.regionTriangles(node))
+  waiting_.assign(1, 0);
+  while (!waiting_.empty()) {
+    const PatchFamily& family = patches.families()[waiting_.back()];
+    waiting_.pop_back();
+    for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
+      if (!passes(ray, family.box(lane), slack, hit.distance)) continue;
+      if (!family.isPatch(lane)) {
+        waiting_.push_back(family.child[lane]);
+        continue;
+      }
+      for (const std::uint32_t t : patches.patch(family.child[lane]).triangles)
         if (t != except) meet(ray, faces[t], t, hit);
-      continue;
     }
-    const std::uint32_t family = tree.childFamily(node);
-    for (std::uint32_t lane = 0; lane < tree.familySize(family); ++lane) stack_.push_back(family * kFamilyWidth + lane);
   }
   return hit;
 }
 
 // A direction that meshes seldom have edges in.
-bool SurfaceRay::isInside(const SphereTree& tree, const Vec3& point) {
-  return cast(tree, point, normalized(Vec3(0.5373F, 0.7011F, 0.4687F))).leaves;
+bool SurfaceRay::isInside(const SurfaceView& surface, const Vec3& point) {
+  return cast(surface, point, normalized(Vec3(0.5373F, 0.7011F, 0.4687F))).leaves;
 }
 
 }  // namespace cairn

@@ -16,25 +16,25 @@ struct Sample {
   float thickness, area;
 };
 
-Sample measured(const SphereTree& tree, std::uint32_t triangle, SurfaceRay& ray) {
-  const auto& t = tree.triangles()[triangle];
-  const Vec3 &a = tree.vertices()[t[0]], &b = tree.vertices()[t[1]], &c = tree.vertices()[t[2]];
+Sample measured(const SurfaceView& surface, std::uint32_t triangle, SurfaceRay& ray) {
+  const auto& t = surface.triangles[triangle];
+  const Vec3 &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
   const Vec3 middle = (a + b + c) / 3.0F;
-  return {ray.cast(tree, middle, -tree.surface().features.faces()[triangle].normal, triangle).distance,
+  return {ray.cast(surface, middle, -surface.features().faces()[triangle].normal, triangle).distance,
           length(cross(b - a, c - a))};
 }
 
 }  // namespace
 
 // Every so many faces, in the order of the file: neighbours there are neighbours on the body.
-float surfaceThickness(const SphereTree& tree) {
-  const auto count = static_cast<std::uint32_t>(tree.triangles().size());
+float surfaceThickness(const SurfaceView& surface) {
+  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
   const std::uint32_t stride = (count + kThicknessSamples - 1) / kThicknessSamples;
   std::vector<Sample> samples;
   SurfaceRay ray;
   double area = 0;
   for (std::uint32_t t = 0; t < count; t += stride) {
-    samples.push_back(measured(tree, t, ray));
+    samples.push_back(measured(surface, t, ray));
     area += double(samples.back().area);
   }
   std::ranges::sort(samples, {}, &Sample::thickness);

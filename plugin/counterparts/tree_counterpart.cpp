@@ -284,7 +284,7 @@ std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& questio
       contactDistance_, reach_, std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),
       margins_,         0,      size};
   const std::optional<ContactKernel::Answer> answer =
-      question.kernel.run(a_, b_, limits, kernelMemory_, question.placement, question.budget);
+      question.kernel.run(SurfacePair::of(a_, b_), limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};
   for (const FeatureContact& found : answer->contacts) {
     Contact contact;

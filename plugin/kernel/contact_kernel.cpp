@@ -35,10 +35,9 @@ bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const Feature
 
 }  // namespace
 
-std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, const PlacedTree& b,
-                                                        const ContactLimits& limits, KernelMemory& memory,
-                                                        const RelativePlacement& placement, Budget& budget) {
-  const SurfacePair surfaces = SurfacePair::of(a, b);
+std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfaces, const ContactLimits& limits,
+                                                        KernelMemory& memory, const RelativePlacement& placement,
+                                                        Budget& budget) {
   ContactLimits shallow = limits;
   shallow.trustedDepth = shallowDepth(limits);
   if (!list(surfaces, shallow, memory, placement, budget)) return {};
@@ -51,7 +50,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedTree& a, con
   appendCrossings(surfaces, placed_, memory.lists_, moved, crossings_);
   const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
   if (!appendDeeper(surfaces, limits, regions, budget)) return {};
-  dropDeeper(a, b, limits);
+  dropDeeper(surfaces, limits);
   deepOverlap_.append(surfaces, limits, regions, contacts_);
   if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
   return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
@@ -101,24 +100,25 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
 
 // Whether what a contact says to be inside the other body, margins and all, is so once A has moved out along `other`,
 // and a little more.
-bool ContactKernel::staysInside(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits,
-                                const FeatureContact& contact, const FeatureContact& other) {
+bool ContactKernel::staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
+                                const FeatureContact& other) {
   const float more = tuning::kBeside * limits.contactDistance;
   const Vec3 way = other.normal * (std::max(-other.separation, 0.0F) + more);
   const Vec3 in = contact.normal * (0.5F * (contact.separation - limits.margins));
-  if (contact.kind == FeatureKind::faceOnVertex) return ray_.isInside(a.tree(), a.toTree(contact.position - in - way));
-  return ray_.isInside(b.tree(), b.toTree(contact.position + in + way));
+  if (contact.kind == FeatureKind::faceOnVertex)
+    return ray_.isInside(surfaces.a.mesh, surfaces.a.fromPair(contact.position - in - way));
+  return ray_.isInside(surfaces.b.mesh, surfaces.b.fromPair(contact.position + in + way));
 }
 
 // Where several features stop the same overlap the shallowest says the way out, if it is one: what stands in a corner
 // is still below the floor when it has come out of the wall.
-void ContactKernel::dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits) {
+void ContactKernel::dropDeeper(const SurfacePair& surfaces, const ContactLimits& limits) {
   const auto isOverruled = [&](const FeatureContact& c) {
     if (c.separation >= 0) return false;
     const float near = -tuning::kNearDepths * c.separation + tuning::kNearDistances * limits.contactDistance;
     return std::ranges::any_of(contacts_, [&](const FeatureContact& o) {
       return o.separation > tuning::kShallower * c.separation && dot(o.normal, c.normal) < tuning::kOtherWayCosine &&
-             lengthSq(o.position - c.position) <= near * near && !staysInside(a, b, limits, c, o);
+             lengthSq(o.position - c.position) <= near * near && !staysInside(surfaces, limits, c, o);
     });
   };
   shallow_.clear();

@@ -62,7 +62,7 @@ class ContactKernel {
   };
 
   /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.
-  std::optional<Answer> run(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, KernelMemory& memory,
+  std::optional<Answer> run(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                             const RelativePlacement& placement, Budget& budget);
 
  private:
@@ -70,8 +70,8 @@ class ContactKernel {
             const RelativePlacement& placement, Budget& budget);
   bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
                     Budget& budget);
-  void dropDeeper(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits);
-  bool staysInside(const PlacedTree& a, const PlacedTree& b, const ContactLimits& limits, const FeatureContact& contact,
+  void dropDeeper(const SurfacePair& surfaces, const ContactLimits& limits);
+  bool staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
                    const FeatureContact& other);
 
   FeatureLister lister_;

@@ -30,7 +30,7 @@ bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t i
     isInside = isInside && inside >= 0;
   }
   if (isInside) return true;
-  const auto& corners = faced.tree->triangles()[index];
+  const auto& corners = faced.mesh.triangles[index];
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& from = faced.vertex(corners[k]);
     const Vec3 way = faced.vertex(corners[(k + 1) % 3]) - from, to = p - from;

@@ -31,7 +31,7 @@ PlacedBox asPlaced(const Box& box) {
 template <class MayTouch, class OnPatch>
 bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, const NearLimits& limits, Budget& budget,
                           const MayTouch& mayTouch, const OnPatch& onPatch) {
-  const std::span<const PatchFamily> families = surface.surface().patches.families();
+  const std::span<const PatchFamily> families = surface.patches().families();
   waiting_.assign(1, 0);
   while (!waiting_.empty()) {
     if (!budget.charge(kOverlapTestCost * PatchFamily::kWidth)) return false;
@@ -54,11 +54,11 @@ bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, co
 bool NearPatches::findNearOfA(const SurfacePair& surfaces, const PlacedPatches& a, const PlacedPatches& b,
                               Budget& budget) {
   nearOfA_.clear();
-  const PlacedBox allOfB = placed(surfaces.b.surface().patches.box(), surfaces.b.toOther);
+  const PlacedBox allOfB = placed(surfaces.b.patches().box(), surfaces.b.toOther);
   const auto mayTouch = [&](const PatchFamily& family, std::uint32_t lane) {
     budget.chargeAnyway(kOverlapTestCost * PatchFamily::kWidth);
     const PlacedBox box = placed(family.box(lane), surfaces.a.toOther);
-    const FamilyTest test = testFamily(surfaces.b.surface().patches.families()[0], box, b.limits());
+    const FamilyTest test = testFamily(surfaces.b.patches().families()[0], box, b.limits());
     apart_ = std::min(apart_, test.apart * surfaces.b.scale);
     return test.near != 0;
   };

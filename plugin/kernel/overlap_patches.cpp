@@ -9,17 +9,17 @@ void OverlapPatches::Side::begin(const PlacedSurface& surface) {
   for (const std::uint32_t patch : patches_) isNamed_[patch] = false;
   patches_.clear();
   surface_ = &surface;
-  if (isNamed_.size() < surface.surface().patches.count()) isNamed_.resize(surface.surface().patches.count());
+  if (isNamed_.size() < surface.patches().count()) isNamed_.resize(surface.patches().count());
 }
 
 void OverlapPatches::Side::addEdge(std::uint32_t edge) {
-  add(surface_->surface().patches.ownersOfEdges()[edge]);
+  add(surface_->patches().ownersOfEdges()[edge]);
   for (const std::uint32_t t : surface_->features().edges()[edge].triangle)
     if (t != SurfaceEdge::kNone) addFace(t);
 }
 
 void OverlapPatches::Side::addVertex(std::uint32_t vertex) {
-  add(surface_->surface().patches.ownersOfVertices()[vertex]);
+  add(surface_->patches().ownersOfVertices()[vertex]);
   for (const std::uint32_t edge : surface_->features().edgesAround(vertex)) addEdge(edge);
 }
 

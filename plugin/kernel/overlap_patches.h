@@ -23,7 +23,7 @@ class OverlapPatches {
     void begin(const PlacedSurface& surface);
     void addVertex(std::uint32_t vertex);
     void addEdge(std::uint32_t edge);
-    void addFace(std::uint32_t triangle) { add(surface_->surface().patches.ownersOfTriangles()[triangle]); }
+    void addFace(std::uint32_t triangle) { add(surface_->patches().ownersOfTriangles()[triangle]); }
     std::span<const std::uint32_t> all();
 
    private:

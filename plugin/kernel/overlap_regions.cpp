@@ -144,7 +144,7 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
   // Planes of contacts have no end; what they explain is where surfaces cross.
   if (around_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
   ++asked_;
-  return ray_.isInside(*other.tree, side.toOther * side.vertex(vertex));
+  return ray_.isInside(other.mesh, side.toOther * side.vertex(vertex));
 }
 
 // Adds the vertex to the region if it is new and inside, and says which point it is.
@@ -174,7 +174,7 @@ void OverlapRegions::flood(const Question& question) {
   }
   for (const bool isOfA : {true, false}) {
     std::vector<Visit>& visited = visited_[isOfA ? 0 : 1];
-    const std::size_t count = question.side(isOfA).tree->vertices().size();
+    const std::size_t count = question.side(isOfA).mesh.vertices.size();
     if (visited.size() < count) visited.resize(count);
   }
   waiting_.clear();

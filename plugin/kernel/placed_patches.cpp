@@ -11,7 +11,7 @@ void PlacedPatches::begin(const PlacedSurface& side, const ContactLimits& limits
   side_ = &side;
   limits_ = NearLimits(side.scale, limits);
   count_ = 0;
-  const std::uint32_t count = side.surface().patches.count();
+  const std::uint32_t count = side.patches().count();
   if (slots_.size() < count) slots_.resize(count);
   if (++run_ == 0) {  // all stamps are old
     slots_.assign(slots_.size(), {});
@@ -25,7 +25,7 @@ void PlacedPatches::place(std::uint32_t index) {
   slot = {run_, count_};
   if (count_ == placed_.size()) placed_.emplace_back();
   PlacedPatch& here = placed_[count_++];
-  here.patch = side_->surface().patches.patch(index);
+  here.patch = side_->patches().patch(index);
   here.placed = placeVertices(here.patch, side_->toOther, here.columns);
   const SurfacePatch& patch = here.patch;
   here.near = limits_.around(patch.box, patch.normals);

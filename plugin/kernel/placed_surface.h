@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include "cairn/core/sphere_tree.h"
+#include "cairn/core/tree_surface.h"
 #include "placement/placed_tree.h"
 
 namespace cairn::bullet {
 
 /// One of the two surfaces of a pair, and how to get from its own frame and unit (its mesh's) to the other's.
 struct PlacedSurface {
-  const SphereTree* tree = nullptr;
+  SurfaceView mesh;
   Similarity toPair;
   Similarity toOther;
-  Mat3 axesToOther;  ///< rotation alone
-  float scale = 1;   ///< world length of the mesh's unit
+  Mat3 axesFromPair, axesToOther;  ///< rotations alone
+  float scale = 1;                 ///< world length of the mesh's unit
 
-  const TreeSurface& surface() const { return tree->surface(); }
-  const SurfaceFeatures& features() const { return tree->surface().features; }
-  const Vec3& vertex(std::uint32_t index) const { return tree->vertices()[index]; }
+  const SurfacePatches& patches() const { return mesh.patches(); }
+  const SurfaceFeatures& features() const { return mesh.features(); }
+  const Vec3& vertex(std::uint32_t index) const { return mesh.vertices[index]; }
+  Vec3 fromPair(const Vec3& p) const { return axesFromPair * (p - toPair.translation) * (1 / scale); }
   Vec3 directionToPair(const Vec3& unit) const { return toPair.linear * unit * (1 / scale); }
 };
 
-/// Both surfaces of a pair. Precondition: the trees outlive it.
+/// Both surfaces of a pair. Precondition: the meshes outlive it.
 struct SurfacePair {
   PlacedSurface a, b;
 
+  static SurfacePair of(const SurfaceView& a, const Pose& poseOfA, const SurfaceView& b, const Pose& poseOfB);
   static SurfacePair of(const PlacedTree& a, const PlacedTree& b) {
-    SurfacePair pair;
-    pair.a = {&a.tree(), a.toPair(), relativePose(b.pose(), a.pose()), b.axesFromPair() * transpose(a.axesFromPair()),
-              a.scale()};
-    pair.b = {&b.tree(), b.toPair(), relativePose(a.pose(), b.pose()), a.axesFromPair() * transpose(b.axesFromPair()),
-              b.scale()};
-    return pair;
+    return of(a.tree().surfaceView(), a.pose(), b.tree().surfaceView(), b.pose());
   }
 };
 

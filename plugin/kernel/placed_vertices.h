@@ -14,7 +14,7 @@ class PlacedVertices {
   /// Forgets the last surface. `side` must outlive the questions.
   void begin(const PlacedSurface& side) {
     side_ = &side;
-    if (vertices_.size() < side.tree->vertices().size()) vertices_.resize(side.tree->vertices().size());
+    if (vertices_.size() < side.mesh.vertices.size()) vertices_.resize(side.mesh.vertices.size());
     if (++run_ == 0) {  // all stamps are old
       vertices_.assign(vertices_.size(), {});
       run_ = 1;

@@ -93,7 +93,8 @@ TEST(SurfaceRay, KnowsInsideFromOutside) {
     if (std::abs(fromCircle - 0.12) < 0.002) continue;  // between the circle and its facets
     ++asked;
     inside += fromCircle < 0.12;
-    ASSERT_EQ(ray.isInside(*tree, Vec3(p - tree->origin())), fromCircle < 0.12) << "seed " << kSeed << ", point " << i;
+    ASSERT_EQ(ray.isInside(tree->surfaceView(), Vec3(p - tree->origin())), fromCircle < 0.12)
+        << "seed " << kSeed << ", point " << i;
   }
   EXPECT_GT(inside, asked / 20);
 }

@@ -254,7 +254,7 @@ TEST(ContactKernel, TellsMinimaAndNothingElse) {
       const Found expected = found(SurfacePair::of(a, b), all, limits);
       KernelMemory memory;
       Budget unlimited = Budget::unlimited();
-      const auto answer = kernel.run(a, b, limits, memory, {}, unlimited);
+      const auto answer = kernel.run(SurfacePair::of(a, b), limits, memory, {}, unlimited);
       ASSERT_TRUE(answer.has_value());
       for (const FeatureContact& c : answer->contacts) {
         if (isDeep(c.kind)) continue;
@@ -281,8 +281,8 @@ TEST(ContactKernel, ListsLastForSomeSteps) {
     placement.treeInOther.setOrigin(btVector3(btScalar(moved), 0, 0));
     placement.radius = btScalar(0.5);
     Budget budget = Budget::operations(1000000);
-    ASSERT_TRUE(kernel.run(PlacedTree(*ring, Pose{Mat3d(), {0.25 + moved, 0, 0.238}, 1}), b, limitsOf(0.006F), memory,
-                           placement, budget));
+    ASSERT_TRUE(kernel.run(SurfacePair::of(PlacedTree(*ring, Pose{Mat3d(), {0.25 + moved, 0, 0.238}, 1}), b),
+                           limitsOf(0.006F), memory, placement, budget));
     used.push_back(budget.used());
   }
   const std::uint64_t least = *std::ranges::min_element(used);
@@ -298,7 +298,7 @@ TEST(ContactKernel, IsCutOffByABudget) {
   const auto run = [&](std::uint64_t operations) {
     KernelMemory memory;
     Budget budget = Budget::operations(operations);
-    return kernel.run(a, b, limitsOf(), memory, {}, budget).has_value();
+    return kernel.run(SurfacePair::of(a, b), limitsOf(), memory, {}, budget).has_value();
   };
   EXPECT_FALSE(run(0));
   EXPECT_FALSE(run(20));

@@ -19,6 +19,8 @@ const char* nameOf(FitShape shape) {
       return "tree";
     case FitShape::treeLeaves:
       return "tree+leaves";
+    case FitShape::treeOnMesh:
+      return "tree+mesh";
     case FitShape::gimpact:
       return "gimpact";
   }
@@ -64,7 +66,7 @@ FitWorld::~FitWorld() {
   for (const auto& body : bodies_) world.removeRigidBody(body.get());
 }
 
-std::shared_ptr<btCollisionShape> FitWorld::gimpact(const bullet::SphereTreeShape& shape) {
+btTriangleIndexVertexArray& FitWorld::triangles(const bullet::SphereTreeShape& shape) {
   auto coordinates = std::make_unique<Coordinates>();
   for (const Vec3& v : shape.tree().vertices()) {
     const btVector3 p = shape.bodyFromTree() * (bullet::toBullet(v) * shape.scale());
@@ -77,7 +79,15 @@ std::shared_ptr<btCollisionShape> FitWorld::gimpact(const bullet::SphereTreeShap
       static_cast<int>(shape.tree().vertices().size()), coordinates->of.data(),
       3 * static_cast<int>(sizeof(btScalar))));
   coordinates_.push_back(std::move(coordinates));
-  auto mesh = std::make_shared<btGImpactMeshShape>(meshes_.back().get());
+  return *meshes_.back();
+}
+
+std::shared_ptr<btCollisionShape> FitWorld::shapeOf(const std::shared_ptr<bullet::SphereTreeShape>& tree,
+                                                    bool isFixed) {
+  if (shape_ == FitShape::treeOnMesh && isFixed)
+    return std::make_shared<btBvhTriangleMeshShape>(&triangles(*tree), true);
+  if (shape_ != FitShape::gimpact) return tree;
+  auto mesh = std::make_shared<btGImpactMeshShape>(&triangles(*tree));
   mesh->setMargin(btScalar(0.0005));
   mesh->updateBound();
   return mesh;
@@ -91,7 +101,7 @@ btRigidBody& FitWorld::add(const std::string& piece, double mass, double frictio
   const std::shared_ptr<bullet::SphereTreeShape> tree = std::move(created).value();
   btVector3 inertia(0, 0, 0);
   if (mass > 0) tree->calculateLocalInertia(btScalar(mass), inertia);
-  const std::shared_ptr<btCollisionShape> shape = shape_ == FitShape::gimpact ? gimpact(*tree) : tree;
+  const std::shared_ptr<btCollisionShape> shape = shapeOf(tree, mass == 0);
   btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), inertia);
   info.m_startWorldTransform = mesh * tree->bodyFromMesh().inverse();
   info.m_friction = btScalar(friction);

@@ -16,8 +16,8 @@ class btTriangleIndexVertexArray;
 
 namespace cairn::bench {
 
-/// What the pieces collide as.
-enum class FitShape { tree, treeLeaves, gimpact };
+/// What the pieces collide as. `treeOnMesh`: what does not move is one of Bullet's own static meshes.
+enum class FitShape { tree, treeLeaves, treeOnMesh, gimpact };
 const char* nameOf(FitShape shape);
 
 /// The pieces of a folder of meshes, and their trees, each made when it is first asked for.
@@ -48,7 +48,8 @@ class FitWorld {
   double fastest() const;
 
  private:
-  std::shared_ptr<btCollisionShape> gimpact(const bullet::SphereTreeShape& tree);
+  btTriangleIndexVertexArray& triangles(const bullet::SphereTreeShape& tree);
+  std::shared_ptr<btCollisionShape> shapeOf(const std::shared_ptr<bullet::SphereTreeShape>& tree, bool isFixed);
 
   Pieces& pieces_;
   FitShape shape_;

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     Pieces pieces(folder);
-    std::vector<FitShape> shapes{FitShape::tree, FitShape::treeLeaves};
+    std::vector<FitShape> shapes{FitShape::tree, FitShape::treeLeaves, FitShape::treeOnMesh};
     if (withPeers) shapes.push_back(FitShape::gimpact);
     for (const Fit& fit : fits()) {
       if (!only.empty() && std::ranges::find(only, fit.name) == only.end()) continue;

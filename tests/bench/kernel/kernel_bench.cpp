@@ -97,7 +97,7 @@ Meeting meet(const SphereTree& tree, std::mt19937_64& engine, ContactKernel& ker
     const double middle = (near + far) / 2;
     KernelMemory memory;
     Budget budget = Budget::unlimited();
-    const auto answer = kernel.run(at(middle), placedB, limits, memory, {}, budget);
+    const auto answer = kernel.run(SurfacePair::of(at(middle), placedB), limits, memory, {}, budget);
     (answer && !answer->contacts.empty() ? near : far) = middle;
   }
   return {at(near), placedB, leafPairsOf(at(near), placedB, limits.reach)};
@@ -164,7 +164,8 @@ class Stages {
     found_ = 0;
     hash_ = {};
     for (std::size_t i = 0; i < meetings_.size(); ++i) {
-      const auto answer = kernel_.run(meetings_[i].a, meetings_[i].b, limits_, memories[i], {}, unlimited_);
+      const auto answer =
+          kernel_.run(SurfacePair::of(meetings_[i].a, meetings_[i].b), limits_, memories[i], {}, unlimited_);
       found_ += answer->contacts.size();
       for (const FeatureContact& c : answer->contacts)
         for (const float v :

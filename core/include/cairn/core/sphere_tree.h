@@ -161,6 +161,8 @@ class SphereTree {
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return data_.triangles; }
   /// How the source mesh hangs together, leaf by leaf.
   const TreeSurface& surface() const { return surface_; }
+  /// The source mesh with the former. Valid as long as the tree.
+  SurfaceView surfaceView() const { return {data_.vertices, data_.triangles, &surface_}; }
   const MassProperties& mass() const { return data_.mass; }
   const Vec3d& origin() const { return data_.origin; }
   const BuildInfo& info() const { return data_.info; }

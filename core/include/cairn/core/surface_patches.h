@@ -12,8 +12,6 @@
 
 namespace cairn {
 
-class SphereTree;
-
 /// An axis-parallel box.
 struct Box {
   Vec3 lower, upper;
@@ -82,7 +80,9 @@ struct alignas(32) PatchFamily {
 class SurfacePatches {
  public:
   SurfacePatches() = default;
-  SurfacePatches(const SphereTree& tree, const SurfaceFeatures& features);
+  /// The mesh that the features are of. It is not kept.
+  SurfacePatches(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+                 const SurfaceFeatures& features);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
   /// Whose own the features of the mesh are, by index; a vertex of no triangle is nobody's (`SurfaceEdge::kNone`).

@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "cairn/core/sphere_tree.h"
+#include "cairn/core/tree_surface.h"
 
 namespace cairn {
 
-/// Where a ray meets a tree's source mesh first. Tree frame, mesh units.
+/// Where a ray meets a mesh first. The mesh's frame and unit.
 struct SurfaceHit {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
@@ -22,13 +22,13 @@ struct SurfaceHit {
 class SurfaceRay {
  public:
   /// `direction`: unit. `except`: a triangle that is not met, the one the ray starts from. Some microseconds.
-  SurfaceHit cast(const SphereTree& tree, const Vec3& origin, const Vec3& direction,
+  SurfaceHit cast(const SurfaceView& surface, const Vec3& origin, const Vec3& direction,
                   std::uint32_t except = SurfaceHit::kNone);
   /// Whether a point is inside the body, by which side of the surface a ray meets first. Precondition: closed.
-  bool isInside(const SphereTree& tree, const Vec3& point);
+  bool isInside(const SurfaceView& surface, const Vec3& point);
 
  private:
-  std::vector<NodeId> stack_;
+  std::vector<std::uint32_t> waiting_;  // families of patches
 };
 
 }  // namespace cairn

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "cairn/core/surface_features.h"
 #include "cairn/core/surface_patches.h"
 
 namespace cairn {
 
-class SphereTree;
-
-/// What contacts ask of a tree's source mesh besides its vertices and triangles. Derived when the tree is made.
+/// What contacts ask of a mesh besides its vertices and triangles. Of a tree's source mesh it is derived when the tree
+/// is made.
 struct TreeSurface {
   SurfaceFeatures features;
   SurfacePatches patches;
@@ -17,9 +20,19 @@ struct TreeSurface {
   float thickness = 0;
 };
 
+/// A mesh with what is derived from it; refers to both, which must outlive it.
+struct SurfaceView {
+  std::span<const Vec3> vertices;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  const TreeSurface* derived = nullptr;
+
+  const SurfaceFeatures& features() const { return derived->features; }
+  const SurfacePatches& patches() const { return derived->patches; }
+};
+
 /// The tenth percentile, by area, of the way from a face's middle straight inwards to where it leaves the body, over at
 /// most `kThicknessSamples` faces. Some microseconds a sample.
-float surfaceThickness(const SphereTree& tree);
+float surfaceThickness(const SurfaceView& surface);
 
 inline constexpr std::uint32_t kThicknessSamples = 512;
 
