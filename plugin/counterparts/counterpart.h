@@ -25,6 +25,7 @@ struct MeshQuestion {
   ContactKernel& kernel;
   const RelativePlacement& placement;  ///< how the bodies stand to each other
   Budget& budget;
+  bool mayBeInterrupted;  ///< some step may not get to it
 };
 
 /// What a sphere-tree meets. A counterpart owns the traversal of its pair, which may live for several steps, and knows

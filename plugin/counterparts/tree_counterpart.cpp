@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "counterparts/feature_ids.h"
 #include "kernel/contact_tuning.h"
 #include "placement/tree_pose.h"
 #include "placement/unit_vector.h"
@@ -240,42 +241,6 @@ NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
   return {a_.leafAt(contact.position), b_.leafAt(contact.position)};
 }
 
-namespace {
-
-struct Parts {
-  int ofA, ofB;
-};
-
-Parts partsOf(FeatureKind kind) {
-  constexpr int kVertex = static_cast<int>(ContactPart::vertex), kFace = static_cast<int>(ContactPart::face),
-                kEdge = static_cast<int>(ContactPart::edge);
-  switch (kind) {
-    case FeatureKind::vertexOnFace:
-      return {kVertex, kFace};
-    case FeatureKind::faceOnVertex:
-      return {kFace, kVertex};
-    case FeatureKind::edgeOnEdge:
-      return {kEdge, kEdge};
-    case FeatureKind::deepVertexOfA:
-      return {kVertex, -1};
-    case FeatureKind::deepVertexOfB:
-      return {-1, kVertex};
-    case FeatureKind::deepEdgeOfA:
-      return {kEdge, kFace};
-    case FeatureKind::deepEdgeOfB:
-      return {kFace, kEdge};
-  }
-  return {-1, -1};
-}
-
-ContactId idOf(const FeatureContact& contact) {
-  const Parts parts = partsOf(contact.kind);
-  const auto index = [](int part, std::uint32_t feature) { return part < 0 ? -1 : static_cast<int>(feature); };
-  return {parts.ofA, index(parts.ofA, contact.featureA), parts.ofB, index(parts.ofB, contact.featureB)};
-}
-
-}  // namespace
-
 std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
   const float size = contactDistance_ / tuning::kContactDistance;
   const float thinner =
@@ -286,16 +251,7 @@ std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& questio
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(SurfacePair::of(a_, b_), limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};
-  for (const FeatureContact& found : answer->contacts) {
-    Contact contact;
-    contact.position = found.position;
-    contact.normal = found.normal;
-    contact.gap = found.separation;
-    contact.id = idOf(found);
-    contact.isExact = true;
-    contact.exactError = std::max(0.0F, -found.separation);
-    contacts.push_back(contact);
-  }
+  for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, featureIdsOf(found)));
   return answer->apart;
 }
 

@@ -34,6 +34,23 @@ void TriangleCounterpart::reset() {
   outran_ = false;
   sides_.reset();
   onFaces_.reset();
+  ground_.reset();
+}
+
+std::optional<float> TriangleCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+  // On which side leaves are is told by where they were: what leaves told last and meshes tell now do not mix.
+  if (question.finest != Finest::triangles || question.mayBeInterrupted) return {};
+  const auto& shape = static_cast<const btConcaveShape&>(*placement_.otherShape);
+  const MeshGround::Near near{shape, soup_, inPair_};
+  const bool isGround = ground_.watch(question.placement, placement_, near);
+  if (!isGround || traversal_.leafPairs().empty()) return {};
+  return ground_.append(question, placement_, near, contacts);
+}
+
+// Contacts of meshes know no leaves.
+NodePair TriangleCounterpart::leavesOf(const Contact& contact) const {
+  if (contact.pair != NodePair{kRootNode, kRootNode} || !contact.isExact) return contact.pair;
+  return {placement_.tree.leafAt(contact.position), MeshGround::inSoup(soup_, contact)};
 }
 
 void TriangleCounterpart::place(const PairPlacement& placement) {

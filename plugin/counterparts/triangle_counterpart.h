@@ -6,6 +6,7 @@
 
 #include "cairn/core/obstacle_traversal.h"
 #include "counterparts/counterpart.h"
+#include "counterparts/mesh_ground.h"
 #include "triangles/triangle_contacts.h"
 #include "triangles/triangle_sides.h"
 #include "triangles/triangle_soup.h"
@@ -32,6 +33,9 @@ class TriangleCounterpart final : public Counterpart {
   /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
   /// up to four. Linear in the triangles; only what is appended is counted as work.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
+  /// Where the triangles are closed, and do not change: those of two meshes.
+  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  NodePair leavesOf(const Contact& contact) const override;
   float size(const btCollisionShape& shape) const override;
 
  private:
@@ -55,6 +59,7 @@ class TriangleCounterpart final : public Counterpart {
   TriangleSides sides_;
   TriangleContacts contacts_;
   TrianglesOnFaces onFaces_;
+  MeshGround ground_;
   std::vector<NodePair> near_;              // working memory of `appendContacts`
   std::vector<NodePair> ofFaces_, others_;  // working memory of `divide`
 };

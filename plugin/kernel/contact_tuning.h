@@ -21,7 +21,7 @@ inline constexpr float kTrustedThickness = 0.5F;
 /// What could cross half of a shell's wall in a step is met that much ahead, up to this many walls, so that a fast body
 /// is not asked about all of the other. Without, three of 18 bodies leave a shaken cup, at one wall one, and a plate
 /// passes a ball
-/// (`Fits.AThinWallIsNotCrossedByWhatIsFasterThanItIsThick`).
+/// (`ThinWall.IsNotCrossedByWhatIsFasterThanItIsThick`).
 inline constexpr float kMostWalls = 4;
 
 /// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact

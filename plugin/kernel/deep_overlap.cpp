@@ -11,6 +11,8 @@ namespace cairn::bullet {
 
 namespace {
 
+constexpr float kSameNormal = 0.999999F;  // of unit vectors that rounding tells apart
+
 Box boxOf(std::span<const OverlapPoint> points) {
   Box box{points[0].position, points[0].position};
   for (const OverlapPoint& p : points) box.add(p.position);
@@ -45,7 +47,7 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
   for (const OverlapRegion& region : regions) {
     leaveUnexplained(region, limits, contacts);
     if (deep_.empty()) continue;
-    const Vec3 out = wayOut(surfaces, region);
+    const Vec3 out = narrowest(surfaces, wayOut(surfaces, region));
     if (out == Vec3() || widthAlong(out).width() < tuning::kLeastWidth * limits.contactDistance) continue;
     dropOpposed(region, out, limits.contactDistance, contacts);
     appendAlong(out, contacts);
@@ -54,6 +56,7 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
 
 void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                                    std::span<const FeatureContact> explaining) {
+  region_ = region.points;
   deep_.clear();
   for (const OverlapPoint& point : region.points)
     if (!isExplained(explaining, point.position, point.isOfA, limits)) deep_.push_back(point);
@@ -63,13 +66,40 @@ void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLim
 DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Width width{kInfinity, -kInfinity}, ofAll = width;
-  for (const OverlapPoint& point : deep_) {
+  for (const OverlapPoint& point : region_) {
     const float height = dot(normal, point.position);
     ofAll = {std::min(ofAll.lowest, height), std::max(ofAll.highest, height)};
     if (point.isOfA || point.isCrossing) width.lowest = std::min(width.lowest, height);
     if (!point.isOfA || point.isCrossing) width.highest = std::max(width.highest, height);
   }
   return width.lowest < kInfinity && width.highest > -kInfinity ? width : ofAll;
+}
+
+// Of the way in which the overlap shrinks fastest and the normals of faces there that are not another way: a face's,
+// where one body is flat on the other, however much of its sides is inside as well.
+Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& out) const {
+  Vec3 best = out;
+  float least = widthAlong(out).width();
+  const auto consider = [&](bool isOfA, std::uint32_t face) {
+    const PlacedSurface& side = isOfA ? surfaces.a : surfaces.b;
+    const Vec3 outward = side.directionToPair(side.features().faces()[face].normal);
+    const Vec3 normal = isOfA ? -outward : outward;
+    if (dot(normal, out) < tuning::kOtherWayCosine || dot(normal, best) > kSameNormal) return;
+    if (const float width = widthAlong(normal).width(); width < least) {
+      best = normal;
+      least = width;
+    }
+  };
+  for (const OverlapPoint& point : deep_) {
+    if (point.isCrossing) {
+      consider(!point.isOfA, point.face);
+      continue;
+    }
+    const SurfaceFeatures& features = (point.isOfA ? surfaces.a : surfaces.b).features();
+    for (const std::uint32_t edge : features.edgesAround(point.feature))
+      consider(point.isOfA, features.edges()[edge].triangle[0]);
+  }
+  return best;
 }
 
 void DeepOverlap::appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const {

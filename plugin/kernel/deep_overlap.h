@@ -30,9 +30,11 @@ class DeepOverlap {
   void leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                         std::span<const FeatureContact> explaining);
   Width widthAlong(const Vec3& normal) const;
+  Vec3 narrowest(const SurfacePair& surfaces, const Vec3& out) const;
   void appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const;
 
-  std::vector<OverlapPoint> deep_;  // of the region at hand
+  std::span<const OverlapPoint> region_;  // at hand
+  std::vector<OverlapPoint> deep_;        // of it, what is to be told
 };
 
 }  // namespace cairn::bullet

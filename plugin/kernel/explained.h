@@ -15,22 +15,26 @@ inline float depthUnder(const FeatureContact& contact, const Vec3& point, bool i
   return (isOfA ? -height : height) - 0.5F * contact.separation;
 }
 
-/// Whether some minimum of the distance has the point behind its plane, no deeper than `most(contact)` says and hardly
-/// before it.
+/// Whether some minimum of the distance, of surfaces in contact, has the point behind its plane, no deeper than
+/// `most(contact)` says and hardly before it. How far a query looks changes nothing.
 template <class Most>
 bool isUnderAny(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA, const ContactLimits& limits,
                 const Most& most) {
   return std::ranges::any_of(contacts, [&](const FeatureContact& c) {
     const float depth = depthUnder(c, point, isOfA);
-    return !isDeep(c.kind) && depth >= -tuning::kExplainedSlack * limits.contactDistance && depth <= most(c);
+    return !isDeep(c.kind) && c.separation <= limits.contactDistance &&
+           depth >= -tuning::kExplainedSlack * limits.contactDistance && depth <= most(c);
   });
 }
 
-/// Whether a point of one body inside the other is there because of what a contact tells, which need not be repeated.
+/// Whether a point of one body inside the other is there because of what a contact tells, which need not be repeated:
+/// not what is deeper than any contact could tell.
 inline bool isExplained(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA,
                         const ContactLimits& limits) {
   return isUnderAny(contacts, point, isOfA, limits, [&](const FeatureContact& c) {
-    return tuning::kExplainedDepths * std::max(-c.separation, 0.0F) + tuning::kExplainedSlack * limits.contactDistance;
+    const float depth =
+        std::clamp(-tuning::kExplainedDepths * c.separation, 0.0F, limits.trustedDepth + limits.margins);
+    return depth + tuning::kExplainedSlack * limits.contactDistance;
   });
 }
 

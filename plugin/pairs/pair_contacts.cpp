@@ -232,8 +232,10 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   counterpart.expect(commonNormals_);
   if (!isDone || isResumed_) retest(counterpart, budget, scratch);
   onTriangles_ = {};
-  isOfMesh_ = isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
-              appendOfMesh(counterpart, motion, {policy.finest, scratch.kernel, motion.placement, budget}, contacts);
+  isOfMesh_ =
+      isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
+      appendOfMesh(counterpart, motion,
+                   {policy.finest, scratch.kernel, motion.placement, budget, policy.mayBeInterrupted}, contacts);
   if (!isOfMesh_) {
     if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
     appendFound(counterpart, budget, contacts);

@@ -38,7 +38,7 @@ std::uint32_t pointsOf(std::span<btPersistentManifold* const> manifolds) {
 }  // namespace
 
 std::optional<PairReport> TreePair::carryOver() {
-  if (!contacts_.isOfTriangles()) return {};
+  if (!contacts_.isOfTriangles() || !counterpart_->keepsAnswer()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
   const btCollisionObjectWrapper &treeBody = treeIsBody0_ ? body0() : body1(),

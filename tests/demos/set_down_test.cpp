@@ -99,7 +99,7 @@ Kept kick(const std::shared_ptr<btCollisionShape>& ground) {
     body.setLinearVelocity(btVector3(20, 0, -2));
     body.setAngularVelocity(btVector3(a, b, c) * 15);
   };
-  return follow(ground, 0, 30, place, start);
+  return follow(ground, 0, 60, place, start);
 }
 
 // 0.31 and 2.2 times the energy before floors were known that a body lies in.
@@ -118,7 +118,8 @@ TEST(SetDown, InAFloorSlidesOnAndGainsNothing) {
 TEST(SetDown, KickedSlidesOn) {
   const Kept onMesh = kick(bvhMesh(plate())), onTree = kick(builtShape(plate()));
   std::cout << "kicked boxes keep " << onMesh.speed << " of their speed on a mesh, " << onTree.speed << " on a tree\n";
-  EXPECT_GT(onMesh.speed, 0.92) << "seed " << kSeed;
+  // What a single box keeps on a mesh is chance, 0.2 to 1: the mean of 150 is 0.87, of 60 it may be 0.04 off.
+  EXPECT_GT(onMesh.speed, 0.8) << "seed " << kSeed;
   EXPECT_GT(onTree.speed, 0.85) << "seed " << kSeed;
 }
 

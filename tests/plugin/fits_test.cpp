@@ -7,16 +7,28 @@
 
 #include "bullet_world.h"
 #include "extruded.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::fits_test {
 namespace {
 
 constexpr double kG = 10;
 
+enum class FixedAs { tree, mesh };
+
 struct Fit {
   BulletWorld<> w;
 
-  Fit() { w.world.setGravity(btVector3(0, 0, btScalar(-kG))); }
+  // What does not move is a tree, or one of Bullet's own meshes.
+  explicit Fit(FixedAs fixedAs = FixedAs::tree) : fixedAs_(fixedAs) {
+    w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
+  }
+  void fix(const Solid& solid) {
+    if (fixedAs_ == FixedAs::tree)
+      add(solid, 0, 1, btTransform::getIdentity());
+    else
+      w.add(bvhMesh(solid), 0, btVector3(0, 0, 0)).setFriction(1);
+  }
   // In the solid's own frame.
   btRigidBody& add(const Solid& solid, btScalar mass, btScalar friction, const btTransform& place) {
     auto created = bullet::SphereTreeShape::create(plainTree(solid, 4), bullet::BodyFrame::principalAxes);
@@ -33,19 +45,24 @@ struct Fit {
   }
 
  private:
+  FixedAs fixedAs_;
   std::vector<btTransform> fromMesh_;
 };
+
+class Fits : public testing::TestWithParam<FixedAs> {};
+INSTANTIATE_TEST_SUITE_P(FixedAs, Fits, testing::Values(FixedAs::tree, FixedAs::mesh),
+                         [](const auto& fixed) { return fixed.param == FixedAs::tree ? "Tree" : "Mesh"; });
 
 btTransform at(double x, double y, double z, const btQuaternion& turn = btQuaternion::getIdentity()) {
   return btTransform(turn, btVector3(btScalar(x), btScalar(y), btScalar(z)));
 }
 
 // Into holes one and five per cent wider than it, from beside the middle and tilted.
-TEST(Fits, APegFallsIntoItsHole) {
+TEST_P(Fits, APegFallsIntoItsHole) {
   for (const double play : {0.01, 0.05})
     for (int start = 0; start < 4; ++start) {
-      Fit fit;
-      fit.add(holedBlock(0.5, 0.2 * (1 + play), 32, -0.3, 0.3), 0, 1, at(0, 0, 0));
+      Fit fit(GetParam());
+      fit.fix(holedBlock(0.5, 0.2 * (1 + play), 32, -0.3, 0.3));
       const double angle = start * 1.7, off = 0.0005 * start, tilt = 0.0012 * start;
       btRigidBody& peg =
           fit.add(extruded(circle(0.2, 32), -0.4, 0.4), 1, btScalar(0.1),
@@ -62,7 +79,7 @@ TEST(Fits, APegFallsIntoItsHole) {
 }
 
 // A T in its rail, on top of it and hanging from it, slides as a block on a slope does.
-TEST(Fits, ASliderStaysOnItsRail) {
+TEST_P(Fits, ASliderStaysOnItsRail) {
   const Outline rail{{-0.1, 0},   {0.1, 0},     {0.1, 0.2},   {0.25, 0.2},
                      {0.25, 0.4}, {-0.25, 0.4}, {-0.25, 0.2}, {-0.1, 0.2}};
   const Outline slider{{-0.5, 0.02}, {-0.11, 0.02}, {-0.11, 0.19}, {-0.26, 0.19}, {-0.26, 0.41}, {0.26, 0.41},
@@ -70,9 +87,9 @@ TEST(Fits, ASliderStaysOnItsRail) {
   const double slope = 0.35;
   for (const double up : {1.0, -1.0})
     for (const double friction : {0.0, 0.3}) {
-      Fit fit;
+      Fit fit(GetParam());
       fit.w.world.setGravity(btVector3(0, btScalar(-up * kG * std::cos(slope)), btScalar(kG * std::sin(slope))));
-      fit.add(extruded(rail, -2, 2), 0, 1, at(0, 0, 0));
+      fit.fix(extruded(rail, -2, 2));
       btRigidBody& body = fit.add(extruded(slider, -0.3, 0.3), 1, btScalar(friction), at(0, 0, -1.5));
       btScalar aside = 0;
       for (int step = 0; step < 72; ++step) {
@@ -87,16 +104,16 @@ TEST(Fits, ASliderStaysOnItsRail) {
 }
 
 // In a slot of its own outline, 0.006 wider all around.
-TEST(Fits, AKeySlidesIntoItsLock) {
+TEST_P(Fits, AKeySlidesIntoItsLock) {
   const Outline key{{-0.1, -0.3}, {0.1, -0.3}, {0.1, -0.1}, {0.25, -0.1},
                     {0.25, 0.05}, {0.1, 0.05}, {0.1, 0.3},  {-0.1, 0.3}};
   // The lock's outline runs around the slot and out along a seam without width, as two halves.
   const Outline right{{0.106, -0.306}, {0.5, -0.306},  {0.5, 0.306},    {0.106, 0.306},
                       {0.106, 0.056},  {0.256, 0.056}, {0.256, -0.106}, {0.106, -0.106}};
   const Outline left{{-0.5, -0.306}, {-0.106, -0.306}, {-0.106, 0.306}, {-0.5, 0.306}};
-  Fit fit;
-  fit.add(extruded(right, -0.25, 0.25), 0, 1, at(0, 0, 0));
-  fit.add(extruded(left, -0.25, 0.25), 0, 1, at(0, 0, 0));
+  Fit fit(GetParam());
+  fit.fix(extruded(right, -0.25, 0.25));
+  fit.fix(extruded(left, -0.25, 0.25));
   btRigidBody& body = fit.add(extruded(key, -0.6, 0.6), 1, btScalar(0.1), at(0, 0, 0.75));
   fit.w.step(18);
   EXPECT_LT(fit.placeOf(body).z(), 0.75 - 0.4);
@@ -105,9 +122,9 @@ TEST(Fits, AKeySlidesIntoItsLock) {
 }
 
 // Facing walls a hundredth apart: in a cavity of its own outline a body touches nothing.
-TEST(Fits, ABodyInACavityDoesNotTouchIt) {
-  Fit fit;
-  fit.add(holedBlock(0.5, 0.21, 32, -0.3, 0.3), 0, 1, at(0, 0, 0));
+TEST_P(Fits, ABodyInACavityDoesNotTouchIt) {
+  Fit fit(GetParam());
+  fit.fix(holedBlock(0.5, 0.21, 32, -0.3, 0.3));
   fit.add(extruded(circle(0.2, 32), -0.25, 0.25), 1, 1, at(0, 0, 0));
   fit.w.world.setGravity(btVector3(0, 0, 0));
   fit.w.step(2);
@@ -115,7 +132,7 @@ TEST(Fits, ABodyInACavityDoesNotTouchIt) {
 }
 
 // A plate that comes farther in a step than it is thick takes along what it meets.
-TEST(Fits, AThinWallIsNotCrossedByWhatIsFasterThanItIsThick) {
+TEST(ThinWall, IsNotCrossedByWhatIsFasterThanItIsThick) {
   for (const double speed : {0.5, 1.0, 1.5, 2.0}) {
     Fit fit;
     fit.w.world.setGravity(btVector3(0, 0, 0));

@@ -94,6 +94,20 @@ class Scene {
   btGImpactCollisionAlgorithm::CreateFunc create_;
 };
 
+// Whether these are a tree's node and its level, or a feature of its mesh.
+bool isNamed(const SphereTree& tree, int part, std::size_t index) {
+  switch (static_cast<bullet::ContactPart>(part)) {
+    case bullet::ContactPart::vertex:
+      return index < tree.vertices().size();
+    case bullet::ContactPart::face:
+      return index < tree.triangles().size();
+    case bullet::ContactPart::edge:
+      return index < tree.surface().features.edges().size();
+    default:
+      return index < tree.nodeCount() && static_cast<int>(tree.level(static_cast<NodeId>(index))) == part;
+  }
+}
+
 struct TreePoints final : btCollisionWorld::ContactResultCallback {
   int count = 0, ofTrees = 0;
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int partA, int indexA,
@@ -102,9 +116,7 @@ struct TreePoints final : btCollisionWorld::ContactResultCallback {
     const bool isA = bullet::asSphereTree(a->getCollisionShape()) != nullptr;
     const bullet::SphereTreeShape* const shape = bullet::asSphereTree((isA ? a : b)->getCollisionShape());
     if (!shape) return 0;
-    const auto node = static_cast<NodeId>(isA ? indexA : indexB);
-    const bool isNode = node < shape->tree().nodeCount();
-    ofTrees += isNode && static_cast<int>(shape->tree().level(node)) == (isA ? partA : partB) ? 1 : 0;
+    ofTrees += isNamed(shape->tree(), isA ? partA : partB, static_cast<std::size_t>(isA ? indexA : indexB)) ? 1 : 0;
     return point.getDistance() > 1 ? 1 : 0;
   }
 };
@@ -142,7 +154,7 @@ TEST(GImpactAndCompounds, TreesInThemMoveAsIfItWereNotRegistered) {
     });
 }
 
-TEST(GImpactAndCompounds, QueriesNameTheNodesOfTheirTrees) {
+TEST(GImpactAndCompounds, QueriesNameWhatOfTheirTreesTouches) {
   for (const Kind& kind : kWithTrees)
     for (const btScalar threshold : {btScalar(0), btScalar(0.2)})
       forEachEntry([&](const Entry& entry, bool isCompoundAddedFirst) {
