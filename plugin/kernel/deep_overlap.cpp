@@ -47,8 +47,9 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
   for (const OverlapRegion& region : regions) {
     leaveUnexplained(region, limits, contacts);
     if (deep_.empty()) continue;
-    const Vec3 out = narrowest(surfaces, wayOut(surfaces, region));
-    if (out == Vec3() || widthAlong(out).width() < tuning::kLeastWidth * limits.contactDistance) continue;
+    const Vec3 way = wayOut(surfaces, region);
+    if (way == Vec3() || widthAlong(way).width() < tuning::kLeastWidth * limits.contactDistance) continue;
+    const Vec3 out = narrowest(surfaces, way);
     dropOpposed(region, out, limits.contactDistance, contacts);
     appendAlong(out, contacts);
   }
