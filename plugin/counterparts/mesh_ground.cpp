@@ -14,15 +14,10 @@ namespace cairn::bullet {
 
 namespace {
 
-// So many of the body's vertices say on which side it is, at most.
-constexpr std::size_t kAsked = 24;
-// And from step to step it moves no farther than this, of its size, if it is to be where it was.
-constexpr double kMostWatched = 0.5;
-
 // On which side of the nearest triangle a point is. Of those that meet where it is nearest, the one that it is most
 // clearly on a side of says so; 0 where none does.
 int sideOf(std::span<const Triangle> triangles, const Vec3& point) {
-  constexpr float kSamePlace = 1 + 1e-4F;
+  constexpr float kSamePlace = 1 + 1e-4F;  // of squares of lengths that rounding tells apart
   float nearest = std::numeric_limits<float>::infinity();
   for (const Triangle& t : triangles) nearest = std::min(nearest, lengthSq(point - nearestOnTriangle(t, point).point));
   float clearest = 0;
@@ -40,19 +35,51 @@ std::size_t nearestOf(std::span<const Triangle> triangles, const Vec3& point) {
   return static_cast<std::size_t>(std::ranges::min_element(triangles, {}, distanceSq) - triangles.begin());
 }
 
+// Whether most of a body is behind these faces.
+bool isInside(const PlacedTree& tree, std::span<const Triangle> triangles) {
+  const std::span<const Vec3> vertices = tree.tree().vertices();
+  const std::size_t stride = (vertices.size() + tuning::kAskedVertices - 1) / tuning::kAskedVertices;
+  int before = 0;
+  for (std::size_t i = 0; i < vertices.size(); i += stride) before += sideOf(triangles, tree.toPair() * vertices[i]);
+  return before < 0;
+}
+
 }  // namespace
 
 void MeshGround::reset() {
   surface_.reset();
-  hasGivenUp_ = isReversed_ = false;
-  pieces_.clear();
+  hasChanged_ = false;
+  place_ = Place::away;
   memory_.forget();
+}
+
+bool MeshGround::watch(const PlacedTree& tree, const Near& near) {
+  if (near.soup.triangles().empty()) {
+    place_ = Place::away;
+    return false;
+  }
+  if (hasChanged_) return false;
+  if (!surface_) surface_ = GroundSurface::of(near.shape);
+  if (!surface_ || !surface_->isSolid()) return false;
+  hasChanged_ = !isStillTheShapes(near.soup);
+  if (hasChanged_) {
+    surface_.reset();
+    return false;
+  }
+  if (place_ == Place::away) place_ = isInside(tree, near.inPair) ? Place::inside : Place::outside;
+  return place_ == Place::outside;
+}
+
+bool MeshGround::isStillTheShapes(const TriangleSoup& soup) const {
+  return std::ranges::all_of(soup.triangles(), [&](const TriangleSoup::Source& source) {
+    return surface_->triangleOf(source) != GroundSurface::kNone;
+  });
 }
 
 std::optional<float> MeshGround::append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                                         std::vector<Contact>& contacts) {
   const PlacedTree& tree = placement.tree;
-  const SurfaceView ground = surface_->view(isReversed_);
+  const SurfaceView ground = surface_->view();
   const btTransform place = placement.other * btTransform(btQuaternion::getIdentity(), surface_->origin());
   const SurfacePair surfaces = SurfacePair::of(tree.tree().surfaceView(), tree.pose(), ground,
                                                Pose{toMat3d(place.getBasis()), toVec3d(place.getOrigin()), 1});
@@ -72,71 +99,11 @@ std::optional<float> MeshGround::append(const MeshQuestion& question, const Pair
   return answer->apart;
 }
 
-// What has come far since was elsewhere meanwhile.
-bool MeshGround::watch(const RelativePlacement& now, const PairPlacement& placement, const Near& near) {
-  const bool isElsewhere = now.displacementSince(watchedAt_) > kMostWatched * double(placement.treeShape->size());
-  watchedAt_ = now;
-  if (isElsewhere) pieces_.clear();
-  if (!follow(near)) {
-    pieces_.clear();
-    return false;
-  }
-  takeSides(placement, near);
-  const bool isBehind = pieces_.front().isBehind;
-  if (std::ranges::any_of(pieces_, [&](const Piece& piece) { return piece.isBehind != isBehind; })) return false;
-  if (isBehind != isReversed_) memory_.forget();
-  isReversed_ = isBehind;
-  return true;
-}
-
-// Whether all that is near still is as it was, and bounds a solid.
-bool MeshGround::follow(const Near& near) {
-  if (hasGivenUp_ || near.soup.triangles().empty()) return false;
-  if (!surface_) surface_ = GroundSurface::of(near.shape);
-  if (!surface_) return false;
-  nearTriangles_.clear();
-  for (const TriangleSoup::Source& source : near.soup.triangles()) {
-    nearTriangles_.push_back(surface_->triangleOf(source));
-    if (nearTriangles_.back() == GroundSurface::kNone) {
-      reset();
-      hasGivenUp_ = true;
-      return false;
-    }
-    if (!surface_->isClosed(surface_->pieceOf(nearTriangles_.back()))) return false;
-  }
-  return true;
-}
-
-// Of each piece that is near: the side that was taken when it came near.
-void MeshGround::takeSides(const PairPlacement& placement, const Near& near) {
-  lastPieces_.swap(pieces_);
-  pieces_.clear();
-  for (const std::uint32_t triangle : nearTriangles_) {
-    const std::uint32_t index = surface_->pieceOf(triangle);
-    const auto isIt = [&](const Piece& piece) { return piece.index == index; };
-    if (std::ranges::any_of(pieces_, isIt)) continue;
-    const auto last = std::ranges::find_if(lastPieces_, isIt);
-    pieces_.push_back(last != lastPieces_.end() ? *last : Piece{index, isBehind(placement, near, index)});
-  }
-}
-
-bool MeshGround::isBehind(const PairPlacement& placement, const Near& near, std::uint32_t piece) {
-  asked_.clear();
-  for (std::size_t i = 0; i < nearTriangles_.size(); ++i)
-    if (surface_->pieceOf(nearTriangles_[i]) == piece) asked_.push_back(near.inPair[i]);
-  const std::span<const Vec3> vertices = placement.tree.tree().vertices();
-  const std::size_t stride = (vertices.size() + kAsked - 1) / kAsked;
-  int before = 0;
-  for (std::size_t i = 0; i < vertices.size(); i += stride)
-    before += sideOf(asked_, placement.tree.toPair() * vertices[i]);
-  return before < 0;
-}
-
 // Bullet knows triangles alone: vertices and edges go by one of theirs, and what is merely deep by the nearest.
 ContactId MeshGround::idOf(const Near& near, const FeatureContact& contact) const {
   const ContactId id = featureIdsOf(contact);
   const auto part = id.otherPart < 0 ? std::nullopt : std::optional(static_cast<ContactPart>(id.otherPart));
-  const SurfaceFeatures& features = surface_->view(isReversed_).features();
+  const SurfaceFeatures& features = surface_->view().features();
   const TriangleSoup::Source* source = nullptr;
   if (part == ContactPart::face)
     source = &surface_->source(contact.featureB);

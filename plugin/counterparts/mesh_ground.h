@@ -12,8 +12,8 @@
 
 namespace cairn::bullet {
 
-/// The contacts of a tree with one of Bullet's meshes, surface against surface, where that is closed: a body is on the
-/// side where most of it was when it came near.
+/// The contacts of a tree with one of Bullet's meshes, surface against surface, where that is a solid and the body
+/// outside of it.
 class MeshGround {
  public:
   /// What of the mesh is near the tree.
@@ -24,9 +24,10 @@ class MeshGround {
   };
 
   void reset();
-  /// Notes on which side of it the body is. To be told in each step. False near what is open, where pieces of the mesh
-  /// show the body different sides, and where triangles change.
-  bool watch(const RelativePlacement& now, const PairPlacement& placement, const Near& near);
+  /// Whether `append` can tell the contacts. Notes when the body comes near, and whether it is inside then: to be told
+  /// in each step. False for what is no solid, inside of one (rooms, and what came so fast that most of it is through
+  /// the surface), and once triangles change.
+  bool watch(const PlacedTree& tree, const Near& near);
   /// See `Counterpart::appendOfMesh`. Precondition: `watch` said so in this step.
   std::optional<float> append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                               std::vector<Contact>& contacts);
@@ -34,23 +35,14 @@ class MeshGround {
   static std::uint32_t inSoup(const TriangleSoup& soup, const Contact& contact);
 
  private:
-  struct Piece {
-    std::uint32_t index = 0;
-    bool isBehind = false;  // the body, of where its faces show to
-  };
+  enum class Place : std::uint8_t { away, outside, inside };
 
-  bool follow(const Near& near);
-  void takeSides(const PairPlacement& placement, const Near& near);
-  bool isBehind(const PairPlacement& placement, const Near& near, std::uint32_t piece);
+  bool isStillTheShapes(const TriangleSoup& soup) const;
   ContactId idOf(const Near& near, const FeatureContact& contact) const;
 
   std::shared_ptr<const GroundSurface> surface_;
-  bool hasGivenUp_ = false;  // its triangles change
-  bool isReversed_ = false;
-  std::vector<Piece> pieces_, lastPieces_;    // that are near, and were a step ago
-  std::vector<std::uint32_t> nearTriangles_;  // of the surface, in the soup's order
-  std::vector<Triangle> asked_;
-  RelativePlacement watchedAt_;  // last
+  bool hasChanged_ = false;  // the mesh, since its surface was made
+  Place place_ = Place::away;
   KernelMemory memory_;
 };
 

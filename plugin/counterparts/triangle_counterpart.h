@@ -33,7 +33,7 @@ class TriangleCounterpart final : public Counterpart {
   /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
   /// up to four. Linear in the triangles; only what is appended is counted as work.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
-  /// Where the triangles are closed, and do not change: those of two meshes.
+  /// Where the triangles are those of one solid, and do not change: the contacts of two meshes.
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   NodePair leavesOf(const Contact& contact) const override;
   float size(const btCollisionShape& shape) const override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <cstddef>
+
 #include "cairn/bullet/sphere_tree_shape.h"
 
 namespace cairn::bullet::tuning {
@@ -65,6 +67,13 @@ inline constexpr float kListSteps = 3;
 /// distances: below one, what comes to touch meanwhile is told in time. At a tenth heaps take twice the time at rest;
 /// at one, four of five heaps of blocks stay awake, at half one.
 inline constexpr float kCarried = 0.5F;
+
+/// Of a body that comes near one of Bullet's meshes so many vertices, evenly spread over its list, say whether it is
+/// inside: a ring's middle, or a few vertices, may be inside what it hangs on (`MeshGround.HoldsFromBothSides`).
+inline constexpr std::size_t kAskedVertices = 24;
+/// Larger meshes of Bullet's are told by leaves: what is derived takes about half a kilobyte and three microseconds a
+/// triangle, in the step in which a body first comes near (`GroundSurface.IsNotOfHugeMeshes`).
+inline constexpr std::size_t kMostTriangles = 200000;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
 inline constexpr float kOneManifold = 0.906307787F;

@@ -11,8 +11,6 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr float kSameNormal = 0.999999F;  // of unit vectors that rounding tells apart
-
 Box boxOf(std::span<const OverlapPoint> points) {
   Box box{points[0].position, points[0].position};
   for (const OverlapPoint& p : points) box.add(p.position);
@@ -76,19 +74,20 @@ DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
   return width.lowest < kInfinity && width.highest > -kInfinity ? width : ofAll;
 }
 
-// Of the way in which the overlap shrinks fastest and the normals of faces there that are not another way: a face's,
-// where one body is flat on the other, however much of its sides is inside as well.
-Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& out) const {
-  Vec3 best = out;
-  float least = widthAlong(out).width();
+// The way in which the overlap shrinks fastest, or if the region is narrower along it the normal that is nearest to
+// that way of all faces there that are not another way: where one body is flat in the other its face's, however much of
+// its sides is inside too.
+Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& way) const {
+  Vec3 nearest = way;
+  float cosine = tuning::kOtherWayCosine;
   const auto consider = [&](bool isOfA, std::uint32_t face) {
+    if (face == SurfaceEdge::kNone) return;
     const PlacedSurface& side = isOfA ? surfaces.a : surfaces.b;
     const Vec3 outward = side.directionToPair(side.features().faces()[face].normal);
     const Vec3 normal = isOfA ? -outward : outward;
-    if (dot(normal, out) < tuning::kOtherWayCosine || dot(normal, best) > kSameNormal) return;
-    if (const float width = widthAlong(normal).width(); width < least) {
-      best = normal;
-      least = width;
+    if (const float c = dot(normal, way); c > cosine) {
+      cosine = c;
+      nearest = normal;
     }
   };
   for (const OverlapPoint& point : deep_) {
@@ -98,9 +97,9 @@ Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& out) const 
     }
     const SurfaceFeatures& features = (point.isOfA ? surfaces.a : surfaces.b).features();
     for (const std::uint32_t edge : features.edgesAround(point.feature))
-      consider(point.isOfA, features.edges()[edge].triangle[0]);
+      for (const std::uint32_t face : features.edges()[edge].triangle) consider(point.isOfA, face);
   }
-  return best;
+  return widthAlong(nearest).width() < widthAlong(way).width() ? nearest : way;
 }
 
 void DeepOverlap::appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const {

@@ -30,7 +30,7 @@ class DeepOverlap {
   void leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
                         std::span<const FeatureContact> explaining);
   Width widthAlong(const Vec3& normal) const;
-  Vec3 narrowest(const SurfacePair& surfaces, const Vec3& out) const;
+  Vec3 narrowest(const SurfacePair& surfaces, const Vec3& way) const;
   void appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const;
 
   std::span<const OverlapPoint> region_;  // at hand

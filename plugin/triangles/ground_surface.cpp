@@ -9,6 +9,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -50,16 +51,23 @@ GroundSurface::GroundSurface(const btConcaveShape& shape) {
   btVector3 lower, upper;
   shape.getAabb(btTransform::getIdentity(), lower, upper);
   soup_.gather(shape, lower, upper);
-  if (soup_.triangles().empty() || soup_.triangles().size() > kMostTriangles) return;
-  origin_ = soup_.triangles().front().corners[0];
-  if (!weld()) return;
-  for (const Corners& t : triangles_) reversed_.push_back({t[0], t[2], t[1]});
-  derived_ = derivedFrom(vertices_, triangles_);
-  findPieces();
+  const std::size_t count = soup_.triangles().size();
+  if (count > 0 && count <= tuning::kMostTriangles && weld()) {
+    derived_.features = SurfaceFeatures(vertices_, triangles_);
+    isSolid_ = isClosed() && isInOnePiece() && volume() > 0;
+  }
+  if (!isSolid_) {
+    soup_ = {};
+    derived_ = {};
+    return;
+  }
+  derived_.patches = SurfacePatches(vertices_, triangles_, derived_.features);
+  derived_.thickness = surfaceThickness(view());
 }
 
-// False, and no triangles, where a corner has no place.
+// False where a corner has no place.
 bool GroundSurface::weld() {
+  origin_ = soup_.triangles().front().corners[0];
   std::vector<std::pair<btVector3, std::size_t>> corners;
   for (const TriangleSoup::Source& source : soup_.triangles())
     for (const btVector3& corner : source.corners) {
@@ -80,67 +88,52 @@ bool GroundSurface::weld() {
   return true;
 }
 
-TreeSurface GroundSurface::derivedFrom(std::span<const Vec3> vertices, std::span<const Corners> triangles) {
-  TreeSurface surface;
-  surface.features = SurfaceFeatures(vertices, triangles);
-  surface.patches = SurfacePatches(vertices, triangles, surface.features);
-  surface.thickness = surfaceThickness({vertices, triangles, &surface});
-  return surface;
-}
-
-// Edges that join a triangle with none, with several or with one that shows the other side. Edges are in the order of
-// their ends: one of several triangles comes several times in a row.
-std::vector<bool> GroundSurface::looseEdges() const {
+// Edges are in the order of their ends: one of several triangles comes several times in a row.
+bool GroundSurface::isClosed() const {
   const std::span<const SurfaceEdge> edges = derived_.features.edges();
-  std::vector<bool> isLoose(edges.size());
+  const auto runsAlong = [&](const SurfaceEdge& edge, std::uint32_t triangle) {
+    const auto& t = triangles_[triangle];
+    const auto at = static_cast<std::size_t>(std::ranges::find(t, edge.vertex[0]) - t.begin());
+    return t[(at + 1) % 3] == edge.vertex[1];
+  };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const SurfaceEdge& edge = edges[e];
-    const bool isShared =
-        (e > 0 && edges[e - 1].vertex == edge.vertex) || (e + 1 < edges.size() && edges[e + 1].vertex == edge.vertex);
-    const auto runsAlong = [&](std::uint32_t triangle) {
-      const Corners& t = triangles_[triangle];
-      const auto at = static_cast<std::size_t>(std::ranges::find(t, edge.vertex[0]) - t.begin());
-      return t[(at + 1) % 3] == edge.vertex[1];
-    };
-    isLoose[e] = isShared || edge.triangle[1] == SurfaceEdge::kNone ||
-                 runsAlong(edge.triangle[0]) == runsAlong(edge.triangle[1]);
+    if (edge.triangle[1] == SurfaceEdge::kNone || (e > 0 && edges[e - 1].vertex == edge.vertex)) return false;
+    if (runsAlong(edge, edge.triangle[0]) == runsAlong(edge, edge.triangle[1])) return false;
   }
-  return isLoose;
+  return true;
 }
 
-void GroundSurface::findPieces() {
-  constexpr std::uint32_t kUnseen = kNone;
-  const std::vector<bool> isLoose = looseEdges();
-  pieces_.assign(triangles_.size(), kUnseen);
-  isOpen_.assign(triangles_.size(), false);
-  std::vector<std::uint32_t> waiting;
-  const auto visit = [&](std::uint32_t triangle, std::uint32_t piece) {
-    if (pieces_[triangle] != kUnseen) return;
-    pieces_[triangle] = piece;
-    waiting.push_back(triangle);
-  };
-  for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
-    visit(first, first);
-    while (!waiting.empty()) {
-      const std::uint32_t at = waiting.back();
-      waiting.pop_back();
-      for (const std::uint32_t edge : derived_.features.edgesOf()[at]) {
-        if (isLoose[edge]) isOpen_[pieces_[first]] = true;
-        if (isLoose[edge]) continue;
-        for (const std::uint32_t next : derived_.features.edges()[edge].triangle) visit(next, pieces_[first]);
+// Precondition: closed.
+bool GroundSurface::isInOnePiece() const {
+  std::vector<bool> isSeen(triangles_.size());
+  std::vector<std::uint32_t> waiting{0};
+  isSeen[0] = true;
+  std::size_t seen = 1;
+  while (!waiting.empty()) {
+    const std::uint32_t at = waiting.back();
+    waiting.pop_back();
+    for (const std::uint32_t edge : derived_.features.edgesOf()[at])
+      for (const std::uint32_t next : derived_.features.edges()[edge].triangle) {
+        if (isSeen[next]) continue;
+        isSeen[next] = true;
+        ++seen;
+        waiting.push_back(next);
       }
-    }
   }
+  return seen == triangles_.size();
 }
 
-SurfaceView GroundSurface::view(bool isReversed) const {
-  if (isReversed) std::call_once(isAskedForReversed_, [&] { derivedOfReversed_ = derivedFrom(vertices_, reversed_); });
-  return isReversed ? SurfaceView{vertices_, reversed_, &derivedOfReversed_}
-                    : SurfaceView{vertices_, triangles_, &derived_};
+// Precondition: closed.
+double GroundSurface::volume() const {
+  double sixfold = 0;
+  for (const auto& t : triangles_)
+    sixfold += dot(Vec3d(vertices_[t[0]]), cross(Vec3d(vertices_[t[1]]), Vec3d(vertices_[t[2]])));
+  return sixfold / 6;
 }
 
 std::uint32_t GroundSurface::triangleOf(const TriangleSoup::Source& source) const {
-  const int at = triangles_.empty() ? -1 : soup_.find(source);
+  const int at = soup_.find(source);
   if (at < 0) return kNone;
   const TriangleSoup::Source& own = soup_.triangles()[static_cast<std::size_t>(at)];
   for (std::size_t k = 0; k < 3; ++k)

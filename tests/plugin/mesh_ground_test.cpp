@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Zlib
-// Bullet's own meshes as surfaces: which are closed, on which side of them a body is, and what becomes of those that
-// change.
+// Bullet's own meshes as surfaces: which of them are solids, who is inside, and what becomes of those that change.
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include "bullet_world.h"
 #include "placement/bullet_math.h"
@@ -33,24 +34,34 @@ std::vector<btVector3> cornersOf(const Solid& solid, const Vec3d& at = {}) {
   return corners;
 }
 
-TEST(GroundSurface, IsOfClosedPieces) {
-  std::vector<btVector3> corners = cornersOf(cuboid({1, 1, 1}, 2));
-  const std::size_t triangles = corners.size() / 3;
-  const std::vector<btVector3> second = cornersOf(cuboid({1, 1, 1}, 2), {3, 0, 0});
-  corners.insert(corners.end(), second.begin(), second.end() - 3);  // but for one of its triangles
+bool isSolid(const std::vector<btVector3>& corners) {
   const auto shape = meshOf(corners);
+  return GroundSurface::of(concave(shape))->isSolid();
+}
+
+TEST(GroundSurface, IsOfOneSolid) {
+  const std::vector<btVector3> solid = cornersOf(cuboid({1, 1, 1}, 2));
+  const auto shape = meshOf(solid);  // lives on: by its place another would be taken for it
   const auto surface = GroundSurface::of(concave(shape));
-  ASSERT_TRUE(surface);
-  EXPECT_EQ(surface->view(false).vertices.size(), 2U * 26);
-  const TriangleSoup soup = soupOf(concave(shape));
-  ASSERT_EQ(soup.triangles().size(), corners.size() / 3);
-  for (const TriangleSoup::Source& source : soup.triangles()) {
-    const std::uint32_t triangle = surface->triangleOf(source);
-    ASSERT_NE(triangle, GroundSurface::kNone);
-    const bool isOfFirst = source.corners[0].x() < 1;
-    EXPECT_EQ(surface->isClosed(surface->pieceOf(triangle)), isOfFirst);
-    EXPECT_EQ(surface->pieceOf(triangle), isOfFirst ? surface->pieceOf(0) : surface->pieceOf(std::uint32_t(triangles)));
-  }
+  ASSERT_TRUE(surface->isSolid());
+  EXPECT_EQ(surface->view().vertices.size(), 26U);
+  EXPECT_NEAR(surface->view().derived->thickness, 1, 1e-5);
+  std::vector<btVector3> open = solid, turned = solid, finned = solid, two = solid, insideOut = solid;
+  open.resize(open.size() - 3);
+  std::swap(turned[1], turned[2]);
+  finned.insert(finned.end(), {finned[0], finned[1], btVector3(3, 3, 3)});
+  const std::vector<btVector3> second = cornersOf(cuboid({1, 1, 1}, 2), {3, 0, 0});
+  two.insert(two.end(), second.begin(), second.end());
+  for (std::size_t i = 0; i < insideOut.size(); i += 3) std::swap(insideOut[i + 1], insideOut[i + 2]);
+  for (const auto& corners : {open, turned, finned, two, insideOut}) EXPECT_FALSE(isSolid(corners));
+  std::vector<btVector3> endless = solid;
+  endless[4].setX(std::numeric_limits<btScalar>::quiet_NaN());
+  EXPECT_FALSE(isSolid(endless));
+}
+
+TEST(GroundSurface, IsNotOfHugeMeshes) {
+  EXPECT_TRUE(isSolid(cornersOf(cuboid({1, 1, 1}, 40))));
+  EXPECT_FALSE(isSolid(cornersOf(cuboid({1, 1, 1}, 130)))) << "202,800 triangles";
 }
 
 TEST(GroundSurface, IsSharedAndKnowsWhatIsNoLongerIts) {
@@ -58,46 +69,56 @@ TEST(GroundSurface, IsSharedAndKnowsWhatIsNoLongerIts) {
   const auto surface = GroundSurface::of(concave(shape));
   EXPECT_EQ(surface, GroundSurface::of(concave(shape)));
   const TriangleSoup soup = soupOf(concave(shape));
-  TriangleSoup::Source source = soup.triangles().front();
-  EXPECT_NE(surface->triangleOf(source), GroundSurface::kNone);
-  source.corners[1] += btVector3(0, 0, btScalar(1e-3));
-  EXPECT_EQ(surface->triangleOf(source), GroundSurface::kNone);
+  for (TriangleSoup::Source source : soup.triangles()) {
+    EXPECT_NE(surface->triangleOf(source), GroundSurface::kNone);
+    source.corners[1] += btVector3(0, 0, btScalar(1e-3));
+    EXPECT_EQ(surface->triangleOf(source), GroundSurface::kNone);
+  }
   EXPECT_FALSE(GroundSurface::of(concave(std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)))));
 }
 
-// Neither of a triangle whose neighbour is wound the other way, nor of an edge with three of them.
-TEST(GroundSurface, IsOpenWhereFacesDoNotAgree) {
-  std::vector<btVector3> turned = cornersOf(cuboid({1, 1, 1}, 1));
-  std::swap(turned[1], turned[2]);
-  std::vector<btVector3> finned = cornersOf(cuboid({1, 1, 1}, 1));
-  finned.insert(finned.end(), {finned[0], finned[1], btVector3(3, 3, 3)});
-  for (const std::vector<btVector3>& corners : {turned, finned}) {
-    const auto shape = meshOf(corners);
-    const auto surface = GroundSurface::of(concave(shape));
-    const TriangleSoup soup = soupOf(concave(shape));
-    for (const TriangleSoup::Source& source : soup.triangles())
-      EXPECT_FALSE(surface->isClosed(surface->pieceOf(surface->triangleOf(source))));
-  }
+// A room's walls may show outwards or inwards, and a box's too: a body stays where it was put. In a room, on the floor
+// in each of its corners.
+TEST(MeshGround, HoldsFromBothSides) {
+  for (const bool isTurned : {false, true})
+    for (const bool isInside : {false, true})
+      for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+          std::vector<btVector3> corners = cornersOf(cuboid({4, 4, 4}, 3));
+          for (std::size_t i = 0; isTurned && i < corners.size(); i += 3) std::swap(corners[i + 1], corners[i + 2]);
+          BulletWorld<> w;
+          w.add(meshOf(corners), 0, btVector3(0, 0, 0));
+          const double floor = isInside ? -2 : 2;
+          btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 2))), 1,
+                                    btVector3(btScalar(1.49 * x), btScalar(1.49 * y), btScalar(floor + 0.7)));
+          body.setActivationState(DISABLE_DEACTIVATION);
+          w.step(180);
+          EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), floor + 0.5, 0.004)
+              << "turned " << isTurned << ", inside " << isInside << ", corner " << x << ", " << y;
+          EXPECT_GE(w.dispatcher.lastStep().contacts, 3U);
+          const bool isOfSurfaces = !isTurned && !isInside;
+          EXPECT_EQ(w.dispatcher.lastStep().exactContacts, isOfSurfaces ? w.dispatcher.lastStep().contacts : 0U);
+        }
 }
 
-// A room's walls may show outwards or inwards, and a box's too: a body stays where it was put.
-TEST(MeshGround, HoldsFromBothSidesHoweverItIsWound) {
-  for (const bool isTurned : {false, true})
-    for (const bool isInside : {false, true}) {
-      std::vector<btVector3> corners = cornersOf(cuboid({4, 4, 4}, 3));
-      for (std::size_t i = 0; isTurned && i < corners.size(); i += 3) std::swap(corners[i + 1], corners[i + 2]);
+// What comes farther in a step than half its thickness may be mostly through the surface when it first comes near.
+TEST(MeshGround, IsNotPassedByWhatIsMostlyThroughIt) {
+  const struct {
+    Vec3d size;
+    double fall;
+  } all[] = {{{1, 1, 0.03}, 0.12}, {{0.1, 0.1, 0.1}, 1}};
+  for (const auto& thrown : all) {
+    const auto shape = treeShape(plainTree(cuboid(thrown.size, 4)));
+    for (int phase = 0; phase < 20; ++phase) {
       BulletWorld<> w;
-      w.add(meshOf(corners), 0, btVector3(0, 0, 0));
-      const double floor = isInside ? -2 : 2;
-      btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 2))), 1,
-                                btVector3(btScalar(0.1), btScalar(0.2), btScalar(floor + 0.7)));
-      body.setActivationState(DISABLE_DEACTIVATION);
+      w.add(bvhMesh(cuboid({4, 4, 1}, 2)), 0, btVector3(0, 0, 0));
+      const double height = 0.5 + thrown.size.z / 2 + thrown.fall * (1 + 0.01 * phase);
+      btRigidBody& body = w.add(shape, 1, btVector3(btScalar(0.1), btScalar(0.2), btScalar(height)));
       w.step(180);
-      EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), floor + 0.5, 0.004)
-          << "turned " << isTurned << ", inside " << isInside;
-      EXPECT_EQ(w.dispatcher.lastStep().exactContacts, w.dispatcher.lastStep().contacts);
-      EXPECT_GE(w.dispatcher.lastStep().contacts, 3U);
+      EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), 0.5 + thrown.size.z / 2, 0.004)
+          << thrown.size.z << " m thick, phase " << phase;
     }
+  }
 }
 
 // As an application does that digs: new heights in the same array, and the shape told so.
