@@ -2,8 +2,6 @@
 #include "counterparts/mesh_ground.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "counterparts/feature_ids.h"
@@ -14,34 +12,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// On which side of the nearest triangle a point is. Of those that meet where it is nearest, the one that it is most
-// clearly on a side of says so; 0 where none does.
-int sideOf(std::span<const Triangle> triangles, const Vec3& point) {
-  constexpr float kSamePlace = 1 + 1e-4F;  // of squares of lengths that rounding tells apart
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const Triangle& t : triangles) nearest = std::min(nearest, lengthSq(point - nearestOnTriangle(t, point).point));
-  float clearest = 0;
-  for (const Triangle& t : triangles) {
-    const Vec3 way = point - nearestOnTriangle(t, point).point;
-    if (lengthSq(way) > nearest * kSamePlace) continue;
-    const float height = dot(t.normal(), way);
-    if (std::abs(height) > std::abs(clearest)) clearest = height;
-  }
-  return (clearest > 0) - (clearest < 0);
-}
-
 std::size_t nearestOf(std::span<const Triangle> triangles, const Vec3& point) {
   const auto distanceSq = [&](const Triangle& t) { return lengthSq(point - nearestOnTriangle(t, point).point); };
   return static_cast<std::size_t>(std::ranges::min_element(triangles, {}, distanceSq) - triangles.begin());
-}
-
-// Whether most of a body is behind these faces.
-bool isInside(const PlacedTree& tree, std::span<const Triangle> triangles) {
-  const std::span<const Vec3> vertices = tree.tree().vertices();
-  const std::size_t stride = (vertices.size() + tuning::kAskedVertices - 1) / tuning::kAskedVertices;
-  int before = 0;
-  for (std::size_t i = 0; i < vertices.size(); i += stride) before += sideOf(triangles, tree.toPair() * vertices[i]);
-  return before < 0;
 }
 
 }  // namespace
@@ -53,7 +26,7 @@ void MeshGround::reset() {
   memory_.forget();
 }
 
-bool MeshGround::watch(const PlacedTree& tree, const Near& near) {
+bool MeshGround::watch(const PairPlacement& placement, const Near& near) {
   if (near.soup.triangles().empty()) {
     place_ = Place::away;
     return false;
@@ -66,8 +39,26 @@ bool MeshGround::watch(const PlacedTree& tree, const Near& near) {
     surface_.reset();
     return false;
   }
-  if (place_ == Place::away) place_ = isInside(tree, near.inPair) ? Place::inside : Place::outside;
+  if (place_ == Place::away) place_ = isInside(placement) ? Place::inside : Place::outside;
   return place_ == Place::outside;
+}
+
+SurfacePair MeshGround::surfacesOf(const PairPlacement& placement) const {
+  const PlacedTree& tree = placement.tree;
+  const btTransform place = placement.other * btTransform(btQuaternion::getIdentity(), surface_->origin());
+  const Pose pose{toMat3d(place.getBasis()), toVec3d(place.getOrigin()), 1};
+  return SurfacePair::of(tree.tree().surfaceView(), tree.pose(), surface_->view(), pose);
+}
+
+// Most of the body.
+bool MeshGround::isInside(const PairPlacement& placement) {
+  const SurfacePair surfaces = surfacesOf(placement);
+  const std::span<const Vec3> vertices = surfaces.a.mesh.vertices;
+  const std::size_t stride = (vertices.size() + tuning::kAskedVertices - 1) / tuning::kAskedVertices;
+  std::size_t asked = 0, inside = 0;
+  for (std::size_t i = 0; i < vertices.size(); i += stride, ++asked)
+    inside += ray_.isInside(surfaces.b.mesh, surfaces.a.toOther * vertices[i]) ? 1 : 0;
+  return 2 * inside > asked;
 }
 
 bool MeshGround::isStillTheShapes(const TriangleSoup& soup) const {
@@ -78,14 +69,11 @@ bool MeshGround::isStillTheShapes(const TriangleSoup& soup) const {
 
 std::optional<float> MeshGround::append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                                         std::vector<Contact>& contacts) {
-  const PlacedTree& tree = placement.tree;
-  const SurfaceView ground = surface_->view();
-  const btTransform place = placement.other * btTransform(btQuaternion::getIdentity(), surface_->origin());
-  const SurfacePair surfaces = SurfacePair::of(tree.tree().surfaceView(), tree.pose(), ground,
-                                               Pose{toMat3d(place.getBasis()), toVec3d(place.getOrigin()), 1});
+  const SurfacePair surfaces = surfacesOf(placement);
   const float contactDistance = placement.ownReach > 0 ? placement.ownReach : placement.reach;
   const float size = contactDistance / tuning::kContactDistance;
-  const float thinner = std::min(tree.tree().surface().thickness * tree.scale(), ground.derived->thickness);
+  const float thinner =
+      std::min(surfaces.a.mesh.derived->thickness * surfaces.a.scale, surfaces.b.mesh.derived->thickness);
   const ContactLimits limits{contactDistance,
                              placement.reach,
                              std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/surface_ray.h"
 #include "counterparts/counterpart.h"
 #include "triangles/ground_surface.h"
 #include "triangles/triangle.h"
@@ -27,7 +28,7 @@ class MeshGround {
   /// Whether `append` can tell the contacts. Notes when the body comes near, and whether it is inside then: to be told
   /// in each step. False for what is no solid, inside of one (rooms, and what came so fast that most of it is through
   /// the surface), and once triangles change.
-  bool watch(const PlacedTree& tree, const Near& near);
+  bool watch(const PairPlacement& placement, const Near& near);
   /// See `Counterpart::appendOfMesh`. Precondition: `watch` said so in this step.
   std::optional<float> append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                               std::vector<Contact>& contacts);
@@ -37,6 +38,8 @@ class MeshGround {
  private:
   enum class Place : std::uint8_t { away, outside, inside };
 
+  SurfacePair surfacesOf(const PairPlacement& placement) const;
+  bool isInside(const PairPlacement& placement);
   bool isStillTheShapes(const TriangleSoup& soup) const;
   ContactId idOf(const Near& near, const FeatureContact& contact) const;
 
@@ -44,6 +47,7 @@ class MeshGround {
   bool hasChanged_ = false;  // the mesh, since its surface was made
   Place place_ = Place::away;
   KernelMemory memory_;
+  SurfaceRay ray_;
 };
 
 }  // namespace cairn::bullet

@@ -42,7 +42,7 @@ std::optional<float> TriangleCounterpart::appendOfMesh(const MeshQuestion& quest
   if (question.finest != Finest::triangles || question.mayBeInterrupted) return {};
   const auto& shape = static_cast<const btConcaveShape&>(*placement_.otherShape);
   const MeshGround::Near near{shape, soup_, inPair_};
-  if (!ground_.watch(placement_.tree, near) || traversal_.leafPairs().empty()) return {};
+  if (!ground_.watch(placement_, near) || traversal_.leafPairs().empty()) return {};
   return ground_.append(question, placement_, near, contacts);
 }
 
