@@ -265,6 +265,10 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
 }
 
 // In an open step Bullet asks for the pair's points later, and about where the bodies are then.
+bool NarrowPhase::Impl::mayBeCarriedOver(const TreePair& pair) const {
+  return stepEnd_ == StepEnd::told && finest_ == Finest::triangles && pair.mayBeCarriedOver();
+}
+
 bool NarrowPhase::Impl::carriesOver(std::size_t index) {
   if (stepEnd_ != StepEnd::told || finest_ != Finest::triangles) return false;
   TreePair& pair = *collected_[index];

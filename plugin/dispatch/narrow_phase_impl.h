@@ -98,10 +98,12 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   bool isTooLateFor(std::size_t pairs) const;
   void fetchHeldAfter(std::size_t index, bool isLate) const;
   void finishBegunPairs();
+  bool finishResolvedPairs();
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);
   bool carriesOver(std::size_t index);
+  bool mayBeCarriedOver(const TreePair& pair) const;
   void fetchPairsAfter(std::size_t index) const;
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);

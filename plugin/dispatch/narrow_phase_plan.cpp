@@ -26,7 +26,7 @@ void NarrowPhase::Impl::planStep() {
   if (!isPlanned()) return;
   for (TreePair* pair : collected_) {
     if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
-    plan_.add(pair->need());
+    plan_.add(mayBeCarriedOver(*pair) ? PairNeed() : pair->need());
   }
   if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
@@ -39,6 +39,9 @@ void NarrowPhase::Impl::planStep() {
 void NarrowPhase::Impl::refinePairs() {
   promiseHolding();
   Progress progress = scheduler_.run(scheduled_, *priority_, left_, this);
+  // What was promised to those that are done is more than triangles take.
+  while (progress != Progress::done && finishResolvedPairs())
+    progress = scheduler_.run(scheduled_, *priority_, left_, this);
   while (plan_.isScarce() && progress == Progress::done) {
     StepMeans more = means();
     more.nanoseconds -= holding_.nanoseconds;
@@ -141,6 +144,18 @@ void NarrowPhase::Impl::fetchHeldAfter(std::size_t index, bool isLate) const {
 void NarrowPhase::Impl::finishBegunPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i] && !collected_[i]->isBetterHeld()) finishPair(i);
+}
+
+// In an open step Bullet asks for them one by one.
+bool NarrowPhase::Impl::finishResolvedPairs() {
+  if (stepEnd_ != StepEnd::told) return false;
+  bool hasFinished = false;
+  for (std::size_t i = 0; i < collected_.size(); ++i) {
+    if (!collected_[i] || !collected_[i]->isBegun() || !collected_[i]->isDone()) continue;
+    finishPair(i);
+    hasFinished = true;
+  }
+  return hasFinished;
 }
 
 // From the whole of what was done for pairs that were not held.

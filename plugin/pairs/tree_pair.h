@@ -107,6 +107,8 @@ class alignas(64) TreePair {
   /// other since (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do.
   /// Precondition: collected in this step.
   std::optional<PairReport> carryOver();
+  /// Whether it will. Precondition: as for `carryOver`.
+  bool mayBeCarriedOver() const { return standsStill().has_value(); }
   /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart
   /// are wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten
   /// first. `remeasured`: of an answer that is kept. False, and no contacts, when the shapes
@@ -226,7 +228,13 @@ class alignas(64) TreePair {
   static constexpr std::size_t kSubjectBytes = 384, kCopyBytes = 192, kSurveyBytes = 512, kHeldBytes = 832;
   static constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
 
+  struct StandsStill {
+    RelativePlacement placement;
+    float moved;  // against each other, since it was answered
+  };
+
   PairNeed surveyed(std::uint64_t usualOperations, bool isTimed);
+  std::optional<StandsStill> standsStill() const;
   void rememberBody(const btCollisionObjectWrapper& tree);
   std::uint64_t expectedOperations(std::uint64_t usualOperations) const;
   void noticeSetDown(const RelativePlacement& now, const btCollisionObjectWrapper& tree,

@@ -37,7 +37,8 @@ std::uint32_t pointsOf(std::span<btPersistentManifold* const> manifolds) {
 
 }  // namespace
 
-std::optional<PairReport> TreePair::carryOver() {
+// How far the bodies have moved against each other since, and where they are now.
+std::optional<TreePair::StandsStill> TreePair::standsStill() const {
   if (!contacts_.isOfTriangles() || !counterpart_->keepsAnswer()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
@@ -51,8 +52,14 @@ std::optional<PairReport> TreePair::carryOver() {
   const auto moved = static_cast<float>(now.displacementSince(answeredAt_));
   const bool mayBounce = speedInOther(*tree, treeBody, otherBody) > static_cast<float>(slowestBounce());
   if (moved > tolerance || mayBounce) return {};
-  seenAt_ = now;
-  origin_ = treeBody.getWorldTransform().getOrigin();
+  return StandsStill{now, moved};
+}
+
+std::optional<PairReport> TreePair::carryOver() {
+  const std::optional<StandsStill> still = standsStill();
+  if (!still) return {};
+  seenAt_ = still->placement;
+  origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   carryPoints(true, false);
   for (btPersistentManifold* m : manifolds_)
@@ -61,7 +68,7 @@ std::optional<PairReport> TreePair::carryOver() {
   PairReport report;
   report.contacts = report.exactContacts = saidContacts_;
   report.manifolds = saidManifolds_;
-  report.errorFraction = heldError_ + double(moved / smallerSize_);
+  report.errorFraction = heldError_ + double(still->moved / smallerSize_);
   return report;
 }
 
