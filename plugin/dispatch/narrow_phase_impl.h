@@ -99,6 +99,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void fetchHeldAfter(std::size_t index, bool isLate) const;
   void finishBegunPairs();
   bool finishResolvedPairs();
+  Progress resumePairs();
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void beginPairs();
   void beginPair(std::size_t index);

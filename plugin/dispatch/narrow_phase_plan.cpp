@@ -40,8 +40,7 @@ void NarrowPhase::Impl::refinePairs() {
   promiseHolding();
   Progress progress = scheduler_.run(scheduled_, *priority_, left_, this);
   // What was promised to those that are done is more than triangles take.
-  while (progress != Progress::done && finishResolvedPairs())
-    progress = scheduler_.run(scheduled_, *priority_, left_, this);
+  if (progress != Progress::done && finishResolvedPairs()) progress = resumePairs();
   while (plan_.isScarce() && progress == Progress::done) {
     StepMeans more = means();
     more.nanoseconds -= holding_.nanoseconds;
@@ -144,6 +143,13 @@ void NarrowPhase::Impl::fetchHeldAfter(std::size_t index, bool isLate) const {
 void NarrowPhase::Impl::finishBegunPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
     if (collected_[i] && !collected_[i]->isBetterHeld()) finishPair(i);
+}
+
+Progress NarrowPhase::Impl::resumePairs() {
+  Progress progress = Progress::done;
+  for (std::size_t i = 0; i < collected_.size() && progress == Progress::done; ++i)
+    if (collected_[i] && collected_[i]->isBegun()) progress = scheduler_.runAlone(scheduled_, i, left_, this);
+  return progress;
 }
 
 // In an open step Bullet asks for them one by one.

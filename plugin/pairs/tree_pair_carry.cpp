@@ -62,6 +62,7 @@ std::optional<PairReport> TreePair::carryOver() {
   origin_ = (treeIsBody0_ ? body0() : body1()).getWorldTransform().getOrigin();
   center_ = toVec3d((treeIsBody0_ == treeIsSmaller_ ? body0() : body1()).getWorldTransform().getOrigin());
   carryPoints(true, false);
+  surviveRefresh();
   for (btPersistentManifold* m : manifolds_)
     if (m) renewMaterial(*m);
   countSaid();

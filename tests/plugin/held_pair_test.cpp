@@ -85,6 +85,7 @@ CAIRN_FRONT_END_SUITE(HeldPairs, EveryFrontEnd);
 // Two bodies that turn together do not move against each other: they may be held for long.
 TYPED_TEST(HeldPairs, TurnTheirNormalsWithTheBodies) {
   HeldCubes<TypeParam> s;
+  s.w.dispatcher.setFinest(bullet::Finest::leaves);  // exact contacts would be carried over
   for (int step = 1; step <= 10; ++step) {
     const btQuaternion turned(btVector3(1, 0, 0), btScalar(0.1) * btScalar(step));
     s.place(*s.lower, btVector3(0, 0, 0), turned);
