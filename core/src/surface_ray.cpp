@@ -72,9 +72,13 @@ SurfaceHit SurfaceRay::cast(const SurfaceView& surface, const Vec3& origin, cons
   return hit;
 }
 
-// A direction that meshes seldom have edges in.
+// Directions that meshes seldom have edges in. A ray may slip through between two faces all the same, or graze an edge:
+// of three the majority is right.
 bool SurfaceRay::isInside(const SurfaceView& surface, const Vec3& point) {
-  return cast(surface, point, normalized(Vec3(0.5373F, 0.7011F, 0.4687F))).leaves;
+  if (!surface.patches().box().holds(point)) return false;
+  const auto saysSo = [&](const Vec3& direction) { return cast(surface, point, normalized(direction)).leaves; };
+  const bool first = saysSo({0.5373F, 0.7011F, 0.4687F}), second = saysSo({-0.6113F, -0.2957F, 0.7341F});
+  return first == second ? first : saysSo({0.3119F, -0.8231F, -0.4745F});
 }
 
 }  // namespace cairn

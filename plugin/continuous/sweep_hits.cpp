@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "contacts/facing_corners.h"
 #include "continuous/side_by_side.h"
 #include "continuous/sweep.h"
-#include "counterparts/facing_corners.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {

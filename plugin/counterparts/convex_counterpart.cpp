@@ -8,7 +8,10 @@
 
 #include "contacts/cut_face.h"
 #include "contacts/face_limits.h"
+#include "counterparts/closed_forms.h"
+#include "counterparts/feature_ids.h"
 #include "counterparts/inner_edges.h"
+#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -57,11 +60,13 @@ std::uint32_t ConvexObstacle::touches(const Family& family, std::uint32_t family
 
 void ConvexCounterpart::place(const PairPlacement& placement) {
   const auto& shape = static_cast<const btConvexShape&>(*placement.otherShape);
+  shape_ = &shape;
   surface_.setShape(shape);
   tree_ = placement.tree;
   otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
+  contactDistance_ = placement.ownReach > 0 ? placement.ownReach : placement.reach;
   planes_.reserve(kMaxPlanes);
   planes_.clear();
 
@@ -72,6 +77,7 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
   shapeFromPair_ = relativePose(shapePose, Pose{});
   pairFromShapeAxes_ = toSimilarity(shapePose).linear;
   shapeOrigin_ = Vec3(shapePose.translation);
+  boxMiddle_ = pairFromShapeAxes_ * box.center + shapeOrigin_;
   const Similarity shapeFromTree = relativePose(shapePose, tree_.pose());
   const float lengths =
       length(shapeFromTree.translation) + tree_.tree().reach() * tree_.scale() + length(box.halfExtents);
@@ -92,6 +98,37 @@ NearestPoint ConvexCounterpart::inPair(const NearestPoint& inShape) const {
 
 NearestPoint ConvexCounterpart::nearest(const Vec3& pointInPair) {
   return inPair(surface_.nearest(shapeFromPair_ * pointInPair));
+}
+
+Vec3 ConvexCounterpart::support(const Vec3& direction) const {
+  return pairFromShapeAxes_ * surface_.support(transpose(pairFromShapeAxes_) * direction) + shapeOrigin_;
+}
+
+std::optional<float> ConvexCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+  if (question.finest != Finest::triangles || question.mayBeInterrupted || traversal_.leafPairs().empty()) return {};
+  const float size = contactDistance_ / tuning::kContactDistance;
+  const float thickness = tree_.tree().surface().thickness * tree_.scale();
+  const ContactLimits limits{contactDistance_,
+                             reach_,
+                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thickness),
+                             margin_ + surface_.margin(),
+                             0,
+                             size};
+  const PlacedSurface surface = PlacedSurface::of(tree_.tree().surfaceView(), tree_.pose());
+  const std::optional<ContactKernel::Answer> answer =
+      question.kernel.run(surface, *this, limits, margin_, question.budget);
+  if (!answer) return {};
+  for (const FeatureContact& found : answer->contacts) {
+    const ContactId id = featureIdsOf(found);
+    contacts.push_back(contactOf(found, {id.treePart, id.treeIndex, static_cast<int>(found.featureB), otherIndex_}));
+  }
+  return answer->apart;
+}
+
+// Contacts of meshes know no leaves.
+NodePair ConvexCounterpart::leavesOf(const Contact& contact) const {
+  if (contact.pair != NodePair{kRootNode, kRootNode}) return contact.pair;
+  return {tree_.leafAt(contact.position), 0};
 }
 
 bool ConvexCounterpart::isCertainlyApart(const Sphere& sphere) const {
@@ -170,7 +207,7 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
 // Of each child of the root the point that lies lowest where its middle sees the shape. By GJK that would take longer
 // than what it stands in for.
 std::uint32_t ConvexCounterpart::appendCoarse(std::vector<Contact>& contacts) {
-  if (!surface_.isClosedForm()) return 0;
+  if (!isClosedForm(*shape_)) return 0;
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
   const std::uint32_t count = tree_.tree().childCount(kRootNode);
   for (NodeId child = first; child < first + count; ++child) {

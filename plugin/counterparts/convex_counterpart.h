@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cairn/core/obstacle_traversal.h"
+#include "contacts/facing_corners.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/counterpart.h"
-#include "counterparts/facing_corners.h"
 #include "triangles/triangle.h"
 
 namespace cairn::bullet {
@@ -30,7 +30,7 @@ class ConvexObstacle final : public Obstacle {
 };
 
 /// Any convex shape of Bullet.
-class ConvexCounterpart final : public Counterpart {
+class ConvexCounterpart final : public Counterpart, private ConvexBody {
  public:
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known, float skin) override;
@@ -41,6 +41,8 @@ class ConvexCounterpart final : public Counterpart {
   Contact boundingContact(const NodePair& pair) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
+  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  NodePair leavesOf(const Contact& contact) const override;
 
  private:
   struct Plane {
@@ -56,7 +58,9 @@ class ConvexCounterpart final : public Counterpart {
   static constexpr std::size_t kMaxPlanes = 8;
 
   bool isCertainlyApart(const Sphere& sphere) const;
-  NearestPoint nearest(const Vec3& pointInPair);
+  NearestPoint nearest(const Vec3& pointInPair) override;
+  Vec3 support(const Vec3& direction) const override;
+  Vec3 middle() const override { return boxMiddle_; }
   void appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<Contact>& contacts);
   Touch touchAlong(NodeId leaf, const Plane& plane) const;
   // Replaces the plane if the leaf lies higher above another.
@@ -86,13 +90,14 @@ class ConvexCounterpart final : public Counterpart {
   PlacedTree tree_;
   int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
-  float reach_ = 0;
+  float reach_ = 0, contactDistance_ = 0;
   float size_ = 0;        // of the shape
   bool isSmall_ = false;  // the shape, against the tree: it may land on one of its faces, and not the other way round
   FacingCorners facing_;
   Similarity shapeFromPair_;
   Mat3 pairFromShapeAxes_;
-  Vec3 shapeOrigin_;
+  Vec3 shapeOrigin_, boxMiddle_;
+  const btConvexShape* shape_ = nullptr;
   ConvexSurface surface_;
   std::vector<Plane> planes_;  // of this step, pair frame: the shape lies behind each
   ConvexObstacle obstacle_;

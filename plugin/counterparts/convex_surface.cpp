@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "counterparts/closed_forms.h"
 #include "placement/bullet_math.h"
 #include "placement/unit_vector.h"
 
@@ -28,24 +29,12 @@ struct GjkAnswer final : btDiscreteCollisionDetectorInterface::Result {
 
 }  // namespace
 
-NearestPoint nearestOnBox(const Vec3& halfExtents, const Vec3& p) {
-  Vec3 clamped;
-  for (int axis = 0; axis < 3; ++axis) clamped[axis] = std::clamp(p[axis], -halfExtents[axis], halfExtents[axis]);
-  const Vec3 out = p - clamped;
-  if (out != Vec3()) return {clamped, unitVector(out), length(out)};
-  int face = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (halfExtents[axis] - std::abs(p[axis]) < halfExtents[face] - std::abs(p[face])) face = axis;
-  NearestPoint nearest{p, {}, std::abs(p[face]) - halfExtents[face]};
-  nearest.normal[face] = std::copysign(1.0F, p[face]);
-  nearest.point[face] = std::copysign(halfExtents[face], p[face]);
-  return nearest;
-}
-
-NearestPoint nearestOnSphere(float radius, const Vec3& p) {
-  const float fromCenter = length(p);
-  const Vec3 normal = p != Vec3() ? unitVector(p) : Vec3(0, 0, 1);
-  return {normal * radius, normal, fromCenter - radius};
+void ConvexSurface::setShape(const btConvexShape& shape) {
+  const bool isHull = shape.isPolyhedral() && shape.getShapeType() != BOX_SHAPE_PROXYTYPE;
+  const auto* const polyhedron = isHull ? static_cast<const btPolyhedralConvexShape*>(&shape) : nullptr;
+  const bool isSame = shape_ == &shape && hull_ && polyhedron && hull_->isOf(*polyhedron);
+  shape_ = &shape;
+  if (!isSame) hull_ = polyhedron ? HullFaces::of(*polyhedron) : nullptr;
 }
 
 NearestPoint ConvexSurface::nearest(const Vec3& p) {
@@ -55,12 +44,19 @@ NearestPoint ConvexSurface::nearest(const Vec3& p) {
     case SPHERE_SHAPE_PROXYTYPE:
       return nearestOnSphere(static_cast<float>(shape_->getMargin()), p);
     default:
-      return nearestByGjk(p);
+      break;
   }
+  if (const std::optional<NearestPoint> round = nearestOnRound(*shape_, p)) return *round;
+  if (!hull_) return nearestByGjk(p);
+  NearestPoint nearest = hull_->nearest(p);
+  const auto margin = static_cast<float>(shape_->getMargin());
+  nearest.distance -= margin;
+  nearest.point += nearest.normal * margin;
+  return nearest;
 }
 
-bool ConvexSurface::isClosedForm() const {
-  return shape_->getShapeType() == BOX_SHAPE_PROXYTYPE || shape_->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+float ConvexSurface::margin() const {
+  return shape_->getShapeType() == BOX_SHAPE_PROXYTYPE ? 0 : static_cast<float>(shape_->getMargin());
 }
 
 Vec3 ConvexSurface::support(const Vec3& direction) const {
@@ -76,8 +72,8 @@ std::optional<NearestPoint> ConvexSurface::nearestToHull(std::span<const Vec3> p
   std::array<btVector3, kMaxHullPoints> hullPoints;
   const std::size_t count = std::min(points.size(), hullPoints.size());
   for (std::size_t i = 0; i < count; ++i) hullPoints[i] = toBullet(points[i]);
-  hull_.setPoints(hullPoints.data(), static_cast<int>(count), false);
-  return askGjk(hull_, {});
+  points_.setPoints(hullPoints.data(), static_cast<int>(count), false);
+  return askGjk(points_, {});
 }
 
 std::optional<NearestPoint> ConvexSurface::askGjk(const btConvexShape& other, const Vec3& origin) {

@@ -56,6 +56,14 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfa
   return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
 }
 
+std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedSurface& surface, ConvexBody& body,
+                                                        const ContactLimits& limits, float surfaceMargin,
+                                                        Budget& budget) {
+  const auto contacts = convexContacts_.find(surface, body, limits, surfaceMargin, budget);
+  if (!contacts) return {};
+  return Answer{*contacts, -std::numeric_limits<float>::infinity()};
+}
+
 // What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
 bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
                                  std::span<const OverlapRegion> regions, Budget& budget) {

@@ -8,6 +8,7 @@
 
 #include "cairn/core/budget.h"
 #include "contacts/relative_placement.h"
+#include "kernel/convex_contacts.h"
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"
 #include "kernel/feature_contacts.h"
@@ -64,6 +65,9 @@ class ContactKernel {
   /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.
   std::optional<Answer> run(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                             const RelativePlacement& placement, Budget& budget);
+  /// The same of a surface, with its margin, and a convex body. Remembers nothing.
+  std::optional<Answer> run(const PlacedSurface& surface, ConvexBody& body, const ContactLimits& limits,
+                            float surfaceMargin, Budget& budget);
 
  private:
   bool list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
@@ -82,6 +86,7 @@ class ContactKernel {
   OverlapPatches overlapPatches_;
   FeatureLists deepLists_;
   DeepOverlap deepOverlap_;
+  ConvexContacts convexContacts_;
   SurfaceRay ray_;
 };
 

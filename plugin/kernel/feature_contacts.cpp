@@ -19,9 +19,6 @@ float ContactLimits::belowAt(float separation, float neighbourDistance) const {
   return contactDistance + opening;
 }
 
-namespace {
-
-// Whether a point is over a face, or no farther beside it: past a sharp corner it can be near both sides and far off.
 bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t index, const Vec3& p, float beside) {
   bool isInside = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -40,6 +37,8 @@ bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t i
   }
   return false;
 }
+
+namespace {
 
 // Two lines' nearest points, as ways along them.
 struct Nearest {

@@ -33,6 +33,10 @@ struct FeatureContact {
   std::uint32_t featureA = 0, featureB = 0;  ///< indices of the mesh; of a deep vertex's other body nothing
 };
 
+/// Whether a point, in the surface's own frame, is over a face, or no farther beside it: past a sharp corner it can be
+/// near both sides and far off.
+bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t index, const Vec3& p, float beside);
+
 /// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges.
 class FeatureContacts {
  public:

@@ -24,6 +24,10 @@ PlacedSurface placed(const SurfaceView& mesh, const Pose& pose, const Pose& othe
 
 }  // namespace
 
+PlacedSurface PlacedSurface::of(const SurfaceView& mesh, const Pose& pose) {
+  return placed(mesh, pose, Pose{});
+}
+
 SurfacePair SurfacePair::of(const SurfaceView& a, const Pose& poseOfA, const SurfaceView& b, const Pose& poseOfB) {
   return {placed(a, poseOfA, poseOfB), placed(b, poseOfB, poseOfA)};
 }

@@ -14,6 +14,9 @@ struct PlacedSurface {
   Mat3 axesFromPair, axesToOther;  ///< rotations alone
   float scale = 1;                 ///< world length of the mesh's unit
 
+  /// Where nothing is asked of the other's frame.
+  static PlacedSurface of(const SurfaceView& mesh, const Pose& pose);
+
   const SurfacePatches& patches() const { return mesh.patches(); }
   const SurfaceFeatures& features() const { return mesh.features(); }
   const Vec3& vertex(std::uint32_t index) const { return mesh.vertices[index]; }

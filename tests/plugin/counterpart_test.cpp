@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "counterparts/closed_forms.h"
 #include "counterparts/convex_counterpart.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/plane_counterpart.h"

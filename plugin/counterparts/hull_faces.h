@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "kernel/convex_body.h"
+
+namespace cairn::bullet {
+
+/// The triangles of a convex hull, in the shape's frame, without its margin. Where GJK looks at the way between two
+/// bodies, which is no way at all where they touch, faces have their normals. Immutable.
+class HullFaces {
+ public:
+  /// Those of the shape, shared by all who ask while anyone has them; null for what is flat, has no corners of its own
+  /// or more than `kMostVertices`. They are made when they are first asked for, or when the shape has changed.
+  static std::shared_ptr<const HullFaces> of(const btPolyhedralConvexShape& shape);
+
+  /// Whether the shape still has these corners.
+  bool isOf(const btPolyhedralConvexShape& shape) const;
+  NearestPoint nearest(const Vec3& p) const;
+
+  /// More are asked by GJK: each question takes time in proportion.
+  static constexpr int kMostVertices = 512;
+
+ private:
+  struct Face {
+    std::array<Vec3, 3> corner;
+    Vec3 normal;
+    float offset = 0;
+  };
+
+  explicit HullFaces(const btPolyhedralConvexShape& shape);
+
+  std::vector<btVector3> corners_;  // all the shape's
+  std::vector<Face> faces_;
+  float size_ = 0;  // how far its corners are from its origin
+};
+
+}  // namespace cairn::bullet

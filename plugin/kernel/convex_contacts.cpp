@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/convex_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/contact_tuning.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Normals of one face of the body, up to rounding: cosine.
+constexpr float kSameNormal = 1 - 1e-6F;
+// Sine of the angle below which an edge lies along a face of the body, up to rounding.
+constexpr float kFlatSlope = 1e-5F;
+// Halvings of an edge: a thousandth of it.
+constexpr int kHalvings = 10;
+// Of a contact distance: nearer than that two planes that support the body tell how far it is. And most of the places
+// looked at for it: of faces one after the other a few, of what is round some more.
+constexpr float kExact = 1e-3F;
+constexpr int kMostCuts = 24;
+// Square of the length of what lies between two normals from which on it is none: they are 120 degrees apart.
+constexpr float kOppositeSq = 0.25F;
+
+Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0F, 1.0F}) {
+      Vec3 direction;
+      direction[axis] = sign;
+      const Vec3 support = surface.fromPair(body.support(surface.directionToPair(direction)));
+      (sign < 0 ? box.lower : box.upper)[axis] = support[axis];
+    }
+  return box;
+}
+
+// Where between a place where it holds and one where it does not a condition ends.
+template <class Holds>
+float endOf(float holds, float fails, const Holds& isHeld) {
+  for (int i = 0; i < kHalvings; ++i) {
+    const float middle = 0.5F * (holds + fails);
+    (isHeld(middle) ? holds : fails) = middle;
+  }
+  return holds;
+}
+
+}  // namespace
+
+std::optional<std::span<const FeatureContact>> ConvexContacts::find(const PlacedSurface& surface, ConvexBody& body,
+                                                                    const ContactLimits& limits, float surfaceMargin,
+                                                                    Budget& budget) {
+  begin(surface, body, limits, surfaceMargin);
+  if (!listPatches(budget)) return {};
+  for (const std::uint32_t patch : patches_) appendOf(surface.patches().patch(patch));
+  if (isDeep_) return {};
+  if (contacts_.empty() && ray_.isInside(surface.mesh, surface.fromPair(middleOfBody_))) return {};
+  dropDeeper();
+  return contacts_;
+}
+
+void ConvexContacts::begin(const PlacedSurface& surface, ConvexBody& body, const ContactLimits& limits,
+                           float surfaceMargin) {
+  surface_ = &surface;
+  body_ = &body;
+  limits_ = limits;
+  surfaceMargin_ = surfaceMargin;
+  middle_ = surface.toPair * surface.patches().box().middle();
+  middleOfBody_ = body.middle();
+  isDeep_ = false;
+  contacts_.clear();
+  facingAlong_ = {};
+  if (seen_.size() < surface.mesh.vertices.size()) seen_.resize(surface.mesh.vertices.size());
+  if (++run_ == 0) {  // all stamps are old
+    seen_.assign(seen_.size(), {});
+    run_ = 1;
+  }
+}
+
+const ConvexContacts::Seen& ConvexContacts::seen(std::uint32_t vertex) {
+  Seen& entry = seen_[vertex];
+  if (entry.run != run_) {
+    entry.place = surface_->toPair * surface_->vertex(vertex);
+    entry.nearest = body_->nearest(entry.place);
+    entry.run = run_;
+  }
+  return entry;
+}
+
+bool ConvexContacts::listPatches(Budget& budget) {
+  patches_.clear();
+  const float reach = (limits_.reach + surfaceMargin_ + limits_.rounding()) / surface_->scale;
+  const Box box = boxOf(*surface_, *body_).grown(reach);
+  const std::span<const PatchFamily> families = surface_->patches().families();
+  waiting_.assign(1, 0);
+  while (!waiting_.empty()) {
+    if (!budget.charge(kOverlapTestCost * PatchFamily::kWidth)) return false;
+    const PatchFamily& family = families[waiting_.back()];
+    waiting_.pop_back();
+    for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
+      const Box there = family.box(lane);
+      if (!(there.gapTo(box) <= 0)) continue;
+      if (!family.isPatch(lane))
+        waiting_.push_back(family.child[lane]);
+      else if (isNear(there))
+        patches_.push_back(family.child[lane]);
+    }
+  }
+  return budget.charge(kOverlapTestCost * SurfacePatch::kMaxTriangles * patches_.size());
+}
+
+// By the ball around the box.
+bool ConvexContacts::isNear(const Box& box) {
+  const float radius = 0.5F * length(box.upper - box.lower) * surface_->scale;
+  return separationOf(body_->nearest(surface_->toPair * box.middle()).distance) <=
+         radius + limits_.reach + limits_.rounding();
+}
+
+void ConvexContacts::appendOf(const SurfacePatch& patch) {
+  for (const std::uint32_t vertex : patch.vertices.first(patch.ownVertices)) appendVertex(vertex);
+  for (const std::uint32_t edge : patch.edges.first(patch.convexEdges)) appendEdge(edge);
+  for (const std::uint32_t face : patch.triangles) appendFace(face);
+}
+
+// What overlaps deeper than that is still told its own side's way out while the other body's middle is on that side:
+// `outside` its plane.
+bool ConvexContacts::isTrusted(float separation, float outside) const {
+  return limits_.trusts(separation) || (separation < 0 && outside > 0);
+}
+
+bool ConvexContacts::isOfContact(float separation, const NearestPoint& nearest) {
+  if (separation > limits_.reach) return false;
+  if (isTrusted(separation, dot(nearest.normal, middle_ - nearest.point))) return true;
+  isDeep_ = true;
+  return false;
+}
+
+// How far a neighbour may be on the body's side of the tangent plane. Along a flat face all are as near; what a round
+// body turns towards a neighbour is another normal, and the nearer of both touches.
+float ConvexContacts::allowedBelow(const Vec3& normal, std::uint32_t neighbour, float separation, float away) {
+  const bool isFlat = dot(seen(neighbour).nearest.normal, normal) >= kSameNormal;
+  return isFlat || separation < 0 ? limits_.belowAt(separation, away) : tuning::kBeside * limits_.contactDistance;
+}
+
+void ConvexContacts::appendVertex(std::uint32_t vertex) {
+  const Seen here = seen(vertex);
+  const float separation = separationOf(here.nearest.distance);
+  if (!isOfContact(separation, here.nearest)) return;
+  const SurfaceFeatures& features = surface_->features();
+  for (const std::uint32_t edge : features.edgesAround(vertex)) {
+    const std::uint32_t neighbour = features.across(edge, vertex);
+    const Vec3 way = seen(neighbour).place - here.place;
+    if (-dot(here.nearest.normal, way) > allowedBelow(here.nearest.normal, neighbour, separation, length(way))) return;
+  }
+  contacts_.push_back({here.place - here.nearest.normal * (0.5F * separation + surfaceMargin_), here.nearest.normal,
+                       separation, FeatureKind::vertexOnFace, vertex, 0});
+}
+
+// The distance from a convex body is a convex function along a line, and the planes that support the body bound it from
+// below: where those of two places meet is the next place to look at, until there is nothing between. A face of the
+// body that lies along the line is as near for a while.
+ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const Seen& to) {
+  const Vec3 way = to.place - from.place;
+  const auto nearestAt = [&](float at) { return body_->nearest(from.place + way * at); };
+  const auto slopeOf = [&](const NearestPoint& nearest) { return dot(nearest.normal, way); };
+  const float flat = kFlatSlope * length(way), exact = kExact * limits_.contactDistance;
+  Stretch stretch{0, from.nearest};
+  if (slopeOf(to.nearest) <= flat) {
+    stretch = {1, to.nearest};
+  } else if (slopeOf(from.nearest) < -flat) {
+    Stretch falls{0, from.nearest}, rises{1, to.nearest};
+    for (int i = 0; i < kMostCuts; ++i) {
+      const float fall = slopeOf(falls.nearest), rise = slopeOf(rises.nearest);
+      const float cut =
+          (rises.nearest.distance - falls.nearest.distance + fall * falls.at - rise * rises.at) / (fall - rise);
+      stretch.at = std::clamp(cut, falls.at, rises.at);
+      stretch.nearest = nearestAt(stretch.at);
+      const float slope = slopeOf(stretch.nearest), least = falls.nearest.distance + fall * (stretch.at - falls.at);
+      if (std::abs(slope) <= flat) break;
+      if (stretch.nearest.distance - least <= exact) {
+        meet(falls.nearest, rises.nearest, way, from.place + way * stretch.at, stretch.nearest);
+        break;
+      }
+      (slope < 0 ? falls : rises) = stretch;
+    }
+  }
+  stretch.first = stretch.last = stretch.at;
+  if (separationOf(stretch.nearest.distance) > limits_.reach) return stretch;
+  const float most = stretch.nearest.distance + tuning::kBeside * limits_.contactDistance;
+  const auto isOfFace = [&](const NearestPoint& nearest) {
+    return nearest.distance <= most && dot(nearest.normal, stretch.nearest.normal) >= kSameNormal;
+  };
+  const auto isOfFaceAt = [&](float at) { return isOfFace(nearestAt(at)); };
+  stretch.first = isOfFace(from.nearest) ? 0 : endOf(stretch.at, 0, isOfFaceAt);
+  stretch.last = isOfFace(to.nearest) ? 1 : endOf(stretch.at, 1, isOfFaceAt);
+  return stretch;
+}
+
+// Two faces of the body that meet in an edge: the edge's normal across the line. Inside the body it is farther along
+// that than along theirs. Not of faces that look away from each other: the line goes through the body.
+void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& way, const Vec3& place,
+                          NearestPoint& nearest) {
+  const float fall = -dot(falls.normal, way), rise = dot(rises.normal, way);
+  const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
+  if (lengthSq(between) < kOppositeSq) return;
+  nearest.normal = normalized(between);
+  if (nearest.distance < 0) nearest.distance /= length(between);
+  nearest.point = place - nearest.normal * nearest.distance;
+}
+
+void ConvexContacts::appendEdge(std::uint32_t index) {
+  const SurfaceEdge& edge = surface_->features().edges()[index];
+  const Seen from = seen(edge.vertex[0]), to = seen(edge.vertex[1]);
+  const Vec3 way = to.place - from.place;
+  const float least = 0.5F * (from.nearest.distance + to.nearest.distance - length(way));
+  if (separationOf(least) > limits_.reach) return;
+  const Stretch stretch = nearestStretch(from, to);
+  if (!isOfContact(separationOf(stretch.nearest.distance), stretch.nearest)) return;
+  // Ends are vertices, who tell themselves.
+  const auto appendAt = [&](float at, const NearestPoint& nearest, std::uint32_t which) {
+    if (at > 0 && at < 1) appendOnEdge(index, from.place + way * at, nearest, which);
+  };
+  const bool isOnePoint = (stretch.last - stretch.first) * length(way) < limits_.contactDistance;
+  if (isOnePoint) return appendAt(stretch.at, stretch.nearest, 0);
+  appendAt(stretch.first, body_->nearest(from.place + way * stretch.first), 1);
+  appendAt(stretch.last, body_->nearest(from.place + way * stretch.last), 2);
+}
+
+void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const NearestPoint& nearest,
+                                  std::uint32_t which) {
+  const SurfaceEdge& edge = surface_->features().edges()[index];
+  const float separation = separationOf(nearest.distance);
+  const Vec3 along = seen(edge.vertex[1]).place - seen(edge.vertex[0]).place;
+  for (const std::uint32_t v : edge.opposite) {
+    if (v == SurfaceEdge::kNone) continue;
+    const Vec3 way = seen(v).place - point;
+    const Vec3 beside = way - along * (dot(way, along) / lengthSq(along));
+    if (-dot(nearest.normal, beside) > allowedBelow(nearest.normal, v, separation, length(beside))) return;
+  }
+  contacts_.push_back({point - nearest.normal * (0.5F * separation + surfaceMargin_), nearest.normal, separation,
+                       FeatureKind::edgeOnEdge, index, which});
+}
+
+void ConvexContacts::appendFace(std::uint32_t index) {
+  const SurfaceFace& face = surface_->features().faces()[index];
+  if (face.normal == Vec3()) return;
+  const Vec3 outward = surface_->directionToPair(face.normal);
+  const Vec3 on = surface_->toPair * surface_->vertex(surface_->mesh.triangles[index][0]);
+  const Vec3 lowest = body_->support(-outward);
+  if (!isTrusted(separationOf(dot(outward, lowest - on)), dot(outward, middleOfBody_ - on))) return;
+  if (facingAlong_ != outward) {
+    facing_.look(-outward, limits_.size, [&](const Vec3& direction) { return body_->support(direction); });
+    facingAlong_ = outward;
+  }
+  appendOnFace(index, lowest, outward, 0);
+  std::uint32_t corner = 1;
+  for (const Vec3& onBody : facing_.corners()) appendOnFace(index, onBody, outward, corner++);
+}
+
+void ConvexContacts::appendOnFace(std::uint32_t index, const Vec3& onBody, const Vec3& outward, std::uint32_t corner) {
+  const SurfaceFace& face = surface_->features().faces()[index];
+  const Vec3 inMesh = surface_->fromPair(onBody);
+  const float height = (dot(face.normal, inMesh) - face.offset) * surface_->scale;
+  const float separation = separationOf(height);
+  if (separation > limits_.reach) return;
+  if (!isOver(face, *surface_, index, inMesh, limits_.besideAt(separation) / surface_->scale)) return;
+  // Past a face's border a point may be far below its plane, and in the open.
+  if (separation < -limits_.contactDistance && !ray_.isInside(surface_->mesh, inMesh)) return;
+  contacts_.push_back(
+      {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, index, corner});
+}
+
+// Whether what a contact says to overlap still does once the surface has moved out along `other`, and a little more.
+bool ConvexContacts::staysInside(const FeatureContact& contact, const FeatureContact& other) {
+  const float more = tuning::kBeside * limits_.contactDistance;
+  const Vec3 way = other.normal * (std::max(-other.separation, 0.0F) + more);
+  if (contact.kind != FeatureKind::faceOnVertex) {
+    const Vec3 onSurface = contact.position + contact.normal * (0.5F * contact.separation);
+    return body_->nearest(onSurface + way).distance < 0;
+  }
+  const Vec3 onBody = contact.position - contact.normal * (0.5F * contact.separation);
+  return ray_.isInside(surface_->mesh, surface_->fromPair(onBody - way));
+}
+
+// Where several features stop the same overlap the shallowest says the way out, if it is one.
+void ConvexContacts::dropDeeper() {
+  const auto isOverruled = [&](const FeatureContact& c) {
+    if (c.separation + limits_.margins >= 0) return false;
+    const float near = -tuning::kNearDepths * c.separation + tuning::kNearDistances * limits_.contactDistance;
+    return std::ranges::any_of(contacts_, [&](const FeatureContact& o) {
+      return o.separation > tuning::kShallower * c.separation && dot(o.normal, c.normal) < tuning::kOtherWayCosine &&
+             lengthSq(o.position - c.position) <= near * near && !staysInside(c, o);
+    });
+  };
+  shallow_.clear();
+  for (const FeatureContact& contact : contacts_)
+    if (!isOverruled(contact)) shallow_.push_back(contact);
+  contacts_.swap(shallow_);
+}
+
+}  // namespace cairn::bullet

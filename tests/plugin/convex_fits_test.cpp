@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Zlib
+// Bullet's convex shapes in holes of a tree that leave them a little play.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "bullet_world.h"
+#include "extruded.h"
+
+namespace cairn::test::convex_fits_test {
+namespace {
+
+constexpr double kG = 10;
+constexpr btScalar kRadius = btScalar(0.2), kHalfLength = btScalar(0.4);
+
+std::shared_ptr<btConvexHullShape> hullOf(const Solid& solid) {
+  auto hull = std::make_shared<btConvexHullShape>();
+  hull->setMargin(btScalar(1e-4));
+  for (const Vec3d& v : solid.vertices) hull->addPoint(btVector3(btScalar(v.x), btScalar(v.y), btScalar(v.z)), false);
+  hull->recalcLocalAabb();
+  return hull;
+}
+
+enum class Piece { ball, capsule, cylinder, box, hull };
+const char* name(Piece piece) {
+  return std::array{"Ball", "Capsule", "Cylinder", "Box", "Hull"}[static_cast<std::size_t>(piece)];
+}
+
+std::shared_ptr<btCollisionShape> shapeOf(Piece piece) {
+  switch (piece) {
+    case Piece::ball:
+      return std::make_shared<btSphereShape>(kRadius);
+    case Piece::capsule:
+      return std::make_shared<btCapsuleShapeZ>(kRadius, 2 * (kHalfLength - kRadius));
+    case Piece::cylinder:
+      return std::make_shared<btCylinderShapeZ>(btVector3(kRadius, kRadius, kHalfLength));
+    case Piece::box:
+      return std::make_shared<btBoxShape>(btVector3(kRadius, kRadius, kHalfLength));
+    case Piece::hull:
+      return hullOf(extruded(circle(kRadius, 32), -kHalfLength, kHalfLength));
+  }
+  return nullptr;
+}
+
+class ConvexFits : public testing::TestWithParam<Piece> {};
+INSTANTIATE_TEST_SUITE_P(Pieces, ConvexFits,
+                         testing::Values(Piece::ball, Piece::capsule, Piece::cylinder, Piece::box, Piece::hull),
+                         [](const auto& piece) { return name(piece.param); });
+
+TEST_P(ConvexFits, FallsIntoItsHole) {
+  for (const double play : {0.01, 0.05})
+    for (int start = 0; start < 4; ++start) {
+      BulletWorld<> w;
+      w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
+      const double hole = double(kRadius) * (1 + play);
+      const auto block = GetParam() == Piece::box ? holedBlock(0.5, hole * std::sqrt(2), 4, -0.3, 0.3)
+                                                  : holedBlock(0.5, hole, 32, -0.3, 0.3);
+      w.add(treeShape(plainTree(block, 4)), 0, btVector3(0, 0, 0)).setFriction(1);
+      const double angle = start * 1.7, off = 0.0005 * start, tilt = 0.0012 * start;
+      btQuaternion turn(btVector3(btScalar(std::cos(angle)), btScalar(std::sin(angle)), 0), btScalar(tilt));
+      if (GetParam() == Piece::box) turn = turn * btQuaternion(btVector3(0, 0, 1), btScalar(std::numbers::pi / 4));
+      btRigidBody& piece =
+          w.add(shapeOf(GetParam()), 1,
+                btVector3(btScalar(off * std::cos(angle)), btScalar(off * std::sin(angle)), btScalar(0.72)), turn);
+      piece.setFriction(btScalar(0.1));
+      btScalar aside = 0;
+      for (int step = 0; step < 60 && piece.getWorldTransform().getOrigin().z() > 0; ++step) {
+        w.step();
+        aside = std::max({aside, std::abs(piece.getLinearVelocity().x()), std::abs(piece.getLinearVelocity().y())});
+      }
+      EXPECT_LT(piece.getWorldTransform().getOrigin().z(), 0) << "play " << play << ", start " << start;
+      EXPECT_LT(aside, 0.05) << "pushed aside, play " << play << ", start " << start;
+    }
+}
+
+}  // namespace
+}  // namespace cairn::test::convex_fits_test
