@@ -25,15 +25,11 @@ constexpr int kMaxPulls = 3;
 // Part of the shape's size from which on a leaf's radius is large against it: it may stand in the leaf's middle.
 constexpr float kLargeLeaf = 0.25F;
 
-struct Box {
-  Vec3 center, halfExtents;
-};
-
-// Of the shape in its own frame, margin included.
+// In its own frame, margin included.
 Box ownBox(const btCollisionShape& shape) {
   btVector3 lower, upper;
   shape.getAabb(btTransform::getIdentity(), lower, upper);
-  return {toVec3((lower + upper) * btScalar(0.5)), toVec3((upper - lower) * btScalar(0.5))};
+  return {toVec3(lower), toVec3(upper)};
 }
 
 }  // namespace
@@ -70,22 +66,30 @@ void ConvexCounterpart::place(const PairPlacement& placement) {
   planes_.reserve(kMaxPlanes);
   planes_.clear();
 
-  const Box box = ownBox(shape);
-  size_ = 2 * length(box.halfExtents);
+  box_ = ownBox(shape);
+  const Vec3 boxMiddle = box_.middle(), halfExtents = (box_.upper - box_.lower) * 0.5F;
+  size_ = 2 * length(halfExtents);
   isSmall_ = size_ <= 2 * tree_.tree().reach() * tree_.scale();
   const Pose shapePose{toMat3d(placement.other.getBasis()), toVec3d(placement.other.getOrigin()), 1};
   shapeFromPair_ = relativePose(shapePose, Pose{});
   pairFromShapeAxes_ = toSimilarity(shapePose).linear;
   shapeOrigin_ = Vec3(shapePose.translation);
-  boxMiddle_ = pairFromShapeAxes_ * box.center + shapeOrigin_;
+  boxMiddle_ = pairFromShapeAxes_ * boxMiddle + shapeOrigin_;
   const Similarity shapeFromTree = relativePose(shapePose, tree_.pose());
-  const float lengths =
-      length(shapeFromTree.translation) + tree_.tree().reach() * tree_.scale() + length(box.halfExtents);
-  obstacle_.place(shapeFromTree, box.center, box.halfExtents, reach_ + margin_ + kOverlapSlack * lengths);
+  const float lengths = length(shapeFromTree.translation) + tree_.tree().reach() * tree_.scale() + length(halfExtents);
+  obstacle_.place(shapeFromTree, boxMiddle, halfExtents, reach_ + margin_ + kOverlapSlack * lengths);
 }
 
 float ConvexCounterpart::size(const btCollisionShape& shape) const {
-  return 2 * length(ownBox(shape).halfExtents);
+  const Box box = ownBox(shape);
+  return length(box.upper - box.lower);
+}
+
+// Corners inside the box may have moved as well.
+bool ConvexCounterpart::isUnchanged(const btCollisionShape& other) const {
+  const auto& shape = static_cast<const btConvexShape&>(other);
+  const Box box = ownBox(shape);
+  return shape_ == &shape && box.lower == box_.lower && box.upper == box_.upper && surface_.isStillOf(shape);
 }
 
 void ConvexCounterpart::start(std::vector<NodePair>& /*known*/, float /*skin*/) {

@@ -34,6 +34,7 @@ class ConvexCounterpart final : public Counterpart, private ConvexBody {
  public:
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known, float skin) override;
+  bool isUnchanged(const btCollisionShape& other) const override;
   bool resume() override { return true; }
   Traversal& traversal() override { return traversal_; }
   using Counterpart::appendContacts;
@@ -59,6 +60,7 @@ class ConvexCounterpart final : public Counterpart, private ConvexBody {
 
   bool isCertainlyApart(const Sphere& sphere) const;
   NearestPoint nearest(const Vec3& pointInPair) override;
+  float apartFrom(const Vec3& pointInPair) override { return surface_.apartFrom(shapeFromPair_ * pointInPair); }
   Vec3 support(const Vec3& direction) const override;
   Vec3 middle() const override { return boxMiddle_; }
   void appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<Contact>& contacts);
@@ -98,6 +100,7 @@ class ConvexCounterpart final : public Counterpart, private ConvexBody {
   Mat3 pairFromShapeAxes_;
   Vec3 shapeOrigin_, boxMiddle_;
   const btConvexShape* shape_ = nullptr;
+  Box box_;  // of the shape in its own frame, margin included
   ConvexSurface surface_;
   std::vector<Plane> planes_;  // of this step, pair frame: the shape lies behind each
   ConvexObstacle obstacle_;

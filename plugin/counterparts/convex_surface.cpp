@@ -27,14 +27,21 @@ struct GjkAnswer final : btDiscreteCollisionDetectorInterface::Result {
   }
 };
 
+// All corners of which can be asked for.
+bool isHull(const btConvexShape& shape) {
+  return shape.isPolyhedral() && shape.getShapeType() != BOX_SHAPE_PROXYTYPE;
+}
+
 }  // namespace
 
 void ConvexSurface::setShape(const btConvexShape& shape) {
-  const bool isHull = shape.isPolyhedral() && shape.getShapeType() != BOX_SHAPE_PROXYTYPE;
-  const auto* const polyhedron = isHull ? static_cast<const btPolyhedralConvexShape*>(&shape) : nullptr;
-  const bool isSame = shape_ == &shape && hull_ && polyhedron && hull_->isOf(*polyhedron);
+  const bool isSame = shape_ == &shape && hull_ && isStillOf(shape);
   shape_ = &shape;
-  if (!isSame) hull_ = polyhedron ? HullFaces::of(*polyhedron) : nullptr;
+  if (!isSame) hull_ = isHull(shape) ? HullFaces::of(static_cast<const btPolyhedralConvexShape&>(shape)) : nullptr;
+}
+
+bool ConvexSurface::isStillOf(const btConvexShape& shape) const {
+  return !hull_ || (isHull(shape) && hull_->isOf(static_cast<const btPolyhedralConvexShape&>(shape)));
 }
 
 NearestPoint ConvexSurface::nearest(const Vec3& p) {
@@ -53,6 +60,10 @@ NearestPoint ConvexSurface::nearest(const Vec3& p) {
   nearest.distance -= margin;
   nearest.point += nearest.normal * margin;
   return nearest;
+}
+
+float ConvexSurface::apartFrom(const Vec3& p) {
+  return hull_ ? hull_->heightAbove(p) - static_cast<float>(shape_->getMargin()) : nearest(p).distance;
 }
 
 float ConvexSurface::margin() const {

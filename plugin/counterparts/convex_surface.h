@@ -29,7 +29,11 @@ class ConvexSurface {
 
   /// The shape must outlive its use here.
   void setShape(const btConvexShape& shape);
+  /// Whether a hull still has the corners it had then. Of other shapes their box tells.
+  bool isStillOf(const btConvexShape& shape) const;
   NearestPoint nearest(const Vec3& p);
+  /// No more than the distance of a point outside; cheap for hulls.
+  float apartFrom(const Vec3& p);
   /// What the shape adds to a core that is asked about; none where it is answered in closed form, but for spheres,
   /// whose core is their middle.
   float margin() const;

@@ -45,6 +45,9 @@ class Counterpart {
   /// Whether what a traversal found holds for all poses that are no farther from its own than its skin: nothing but the
   /// bodies' poses decides what touches.
   virtual bool keepsAnswer() const { return false; }
+  /// Whether the other shape is what it was when it was last placed: then contacts of its surface last while the bodies
+  /// lie still.
+  virtual bool isUnchanged(const btCollisionShape& /*other*/) const { return keepsAnswer(); }
   /// Goes on with the last traversal at these poses. False when it cannot (what it has seen of the counterpart is too
   /// small for where the tree now is): the caller must start anew.
   virtual bool resume() = 0;

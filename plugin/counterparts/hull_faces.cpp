@@ -85,6 +85,12 @@ bool HullFaces::isOf(const btPolyhedralConvexShape& shape) const {
   return true;
 }
 
+float HullFaces::heightAbove(const Vec3& p) const {
+  float most = -std::numeric_limits<float>::infinity();
+  for (const Face& face : faces_) most = std::max(most, dot(face.normal, p) - face.offset);
+  return most;
+}
+
 // Behind all planes the nearest one. Else the nearest point of the faces whose outer side is seen: never one of those
 // that are not. Rounding leaves the shortest ways no direction: there it is the face's.
 NearestPoint HullFaces::nearest(const Vec3& p) const {
@@ -92,11 +98,15 @@ NearestPoint HullFaces::nearest(const Vec3& p) const {
   const Face& highest = *std::ranges::max_element(faces_, {}, height);
   const float most = height(highest);
   if (most <= 0) return {p - highest.normal * most, highest.normal, most};
+  const auto nearestOn = [&](const Face& face) {
+    return nearestOnTriangle({face.corner[0], face.corner[1], face.corner[2]}, p);
+  };
+  if (const TrianglePoint on = nearestOn(highest); on.onFace) return {on.point, highest.normal, most};
   NearestPoint nearest{{}, {}, std::numeric_limits<float>::infinity()};
   for (const Face& face : faces_) {
     const float above = height(face);
     if (above <= 0 || above >= nearest.distance) continue;
-    const TrianglePoint on = nearestOnTriangle({face.corner[0], face.corner[1], face.corner[2]}, p);
+    const TrianglePoint on = nearestOn(face);
     if (on.onFace) return {on.point, face.normal, above};
     const Vec3 way = p - on.point;
     const float distance = length(way);

@@ -23,6 +23,8 @@ class HullFaces {
   /// Whether the shape still has these corners.
   bool isOf(const btPolyhedralConvexShape& shape) const;
   NearestPoint nearest(const Vec3& p) const;
+  /// The greatest height above a face's plane: outside no more than the distance.
+  float heightAbove(const Vec3& p) const;
 
   /// More are asked by GJK: each question takes time in proportion.
   static constexpr int kMostVertices = 512;

@@ -18,6 +18,8 @@ class ConvexBody {
   virtual ~ConvexBody() = default;
 
   virtual NearestPoint nearest(const Vec3& point) = 0;
+  /// It is no nearer to the point than that, if it does not hold it. Cheap.
+  virtual float apartFrom(const Vec3& point) = 0;
   /// Its point that lies farthest along a direction: unit.
   virtual Vec3 support(const Vec3& direction) const = 0;
   /// A point inside of it.

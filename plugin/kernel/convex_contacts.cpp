@@ -112,8 +112,7 @@ bool ConvexContacts::listPatches(Budget& budget) {
 // By the ball around the box.
 bool ConvexContacts::isNear(const Box& box) {
   const float radius = 0.5F * length(box.upper - box.lower) * surface_->scale;
-  return separationOf(body_->nearest(surface_->toPair * box.middle()).distance) <=
-         radius + limits_.reach + limits_.rounding();
+  return separationOf(body_->apartFrom(surface_->toPair * box.middle())) <= radius + limits_.reach + limits_.rounding();
 }
 
 void ConvexContacts::appendOf(const SurfacePatch& patch) {
@@ -241,9 +240,20 @@ void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const 
                        FeatureKind::edgeOnEdge, index, which});
 }
 
+// No point of a triangle is farther from its nearest corner than its longest side over the root of three.
+bool ConvexContacts::isFaceApart(std::uint32_t index) {
+  constexpr float kFarthest = 0.578F;
+  const auto& [a, b, c] = surface_->mesh.triangles[index];
+  const Seen at = seen(a), bt = seen(b), ct = seen(c);
+  const float nearest = std::min({at.nearest.distance, bt.nearest.distance, ct.nearest.distance});
+  const float longestSq =
+      std::max({lengthSq(bt.place - at.place), lengthSq(ct.place - bt.place), lengthSq(at.place - ct.place)});
+  return separationOf(nearest) > limits_.reach + limits_.rounding() + kFarthest * std::sqrt(longestSq);
+}
+
 void ConvexContacts::appendFace(std::uint32_t index) {
   const SurfaceFace& face = surface_->features().faces()[index];
-  if (face.normal == Vec3()) return;
+  if (face.normal == Vec3() || isFaceApart(index)) return;
   const Vec3 outward = surface_->directionToPair(face.normal);
   const Vec3 on = surface_->toPair * surface_->vertex(surface_->mesh.triangles[index][0]);
   const Vec3 lowest = body_->support(-outward);

@@ -39,7 +39,7 @@ std::uint32_t pointsOf(std::span<btPersistentManifold* const> manifolds) {
 
 // How far the bodies have moved against each other since, and where they are now.
 std::optional<TreePair::StandsStill> TreePair::standsStill() const {
-  if (!contacts_.isOfTriangles() || !counterpart_->keepsAnswer()) return {};
+  if (!contacts_.isOfTriangles()) return {};
   if (isFast_ || wasAhead_ || isHeld_ || !isPlaced_) return {};
   if (gContactProcessedCallback || isAskedAbout(*object0()) || isAskedAbout(*object1())) return {};
   const btCollisionObjectWrapper &treeBody = treeIsBody0_ ? body0() : body1(),
@@ -47,6 +47,7 @@ std::optional<TreePair::StandsStill> TreePair::standsStill() const {
   const SphereTreeShape* const tree = asSphereTree(treeBody.getCollisionShape());
   const btCollisionShape& other = *otherBody.getCollisionShape();
   if (!tree || !isSubject(*tree, asSphereTree(&other), other) || pointsOf(manifolds_) != saidContacts_) return {};
+  if (!counterpart_->isUnchanged(other)) return {};
   const RelativePlacement now = relativePlacement(*tree, treeBody.getWorldTransform(), otherBody.getWorldTransform());
   const float tolerance = tuning::kCarried * speculative_;
   const auto moved = static_cast<float>(now.displacementSince(answeredAt_));

@@ -76,5 +76,23 @@ TEST_P(ConvexFits, FallsIntoItsHole) {
     }
 }
 
+// What lies still is told again without being asked, but not once the user gives it another size.
+TEST(ConvexCarriedOver, IsAskedAnewOnceItHasChanged) {
+  for (const bool isHull : {false, true}) {
+    BulletWorld<> w;
+    w.add(treeShape(plainTree(cuboid({4, 4, 1}, 4))), 0, btVector3(0, 0, btScalar(-0.5)));
+    const std::shared_ptr<btCollisionShape> box =
+        isHull ? std::static_pointer_cast<btCollisionShape>(hullOf(cuboid({1, 1, 1}, 1)))
+               : std::make_shared<btBoxShape>(btVector3(1, 1, 1) / 2);
+    btRigidBody& body = w.add(box, 1, btVector3(0, 0, btScalar(0.5)));
+    body.setActivationState(DISABLE_DEACTIVATION);
+    w.step(120);
+    EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.5, 0.002);
+    box->setLocalScaling(btVector3(1, 1, 2));
+    w.step(240);
+    EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 1, 0.004) << (isHull ? "hull" : "box");
+  }
+}
+
 }  // namespace
 }  // namespace cairn::test::convex_fits_test
