@@ -275,7 +275,8 @@ void ConvexContacts::appendOnFace(std::uint32_t index, const Vec3& onBody, const
   if (separation > limits_.reach) return;
   if (!isOver(face, *surface_, index, inMesh, limits_.besideAt(separation) / surface_->scale)) return;
   // Past a face's border a point may be far below its plane, and in the open.
-  if (separation < -limits_.contactDistance && !ray_.isInside(surface_->mesh, inMesh)) return;
+  const bool isDeepBeside = separation < -limits_.contactDistance && !isOver(face, *surface_, index, inMesh, 0);
+  if (isDeepBeside && !ray_.isInside(surface_->mesh, inMesh)) return;
   contacts_.push_back(
       {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, index, corner});
 }
