@@ -30,11 +30,15 @@ void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, st
   });
 }
 
-// Where the overlap grows no less whichever way the bodies move they are parted along the line of their middles.
+// Whether the overlap grows no less whichever way the bodies move: they are wrapped around each other.
+bool isWrapped(const OverlapRegion& region) {
+  return length(region.area) <= tuning::kNoArea * region.sum;
+}
+
+// Those that are wrapped are parted along the line of their middles.
 Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
   const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
-  const bool isClosed = length(region.area) <= tuning::kNoArea * region.sum;
-  const Vec3 way = isClosed ? bodies : -region.area;
+  const Vec3 way = isWrapped(region) ? bodies : -region.area;
   return way != Vec3() ? normalized(way) : way;
 }
 
@@ -44,7 +48,9 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
                          std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts) {
   for (const OverlapRegion& region : regions) {
     leaveUnexplained(region, limits, contacts);
-    if (deep_.empty()) continue;
+    // A nut that touches its bolt is not to be pushed off it.
+    const bool isTouching = isWrapped(region) && deep_.size() < region.points.size();
+    if (deep_.empty() || isTouching) continue;
     const Vec3 way = wayOut(surfaces, region);
     if (way == Vec3() || widthAlong(way).width() < tuning::kLeastWidth * limits.contactDistance) continue;
     const Vec3 out = narrowest(surfaces, way);
