@@ -25,6 +25,8 @@ Cairn: collision detection that keeps its deadline.
                              shapes and the textbook
   ./cairn.sh bench matrix [OPTIONS] how sphere-trees rest, slide and roll with everything Bullet has, beside Bullet's own
                              shapes and the textbook
+  ./cairn.sh scoreboard [--quick] [OPTIONS] what exact contacts gain and cost, contacts of meshes beside contacts of leaves in
+                             one run, with what is asked of them (--help lists the options)
   ./cairn.sh bench fits FOLDER [OPTIONS] whether pieces that fit (meshes in FOLDER) go together, slide and hold as pieces do
   ./cairn.sh bench kernel TREE... [OPTIONS] what exact contacts of two bodies that touch cost, stage by stage
   ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
@@ -250,6 +252,16 @@ hard_cases() {
   build/release/bin/hard_cases "$@"
 }
 
+scoreboard() {
+  case " $* " in *' --help '* | *' -h '*) python3 tests/scoreboard/run.py --help; return ;; esac
+  need "${everything[@]}" tests
+  configure_and_build release --target cairn frame_budget fits_bench hard_cases make_rock > /dev/null
+  local mesh
+  mkdir -p out/scoreboard
+  fetch_mesh out/scoreboard > /dev/null
+  python3 tests/scoreboard/run.py --mesh "$mesh" "$@"
+}
+
 # What is left out of the page is said on it, so a missing optional package is no reason to stop.
 report() {
   local programs=(cairn accuracy_cost frame_budget sphere_set_picture textbook_bench tree_picture)
@@ -335,6 +347,7 @@ case $command in
   accuracy-cost) accuracy_cost "$@" ;;
   hard-cases) hard_cases "$@" ;;
   report) report "$@" ;;
+  scoreboard) scoreboard "$@" ;;
   fuzz) fuzz "$@" ;;
   coverage) coverage "$@" ;;
   threads) threads "$@" ;;
