@@ -12,7 +12,8 @@ namespace cairn::bullet {
 /// tree: the leaf's level and its `NodeId`, or as `ContactPart` says. On a triangle mesh: the mesh's own part and
 /// triangle. On a terrain: the triangle, and as part 0, or one plus which of a flat leaf's support points it is. On
 /// anything else as Bullet has it: index -1, or which child of a compound it is; and as part, because a flat leaf
-/// touches a flat shape in several points, which of the leaf's support points it is (-1 for the extreme one).
+/// touches a flat shape in several points, which of the leaf's support points it is (-1 for the extreme one), or of the
+/// points on a feature of the mesh.
 struct ContactId {
   int treePart = -1, treeIndex = -1;
   int otherPart = -1, otherIndex = -1;

@@ -33,8 +33,8 @@ enum class CastTarget : std::uint8_t {
 };
 
 /// What the index of a contact point's part means on a tree. Below `vertex` the part is a leaf's level and the index
-/// its `NodeId`; with `Finest::triangles`, against another tree or a solid mesh, the index is that of a feature of the
-/// source mesh.
+/// its `NodeId`; with `Finest::triangles`, against another tree, a convex shape or a solid mesh, the index is that of a
+/// feature of the source mesh.
 enum class ContactPart : std::uint8_t {
   vertex = kMaxDepth + 1,  ///< of `SphereTree::vertices()`
   face,                    ///< of `SphereTree::triangles()`
