@@ -7,6 +7,7 @@
 #include "cairn/core/tree_surface.h"
 #include "kernel/contact_tuning.h"
 #include "kernel/explained.h"
+#include "kernel/shallower.h"
 
 namespace cairn::bullet {
 
@@ -50,7 +51,9 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfa
   appendCrossings(surfaces, placed_, memory.lists_, moved, crossings_);
   const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
   if (!appendDeeper(surfaces, limits, regions, budget)) return {};
-  dropDeeper(surfaces, limits);
+  dropDeeper(contacts_, shallow_, limits, [&](const FeatureContact& contact, const FeatureContact& other) {
+    return staysInside(surfaces, limits, contact, other);
+  });
   deepOverlap_.append(surfaces, limits, regions, contacts_);
   if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
   return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
@@ -116,23 +119,6 @@ bool ContactKernel::staysInside(const SurfacePair& surfaces, const ContactLimits
   if (contact.kind == FeatureKind::faceOnVertex)
     return ray_.isInside(surfaces.a.mesh, surfaces.a.fromPair(contact.position - in - way));
   return ray_.isInside(surfaces.b.mesh, surfaces.b.fromPair(contact.position + in + way));
-}
-
-// Where several features stop the same overlap the shallowest says the way out, if it is one: what stands in a corner
-// is still below the floor when it has come out of the wall.
-void ContactKernel::dropDeeper(const SurfacePair& surfaces, const ContactLimits& limits) {
-  const auto isOverruled = [&](const FeatureContact& c) {
-    if (c.separation >= 0) return false;
-    const float near = -tuning::kNearDepths * c.separation + tuning::kNearDistances * limits.contactDistance;
-    return std::ranges::any_of(contacts_, [&](const FeatureContact& o) {
-      return o.separation > tuning::kShallower * c.separation && dot(o.normal, c.normal) < tuning::kOtherWayCosine &&
-             lengthSq(o.position - c.position) <= near * near && !staysInside(surfaces, limits, c, o);
-    });
-  };
-  shallow_.clear();
-  for (const FeatureContact& contact : contacts_)
-    if (!isOverruled(contact)) shallow_.push_back(contact);
-  contacts_.swap(shallow_);
 }
 
 }  // namespace cairn::bullet

@@ -74,7 +74,6 @@ class ContactKernel {
             const RelativePlacement& placement, Budget& budget);
   bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
                     Budget& budget);
-  void dropDeeper(const SurfacePair& surfaces, const ContactLimits& limits);
   bool staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
                    const FeatureContact& other);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/contact_tuning.h"
+#include "kernel/shallower.h"
 
 namespace cairn::bullet {
 
@@ -20,8 +21,8 @@ constexpr int kHalvings = 10;
 // looked at for it: of faces one after the other a few, of what is round some more.
 constexpr float kExact = 1e-3F;
 constexpr int kMostCuts = 24;
-// Square of the length of what lies between two normals from which on it is none: they are 120 degrees apart.
-constexpr float kOppositeSq = 0.25F;
+// Length of what lies between two normals that are opposite, up to three degrees: no direction.
+constexpr float kNothing = 0.05F;
 
 Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
   Box box;
@@ -55,7 +56,8 @@ std::optional<std::span<const FeatureContact>> ConvexContacts::find(const Placed
   for (const std::uint32_t patch : patches_) appendOf(surface.patches().patch(patch));
   if (isDeep_) return {};
   if (contacts_.empty() && ray_.isInside(surface.mesh, surface.fromPair(middleOfBody_))) return {};
-  dropDeeper();
+  dropDeeper(contacts_, shallow_, limits,
+             [&](const FeatureContact& contact, const FeatureContact& other) { return staysInside(contact, other); });
   return contacts_;
 }
 
@@ -65,7 +67,6 @@ void ConvexContacts::begin(const PlacedSurface& surface, ConvexBody& body, const
   body_ = &body;
   limits_ = limits;
   surfaceMargin_ = surfaceMargin;
-  middle_ = surface.toPair * surface.patches().box().middle();
   middleOfBody_ = body.middle();
   isDeep_ = false;
   contacts_.clear();
@@ -129,7 +130,8 @@ bool ConvexContacts::isTrusted(float separation, float outside) const {
 
 bool ConvexContacts::isOfContact(float separation, const NearestPoint& nearest) {
   if (separation > limits_.reach) return false;
-  if (isTrusted(separation, dot(nearest.normal, middle_ - nearest.point))) return true;
+  const Vec3 middle = surface_->toPair * surface_->patches().box().middle();
+  if (isTrusted(separation, dot(nearest.normal, middle - nearest.point))) return true;
   isDeep_ = true;
   return false;
 }
@@ -201,7 +203,7 @@ void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, 
                           NearestPoint& nearest) {
   const float fall = -dot(falls.normal, way), rise = dot(rises.normal, way);
   const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
-  if (lengthSq(between) < kOppositeSq) return;
+  if (lengthSq(between) < kNothing * kNothing) return;
   nearest.normal = normalized(between);
   if (nearest.distance < 0) nearest.distance /= length(between);
   nearest.point = place - nearest.normal * nearest.distance;
@@ -291,22 +293,6 @@ bool ConvexContacts::staysInside(const FeatureContact& contact, const FeatureCon
   }
   const Vec3 onBody = contact.position - contact.normal * (0.5F * contact.separation);
   return ray_.isInside(surface_->mesh, surface_->fromPair(onBody - way));
-}
-
-// Where several features stop the same overlap the shallowest says the way out, if it is one.
-void ConvexContacts::dropDeeper() {
-  const auto isOverruled = [&](const FeatureContact& c) {
-    if (c.separation + limits_.margins >= 0) return false;
-    const float near = -tuning::kNearDepths * c.separation + tuning::kNearDistances * limits_.contactDistance;
-    return std::ranges::any_of(contacts_, [&](const FeatureContact& o) {
-      return o.separation > tuning::kShallower * c.separation && dot(o.normal, c.normal) < tuning::kOtherWayCosine &&
-             lengthSq(o.position - c.position) <= near * near && !staysInside(c, o);
-    });
-  };
-  shallow_.clear();
-  for (const FeatureContact& contact : contacts_)
-    if (!isOverruled(contact)) shallow_.push_back(contact);
-  contacts_.swap(shallow_);
 }
 
 }  // namespace cairn::bullet

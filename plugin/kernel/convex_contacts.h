@@ -57,14 +57,13 @@ class ConvexContacts {
   void appendOnEdge(std::uint32_t edge, const Vec3& point, const NearestPoint& nearest, std::uint32_t which);
   void appendOnFace(std::uint32_t face, const Vec3& onBody, const Vec3& normal, std::uint32_t corner);
   float allowedBelow(const Vec3& normal, std::uint32_t neighbour, float separation, float away);
-  void dropDeeper();
   bool staysInside(const FeatureContact& contact, const FeatureContact& other);
 
   const PlacedSurface* surface_ = nullptr;
   ConvexBody* body_ = nullptr;
   ContactLimits limits_;
   float surfaceMargin_ = 0;
-  Vec3 middle_, middleOfBody_;
+  Vec3 middleOfBody_;
   bool isDeep_ = false;
   std::vector<Seen> seen_;
   std::uint32_t run_ = 0;
