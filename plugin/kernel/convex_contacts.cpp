@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernel/contact_tuning.h"
 #include "kernel/shallower.h"
@@ -21,6 +22,8 @@ constexpr int kHalvings = 10;
 // looked at for it: of faces one after the other a few, of what is round some more.
 constexpr float kExact = 1e-3F;
 constexpr int kMostCuts = 24;
+// Tangent of the bend from which on two faces are not one.
+constexpr float kBend = 0.01F;
 // Length of what lies between two normals that are opposite, up to three degrees: no direction.
 constexpr float kNothing = 0.05F;
 
@@ -34,6 +37,33 @@ Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
       (sign < 0 ? box.lower : box.upper)[axis] = support[axis];
     }
   return box;
+}
+
+// Over the face, or the nearest point of its sides.
+Vec3 nearestOnFace(const PlacedSurface& surface, std::uint32_t index, const Vec3& p) {
+  const SurfaceFace& face = surface.features().faces()[index];
+  if (isOver(face, surface, index, p, 0)) return p - face.normal * (dot(face.normal, p) - face.offset);
+  const auto& corners = surface.mesh.triangles[index];
+  Vec3 nearest = surface.vertex(corners[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& from = surface.vertex(corners[k]);
+    const Vec3 way = surface.vertex(corners[(k + 1) % 3]) - from;
+    const float along = lengthSq(way) > 0 ? std::clamp(dot(p - from, way) / lengthSq(way), 0.0F, 1.0F) : 0;
+    const Vec3 point = from + way * along;
+    if (lengthSq(p - point) < lengthSq(p - nearest)) nearest = point;
+  }
+  return nearest;
+}
+
+// Whether the surface turns towards its outside beyond this side of the face.
+bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t side) {
+  const SurfaceEdge& edge = surface.features().edges()[surface.features().edgesOf()[index][side]];
+  const std::uint32_t beyond = edge.triangle[0] == index ? edge.opposite[1] : edge.opposite[0];
+  if (beyond == SurfaceEdge::kNone) return false;
+  const SurfaceFace& face = surface.features().faces()[index];
+  const Vec3& p = surface.vertex(beyond);
+  const float out = dot(face.inward[side], p) - face.inwardOffset[side], up = dot(face.normal, p) - face.offset;
+  return up > kBend * std::abs(out);
 }
 
 // Where between a place where it holds and one where it does not a condition ends.
@@ -54,8 +84,11 @@ std::optional<std::span<const FeatureContact>> ConvexContacts::find(const Placed
   begin(surface, body, limits, surfaceMargin);
   if (!listPatches(budget)) return {};
   for (const std::uint32_t patch : patches_) appendOf(surface.patches().patch(patch));
+  if (isSwallowed()) {
+    tellWayOut();
+    return contacts_;
+  }
   if (isDeep_) return {};
-  if (contacts_.empty() && ray_.isInside(surface.mesh, surface.fromPair(middleOfBody_))) return {};
   dropDeeper(contacts_, shallow_, limits,
              [&](const FeatureContact& contact, const FeatureContact& other) { return staysInside(contact, other); });
   return contacts_;
@@ -108,6 +141,53 @@ bool ConvexContacts::listPatches(Budget& budget) {
     }
   }
   return budget.charge(kOverlapTestCost * SurfacePatch::kMaxTriangles * patches_.size());
+}
+
+// Whether the body's middle is inside, and nothing that touches it says so.
+bool ConvexContacts::isSwallowed() {
+  const bool isTold = !isDeep_ && std::ranges::any_of(contacts_, [](const auto& c) { return c.separation < 0; });
+  return !isTold && ray_.isInside(surface_->mesh, surface_->fromPair(middleOfBody_));
+}
+
+// The way from the body's middle to the nearest point of the surface: all that the body turns the other way has to come
+// as far.
+void ConvexContacts::tellWayOut() {
+  contacts_.clear();
+  const Vec3 out = surface_->toPair * nearestOnSurface(surface_->fromPair(middleOfBody_));
+  if (out == middleOfBody_) return;
+  const Vec3 outward = normalized(out - middleOfBody_);
+  facing_.look(-outward, limits_.size, [&](const Vec3& direction) { return body_->support(direction); });
+  std::uint32_t corner = 1;
+  for (const Vec3& onBody : facing_.corners()) {
+    const float separation = separationOf(dot(outward, onBody - out));
+    contacts_.push_back(
+        {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, 0, corner++});
+  }
+}
+
+Vec3 ConvexContacts::nearestOnSurface(const Vec3& inMesh) {
+  Vec3 nearest;
+  float distanceSq = std::numeric_limits<float>::infinity();
+  waiting_.assign(1, 0);
+  while (!waiting_.empty()) {
+    const PatchFamily& family = surface_->patches().families()[waiting_.back()];
+    waiting_.pop_back();
+    for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
+      const float gap = family.box(lane).gapTo({inMesh, inMesh});
+      if (!(gap * std::abs(gap) < distanceSq)) continue;
+      if (!family.isPatch(lane)) {
+        waiting_.push_back(family.child[lane]);
+        continue;
+      }
+      for (const std::uint32_t face : surface_->patches().patch(family.child[lane]).triangles) {
+        const Vec3 point = nearestOnFace(*surface_, face, inMesh);
+        if (lengthSq(point - inMesh) >= distanceSq) continue;
+        nearest = point;
+        distanceSq = lengthSq(point - inMesh);
+      }
+    }
+  }
+  return nearest;
 }
 
 // By the ball around the box.
@@ -275,12 +355,23 @@ void ConvexContacts::appendOnFace(std::uint32_t index, const Vec3& onBody, const
   const float height = (dot(face.normal, inMesh) - face.offset) * surface_->scale;
   const float separation = separationOf(height);
   if (separation > limits_.reach) return;
-  if (!isOver(face, *surface_, index, inMesh, limits_.besideAt(separation) / surface_->scale)) return;
-  // Past a face's border a point may be far below its plane, and in the open.
-  const bool isDeepBeside = separation < -limits_.contactDistance && !isOver(face, *surface_, index, inMesh, 0);
-  if (isDeepBeside && !ray_.isInside(surface_->mesh, inMesh)) return;
+  if (!isOverFace(index, inMesh, separation)) return;
   contacts_.push_back(
       {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, index, corner});
+}
+
+// Where it overlaps a point may have gone past the face: into what rises beyond it, however far, or by its depth into
+// the open, if it still is in the body.
+bool ConvexContacts::isOverFace(std::uint32_t index, const Vec3& inMesh, float separation) {
+  const SurfaceFace& face = surface_->features().faces()[index];
+  if (isOver(face, *surface_, index, inMesh, 0)) return true;
+  const float beside = limits_.besideAt(separation) / surface_->scale;
+  if (separation >= -limits_.contactDistance) return isOver(face, *surface_, index, inMesh, beside);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool isPast = dot(face.inward[k], inMesh) - face.inwardOffset[k] < -beside;
+    if (isPast && !isConcave(*surface_, index, k)) return false;
+  }
+  return ray_.isInside(surface_->mesh, inMesh);
 }
 
 // Whether what a contact says to overlap still does once the surface has moved out along `other`, and a little more.

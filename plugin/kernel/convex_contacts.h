@@ -19,8 +19,9 @@ namespace cairn::bullet {
 /// normals. A is the surface; features of B say which of several points it is on one edge or face.
 class ConvexContacts {
  public:
-  /// Nothing when the budget does not cover it, or where they overlap deeper than local minima are trusted. Valid until
-  /// the next call. `limits.margins` count what the body's own margin adds.
+  /// Nothing when the budget does not cover it, or where they overlap deeper than local minima are trusted and the
+  /// body's middle is outside; where it is inside, the body is told its nearest way out. Valid until the next call.
+  /// `limits.margins` count what the body's own margin adds.
   std::optional<std::span<const FeatureContact>> find(const PlacedSurface& surface, ConvexBody& body,
                                                       const ContactLimits& limits, float surfaceMargin, Budget& budget);
 
@@ -40,6 +41,9 @@ class ConvexContacts {
 
   void begin(const PlacedSurface& surface, ConvexBody& body, const ContactLimits& limits, float surfaceMargin);
   bool listPatches(Budget& budget);
+  bool isSwallowed();
+  void tellWayOut();
+  Vec3 nearestOnSurface(const Vec3& inMesh);
   bool isNear(const Box& box);
   void appendOf(const SurfacePatch& patch);
   const Seen& seen(std::uint32_t vertex);
@@ -51,6 +55,7 @@ class ConvexContacts {
   void appendEdge(std::uint32_t edge);
   void appendFace(std::uint32_t face);
   bool isFaceApart(std::uint32_t face);
+  bool isOverFace(std::uint32_t face, const Vec3& inMesh, float separation);
   Stretch nearestStretch(const Seen& from, const Seen& to);
   static void meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& way, const Vec3& place,
                    NearestPoint& nearest);

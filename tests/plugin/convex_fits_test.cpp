@@ -76,6 +76,42 @@ TEST_P(ConvexFits, FallsIntoItsHole) {
     }
 }
 
+// Its middle already inside: it goes out the nearest way, whatever the surface around it would say.
+TEST(ConvexDeep, GoesOutTheNearestWay) {
+  for (const Piece piece : {Piece::ball, Piece::capsule, Piece::cylinder, Piece::box, Piece::hull})
+    for (const btScalar height : {btScalar(-0.02), btScalar(-0.1)}) {
+      BulletWorld<> w;
+      w.add(treeShape(plainTree(cuboid({6, 6, 2}, 4))), 0, btVector3(0, 0, -1));
+      btRigidBody& body = w.add(shapeOf(piece), 1, btVector3(btScalar(0.1), btScalar(0.2), height));
+      body.setActivationState(DISABLE_DEACTIVATION);
+      btScalar fastest = 0;
+      for (int step = 0; step < 180; ++step) {
+        w.step();
+        fastest = std::max(fastest, body.getLinearVelocity().length());
+      }
+      const double lowest = piece == Piece::ball ? double(kRadius) : double(kHalfLength);
+      EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), double(kRadius) - 0.01)
+          << name(piece) << " " << height;
+      EXPECT_LT(double(body.getWorldTransform().getOrigin().z()), lowest + 0.01) << name(piece) << " " << height;
+      EXPECT_LT(fastest, 1) << name(piece) << " is thrown, " << height;
+    }
+}
+
+// A corner that is deep in a floor and in a wall is over neither, and comes out of both.
+TEST(ConvexDeep, StaysOnTheFloorThatItIsThrownAlong) {
+  const Outline floorAndWall{{-2, -1}, {2, -1}, {2, 2}, {1, 2}, {1, 0}, {-2, 0}};
+  BulletWorld<> w;
+  const btQuaternion up(btVector3(1, 0, 0), btScalar(std::numbers::pi / 2));
+  w.add(treeShape(plainTree(extruded(floorAndWall, -2, 2))), 0, btVector3(0, 0, 0), up);
+  btRigidBody& box = w.add(std::make_shared<btBoxShape>(btVector3(1, 1, 1) / 4), 1, btVector3(0, 0, btScalar(0.3)));
+  box.setLinearVelocity(btVector3(6, 0, 0));
+  for (int step = 0; step < 60; ++step) {
+    box.applyCentralForce(btVector3(20, 0, 0));
+    w.step();
+    EXPECT_LT(box.getLinearVelocity().z(), 0.5) << "step " << step;
+  }
+}
+
 // What lies still is told again without being asked, but not once the user gives it another size.
 TEST(ConvexCarriedOver, IsAskedAnewOnceItHasChanged) {
   for (const bool isHull : {false, true}) {
