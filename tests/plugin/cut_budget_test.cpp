@@ -35,7 +35,8 @@ struct Case {
 class AtRest {
  public:
   AtRest(const Case& body, Ground ground) {
-    w_.dispatcher.setFinest(bullet::Finest::leaves);  // exact contacts would be carried over: the budget would be no limit
+    w_.dispatcher.setFinest(
+        bullet::Finest::leaves);  // exact contacts would be carried over: the budget would be no limit
     if (ground == Ground::plane)
       w_.addGround();
     else
