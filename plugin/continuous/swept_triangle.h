@@ -5,7 +5,7 @@
 
 #include "cairn/core/family.h"
 #include "continuous/separating_normals.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

@@ -5,7 +5,7 @@
 
 #include "continuous/separating_normals.h"
 #include "placement/placed_tree.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

@@ -8,10 +8,8 @@
 
 #include "contacts/cut_face.h"
 #include "contacts/face_limits.h"
-#include "counterparts/closed_forms.h"
 #include "counterparts/feature_ids.h"
 #include "counterparts/inner_edges.h"
-#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -56,13 +54,12 @@ std::uint32_t ConvexObstacle::touches(const Family& family, std::uint32_t family
 
 void ConvexCounterpart::place(const PairPlacement& placement) {
   const auto& shape = static_cast<const btConvexShape&>(*placement.otherShape);
-  shape_ = &shape;
   surface_.setShape(shape);
   tree_ = placement.tree;
   otherIndex_ = placement.otherIndex;
   margin_ = placement.treeMargin;
   reach_ = placement.reach;
-  contactDistance_ = placement.ownReach > 0 ? placement.ownReach : placement.reach;
+  contactDistance_ = placement.contactDistance();
   planes_.reserve(kMaxPlanes);
   planes_.clear();
 
@@ -89,7 +86,7 @@ float ConvexCounterpart::size(const btCollisionShape& shape) const {
 bool ConvexCounterpart::isUnchanged(const btCollisionShape& other) const {
   const auto& shape = static_cast<const btConvexShape&>(other);
   const Box box = ownBox(shape);
-  return shape_ == &shape && box.lower == box_.lower && box.upper == box_.upper && surface_.isStillOf(shape);
+  return box.lower == box_.lower && box.upper == box_.upper && surface_.isStillOf(shape);
 }
 
 void ConvexCounterpart::start(std::vector<NodePair>& /*known*/, float /*skin*/) {
@@ -110,14 +107,8 @@ Vec3 ConvexCounterpart::support(const Vec3& direction) const {
 
 std::optional<float> ConvexCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
   if (question.finest != Finest::triangles || question.mayBeInterrupted || traversal_.leafPairs().empty()) return {};
-  const float size = contactDistance_ / tuning::kContactDistance;
   const float thickness = tree_.tree().surface().thickness * tree_.scale();
-  const ContactLimits limits{contactDistance_,
-                             reach_,
-                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thickness),
-                             margin_ + surface_.margin(),
-                             0,
-                             size};
+  const ContactLimits limits = ContactLimits::of(contactDistance_, reach_, thickness, margin_ + surface_.margin());
   const PlacedSurface surface = PlacedSurface::of(tree_.tree().surfaceView(), tree_.pose());
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(surface, *this, limits, margin_, question.budget);
@@ -211,7 +202,7 @@ void ConvexCounterpart::appendLeaf(NodeId leaf, const Sphere& sphere, std::vecto
 // Of each child of the root the point that lies lowest where its middle sees the shape. By GJK that would take longer
 // than what it stands in for.
 std::uint32_t ConvexCounterpart::appendCoarse(std::vector<Contact>& contacts) {
-  if (!isClosedForm(*shape_)) return 0;
+  if (!surface_.isClosedForm()) return 0;
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
   const std::uint32_t count = tree_.tree().childCount(kRootNode);
   for (NodeId child = first; child < first + count; ++child) {

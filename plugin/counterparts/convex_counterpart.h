@@ -9,7 +9,7 @@
 #include "contacts/facing_corners.h"
 #include "counterparts/convex_surface.h"
 #include "counterparts/counterpart.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 
@@ -99,7 +99,6 @@ class ConvexCounterpart final : public Counterpart, private ConvexBody {
   Similarity shapeFromPair_;
   Mat3 pairFromShapeAxes_;
   Vec3 shapeOrigin_, boxMiddle_;
-  const btConvexShape* shape_ = nullptr;
   Box box_;  // of the shape in its own frame, margin included
   ConvexSurface surface_;
   std::vector<Plane> planes_;  // of this step, pair frame: the shape lies behind each

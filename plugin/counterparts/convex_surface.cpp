@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "counterparts/closed_forms.h"
 #include "placement/bullet_math.h"
 #include "placement/unit_vector.h"
 
@@ -35,12 +34,13 @@ bool isHull(const btConvexShape& shape) {
 }  // namespace
 
 void ConvexSurface::setShape(const btConvexShape& shape) {
-  const bool isSame = shape_ == &shape && hull_ && isStillOf(shape);
+  const bool isSame = hull_ && isStillOf(shape);
   shape_ = &shape;
   if (!isSame) hull_ = isHull(shape) ? HullFaces::of(static_cast<const btPolyhedralConvexShape&>(shape)) : nullptr;
 }
 
 bool ConvexSurface::isStillOf(const btConvexShape& shape) const {
+  if (shape_ != &shape) return false;
   return !hull_ || (isHull(shape) && hull_->isOf(static_cast<const btPolyhedralConvexShape&>(shape)));
 }
 

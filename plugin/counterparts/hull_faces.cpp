@@ -5,19 +5,16 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <mutex>
 
+#include "kernel/contact_tuning.h"
+#include "memory/shared_for.h"
 #include "placement/bullet_math.h"
+#include "placement/triangle.h"
 #include "placement/unit_vector.h"
-#include "triangles/triangle.h"
 
 namespace cairn::bullet {
 
 namespace {
-
-// Of the hull's size, a thousand units of a float's last place: directions are right to a thousandth.
-constexpr float kShort = 1e-4F;
 
 btVector3 cornerOf(const btPolyhedralConvexShape& shape, int index) {
   btVector3 corner;
@@ -36,15 +33,12 @@ Vec3d areaOf(const std::vector<Vec3d>& polygon) {
 }  // namespace
 
 std::shared_ptr<const HullFaces> HullFaces::of(const btPolyhedralConvexShape& shape) {
-  static std::mutex mutex;
-  static std::map<const btPolyhedralConvexShape*, std::weak_ptr<const HullFaces>> known;
+  static SharedFor<btPolyhedralConvexShape, HullFaces> known;
   const int count = shape.getNumVertices();
-  if (count < 4 || count > kMostVertices) return nullptr;
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  std::weak_ptr<const HullFaces>& entry = known[&shape];
-  std::shared_ptr<const HullFaces> faces = entry.lock();
-  if (!faces || !faces->isOf(shape)) entry = faces = std::shared_ptr<const HullFaces>(new HullFaces(shape));
+  if (count < 4 || count > tuning::kMostHullVertices) return nullptr;
+  const std::shared_ptr<const HullFaces> faces = known.of(
+      shape, [&](const HullFaces& hull) { return hull.isOf(shape); },
+      [&] { return std::shared_ptr<const HullFaces>(new HullFaces(shape)); });
   return faces->faces_.empty() ? nullptr : faces;
 }
 
@@ -111,7 +105,7 @@ NearestPoint HullFaces::nearest(const Vec3& p) const {
     const Vec3 way = p - on.point;
     const float distance = length(way);
     if (distance >= nearest.distance) continue;
-    nearest = {on.point, distance < kShort * size_ ? highest.normal : unitVector(way), distance};
+    nearest = {on.point, distance < tuning::kShortWay * size_ ? highest.normal : unitVector(way), distance};
   }
   return nearest;
 }

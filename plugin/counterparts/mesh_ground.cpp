@@ -70,16 +70,10 @@ bool MeshGround::isStillTheShapes(const TriangleSoup& soup) const {
 std::optional<float> MeshGround::append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                                         std::vector<Contact>& contacts) {
   const SurfacePair surfaces = surfacesOf(placement);
-  const float contactDistance = placement.ownReach > 0 ? placement.ownReach : placement.reach;
-  const float size = contactDistance / tuning::kContactDistance;
   const float thinner =
       std::min(surfaces.a.mesh.derived->thickness * surfaces.a.scale, surfaces.b.mesh.derived->thickness);
-  const ContactLimits limits{contactDistance,
-                             placement.reach,
-                             std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),
-                             placement.treeMargin,
-                             0,
-                             size};
+  const ContactLimits limits =
+      ContactLimits::of(placement.contactDistance(), placement.reach, thinner, placement.treeMargin);
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(surfaces, limits, memory_, question.placement, question.budget);
   if (!answer) return {};

@@ -8,8 +8,8 @@
 
 #include "cairn/core/surface_ray.h"
 #include "counterparts/counterpart.h"
+#include "placement/triangle.h"
 #include "triangles/ground_surface.h"
-#include "triangles/triangle.h"
 
 namespace cairn::bullet {
 

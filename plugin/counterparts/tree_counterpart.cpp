@@ -33,7 +33,7 @@ void TreeCounterpart::place(const PairPlacement& placement) {
   b_ = PlacedTree(shape.tree(), treePose(shape, placement.other));
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   reach_ = placement.reach;
-  contactDistance_ = placement.ownReach > 0 ? placement.ownReach : placement.reach;
+  contactDistance_ = placement.contactDistance();
 }
 
 float TreeCounterpart::size(const btCollisionShape& shape) const {
@@ -242,12 +242,9 @@ NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
 }
 
 std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
-  const float size = contactDistance_ / tuning::kContactDistance;
   const float thinner =
       std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
-  const ContactLimits limits{
-      contactDistance_, reach_, std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thinner),
-      margins_,         0,      size};
+  const ContactLimits limits = ContactLimits::of(contactDistance_, reach_, thinner, margins_);
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(SurfacePair::of(a_, b_), limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};

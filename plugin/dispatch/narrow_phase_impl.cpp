@@ -264,13 +264,13 @@ void NarrowPhase::Impl::beginPair(std::size_t index) {
   scheduled_[index] = pair.scheduled();
 }
 
-// In an open step Bullet asks for the pair's points later, and about where the bodies are then.
-bool NarrowPhase::Impl::mayBeCarriedOver(const TreePair& pair) const {
-  return stepEnd_ == StepEnd::told && finest_ == Finest::triangles && pair.mayBeCarriedOver();
+// In an open step Bullet asks for a pair's points later, and about where the bodies are then.
+bool NarrowPhase::Impl::carriesPairsOver() const {
+  return stepEnd_ == StepEnd::told && finest_ == Finest::triangles;
 }
 
 bool NarrowPhase::Impl::carriesOver(std::size_t index) {
-  if (stepEnd_ != StepEnd::told || finest_ != Finest::triangles) return false;
+  if (!carriesPairsOver()) return false;
   TreePair& pair = *collected_[index];
   const std::optional<PairReport> carried = pair.carryOver();
   if (!carried) return false;

@@ -104,7 +104,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginPairs();
   void beginPair(std::size_t index);
   bool carriesOver(std::size_t index);
-  bool mayBeCarriedOver(const TreePair& pair) const;
+  bool carriesPairsOver() const;
   void fetchPairsAfter(std::size_t index) const;
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   void finishPair(std::size_t index);

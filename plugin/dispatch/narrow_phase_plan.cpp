@@ -26,7 +26,7 @@ void NarrowPhase::Impl::planStep() {
   if (!isPlanned()) return;
   for (TreePair* pair : collected_) {
     if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
-    plan_.add(mayBeCarriedOver(*pair) ? PairNeed() : pair->need());
+    plan_.add(carriesPairsOver() && pair->mayBeCarriedOver() ? PairNeed() : pair->need());
   }
   if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)

@@ -6,14 +6,9 @@
 
 #include "contacts/contact.h"
 #include "placement/placed_tree.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
-
-/// Whether what was measured along one unit vector holds for the other: within 1e-5, so that a region of a metre is off
-/// by a hundredth of a millimetre.
-inline bool isSameNormal(const Vec3& x, const Vec3& y) {
-  return lengthSq(x - y) < 1e-10F;
-}
 
 /// The common normal of a cluster of contacts between flat faces of two trees.
 ///

@@ -6,8 +6,8 @@
 
 #include "cairn/core/tree_surface.h"
 #include "kernel/contact_tuning.h"
+#include "kernel/drop_deeper.h"
 #include "kernel/explained.h"
-#include "kernel/shallower.h"
 
 namespace cairn::bullet {
 

@@ -5,7 +5,7 @@
 
 namespace cairn::bullet {
 
-/// The surface point of a convex shape that is nearest to a given one.
+/// The surface point of a convex shape that is nearest to a given one; frame and unit of the question.
 struct NearestPoint {
   Vec3 point;
   Vec3 normal;         ///< unit, outwards; the shape lies behind the plane through `point`

@@ -4,28 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "kernel/contact_tuning.h"
-#include "kernel/shallower.h"
+#include "kernel/drop_deeper.h"
+#include "placement/triangle.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
 namespace {
-
-// Normals of one face of the body, up to rounding: cosine.
-constexpr float kSameNormal = 1 - 1e-6F;
-// Sine of the angle below which an edge lies along a face of the body, up to rounding.
-constexpr float kFlatSlope = 1e-5F;
-// Halvings of an edge: a thousandth of it.
-constexpr int kHalvings = 10;
-// Of a contact distance: nearer than that two planes that support the body tell how far it is. And most of the places
-// looked at for it: of faces one after the other a few, of what is round some more.
-constexpr float kExact = 1e-3F;
-constexpr int kMostCuts = 24;
-// Tangent of the bend from which on two faces are not one.
-constexpr float kBend = 0.01F;
-// Length of what lies between two normals that are opposite, up to three degrees: no direction.
-constexpr float kNothing = 0.05F;
 
 Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
   Box box;
@@ -39,37 +27,19 @@ Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
   return box;
 }
 
-// Over the face, or the nearest point of its sides.
-Vec3 nearestOnFace(const PlacedSurface& surface, std::uint32_t index, const Vec3& p) {
-  const SurfaceFace& face = surface.features().faces()[index];
-  if (isOver(face, surface, index, p, 0)) return p - face.normal * (dot(face.normal, p) - face.offset);
-  const auto& corners = surface.mesh.triangles[index];
-  Vec3 nearest = surface.vertex(corners[0]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& from = surface.vertex(corners[k]);
-    const Vec3 way = surface.vertex(corners[(k + 1) % 3]) - from;
-    const float along = lengthSq(way) > 0 ? std::clamp(dot(p - from, way) / lengthSq(way), 0.0F, 1.0F) : 0;
-    const Vec3 point = from + way * along;
-    if (lengthSq(p - point) < lengthSq(p - nearest)) nearest = point;
-  }
-  return nearest;
-}
-
-// Whether the surface turns towards its outside beyond this side of the face.
-bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t side) {
+// Whether the surface rises beyond this side of the face, by more than this: rounding, in the mesh's unit.
+bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t side, float rounding) {
   const SurfaceEdge& edge = surface.features().edges()[surface.features().edgesOf()[index][side]];
   const std::uint32_t beyond = edge.triangle[0] == index ? edge.opposite[1] : edge.opposite[0];
   if (beyond == SurfaceEdge::kNone) return false;
   const SurfaceFace& face = surface.features().faces()[index];
-  const Vec3& p = surface.vertex(beyond);
-  const float out = dot(face.inward[side], p) - face.inwardOffset[side], up = dot(face.normal, p) - face.offset;
-  return up > kBend * std::abs(out);
+  return dot(face.normal, surface.vertex(beyond)) - face.offset > rounding;
 }
 
 // Where between a place where it holds and one where it does not a condition ends.
 template <class Holds>
 float endOf(float holds, float fails, const Holds& isHeld) {
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < tuning::kMostLooks; ++i) {
     const float middle = 0.5F * (holds + fails);
     (isHeld(middle) ? holds : fails) = middle;
   }
@@ -104,21 +74,14 @@ void ConvexContacts::begin(const PlacedSurface& surface, ConvexBody& body, const
   isDeep_ = false;
   contacts_.clear();
   facingAlong_ = {};
-  if (seen_.size() < surface.mesh.vertices.size()) seen_.resize(surface.mesh.vertices.size());
-  if (++run_ == 0) {  // all stamps are old
-    seen_.assign(seen_.size(), {});
-    run_ = 1;
-  }
+  seen_.begin(surface.mesh.vertices.size());
 }
 
 const ConvexContacts::Seen& ConvexContacts::seen(std::uint32_t vertex) {
-  Seen& entry = seen_[vertex];
-  if (entry.run != run_) {
-    entry.place = surface_->toPair * surface_->vertex(vertex);
-    entry.nearest = body_->nearest(entry.place);
-    entry.run = run_;
-  }
-  return entry;
+  return seen_.get(vertex, [&] {
+    const Vec3 place = surface_->toPair * surface_->vertex(vertex);
+    return Seen{place, body_->nearest(place)};
+  });
 }
 
 bool ConvexContacts::listPatches(Budget& budget) {
@@ -180,7 +143,9 @@ Vec3 ConvexContacts::nearestOnSurface(const Vec3& inMesh) {
         continue;
       }
       for (const std::uint32_t face : surface_->patches().patch(family.child[lane]).triangles) {
-        const Vec3 point = nearestOnFace(*surface_, face, inMesh);
+        const auto& [a, b, c] = surface_->mesh.triangles[face];
+        const Vec3 point =
+            nearestOnTriangle({surface_->vertex(a), surface_->vertex(b), surface_->vertex(c)}, inMesh).point;
         if (lengthSq(point - inMesh) >= distanceSq) continue;
         nearest = point;
         distanceSq = lengthSq(point - inMesh);
@@ -219,7 +184,7 @@ bool ConvexContacts::isOfContact(float separation, const NearestPoint& nearest) 
 // How far a neighbour may be on the body's side of the tangent plane. Along a flat face all are as near; what a round
 // body turns towards a neighbour is another normal, and the nearer of both touches.
 float ConvexContacts::allowedBelow(const Vec3& normal, std::uint32_t neighbour, float separation, float away) {
-  const bool isFlat = dot(seen(neighbour).nearest.normal, normal) >= kSameNormal;
+  const bool isFlat = isSameNormal(seen(neighbour).nearest.normal, normal);
   return isFlat || separation < 0 ? limits_.belowAt(separation, away) : tuning::kBeside * limits_.contactDistance;
 }
 
@@ -244,13 +209,13 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
   const Vec3 way = to.place - from.place;
   const auto nearestAt = [&](float at) { return body_->nearest(from.place + way * at); };
   const auto slopeOf = [&](const NearestPoint& nearest) { return dot(nearest.normal, way); };
-  const float flat = kFlatSlope * length(way), exact = kExact * limits_.contactDistance;
+  const float flat = kSameDirection * length(way);
   Stretch stretch{0, from.nearest};
   if (slopeOf(to.nearest) <= flat) {
     stretch = {1, to.nearest};
   } else if (slopeOf(from.nearest) < -flat) {
     Stretch falls{0, from.nearest}, rises{1, to.nearest};
-    for (int i = 0; i < kMostCuts; ++i) {
+    for (int i = 0; i < tuning::kMostLooks; ++i) {
       const float fall = slopeOf(falls.nearest), rise = slopeOf(rises.nearest);
       const float cut =
           (rises.nearest.distance - falls.nearest.distance + fall * falls.at - rise * rises.at) / (fall - rise);
@@ -258,7 +223,7 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
       stretch.nearest = nearestAt(stretch.at);
       const float slope = slopeOf(stretch.nearest), least = falls.nearest.distance + fall * (stretch.at - falls.at);
       if (std::abs(slope) <= flat) break;
-      if (stretch.nearest.distance - least <= exact) {
+      if (stretch.nearest.distance - least <= limits_.rounding()) {
         meet(falls.nearest, rises.nearest, way, from.place + way * stretch.at, stretch.nearest);
         break;
       }
@@ -269,7 +234,7 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
   if (separationOf(stretch.nearest.distance) > limits_.reach) return stretch;
   const float most = stretch.nearest.distance + tuning::kBeside * limits_.contactDistance;
   const auto isOfFace = [&](const NearestPoint& nearest) {
-    return nearest.distance <= most && dot(nearest.normal, stretch.nearest.normal) >= kSameNormal;
+    return nearest.distance <= most && isSameNormal(nearest.normal, stretch.nearest.normal);
   };
   const auto isOfFaceAt = [&](float at) { return isOfFace(nearestAt(at)); };
   stretch.first = isOfFace(from.nearest) ? 0 : endOf(stretch.at, 0, isOfFaceAt);
@@ -283,7 +248,7 @@ void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, 
                           NearestPoint& nearest) {
   const float fall = -dot(falls.normal, way), rise = dot(rises.normal, way);
   const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
-  if (lengthSq(between) < kNothing * kNothing) return;
+  if (between == Vec3()) return;
   nearest.normal = normalized(between);
   if (nearest.distance < 0) nearest.distance /= length(between);
   nearest.point = place - nearest.normal * nearest.distance;
@@ -324,7 +289,7 @@ void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const 
 
 // No point of a triangle is farther from its nearest corner than its longest side over the root of three.
 bool ConvexContacts::isFaceApart(std::uint32_t index) {
-  constexpr float kFarthest = 0.578F;
+  constexpr float kFarthest = std::numbers::inv_sqrt3_v<float>;
   const auto& [a, b, c] = surface_->mesh.triangles[index];
   const Seen at = seen(a), bt = seen(b), ct = seen(c);
   const float nearest = std::min({at.nearest.distance, bt.nearest.distance, ct.nearest.distance});
@@ -369,7 +334,7 @@ bool ConvexContacts::isOverFace(std::uint32_t index, const Vec3& inMesh, float s
   if (separation >= -limits_.contactDistance) return isOver(face, *surface_, index, inMesh, beside);
   for (std::size_t k = 0; k < 3; ++k) {
     const bool isPast = dot(face.inward[k], inMesh) - face.inwardOffset[k] < -beside;
-    if (isPast && !isConcave(*surface_, index, k)) return false;
+    if (isPast && !isConcave(*surface_, index, k, limits_.rounding() / surface_->scale)) return false;
   }
   return ray_.isInside(surface_->mesh, inMesh);
 }

@@ -11,6 +11,7 @@
 #include "contacts/facing_corners.h"
 #include "kernel/convex_body.h"
 #include "kernel/feature_contacts.h"
+#include "memory/stamped_list.h"
 
 namespace cairn::bullet {
 
@@ -21,7 +22,8 @@ class ConvexContacts {
  public:
   /// Nothing when the budget does not cover it, or where they overlap deeper than local minima are trusted and the
   /// body's middle is outside; where it is inside, the body is told its nearest way out. Valid until the next call.
-  /// `limits.margins` count what the body's own margin adds.
+  /// `limits.margins` count what the body's own margin adds. Frame: the pair's; world lengths. Charges an operation for
+  /// each box and each feature that is near, not the rays. Source: see docs/algorithms/contact-kernel.md.
   std::optional<std::span<const FeatureContact>> find(const PlacedSurface& surface, ConvexBody& body,
                                                       const ContactLimits& limits, float surfaceMargin, Budget& budget);
 
@@ -30,7 +32,6 @@ class ConvexContacts {
   struct Seen {
     Vec3 place;
     NearestPoint nearest;
-    std::uint32_t run = 0;
   };
   // Of an edge: how far along it the body is nearest, and from where to where the same face of it is as near.
   struct Stretch {
@@ -70,8 +71,7 @@ class ConvexContacts {
   float surfaceMargin_ = 0;
   Vec3 middleOfBody_;
   bool isDeep_ = false;
-  std::vector<Seen> seen_;
-  std::uint32_t run_ = 0;
+  StampedList<Seen> seen_;  // by vertex
   std::vector<std::uint32_t> waiting_, patches_;
   FacingCorners facing_;
   Vec3 facingAlong_;  // what it looked at last; zero: nothing

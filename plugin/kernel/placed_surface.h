@@ -44,6 +44,10 @@ struct ContactLimits {
   float skin = 0;
   float size = 0;  ///< of the smaller body
 
+  /// `thickness`: of the thinner body, see `TreeSurface`. Minima are trusted to half of that, or to
+  /// `tuning::kTrustedDepth`.
+  static ContactLimits of(float contactDistance, float reach, float thickness, float margins);
+
   /// What rounding may move points of two bodies by against each other.
   float rounding() const { return 1e-6F * size; }
   /// How far, in radians, directions may turn meanwhile: a turn about the middle moves what is farthest by half the

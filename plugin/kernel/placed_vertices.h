@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "kernel/placed_surface.h"
+#include "memory/stamped_list.h"
 
 namespace cairn::bullet {
 
@@ -14,26 +14,15 @@ class PlacedVertices {
   /// Forgets the last surface. `side` must outlive the questions.
   void begin(const PlacedSurface& side) {
     side_ = &side;
-    if (vertices_.size() < side.mesh.vertices.size()) vertices_.resize(side.mesh.vertices.size());
-    if (++run_ == 0) {  // all stamps are old
-      vertices_.assign(vertices_.size(), {});
-      run_ = 1;
-    }
+    places_.begin(side.mesh.vertices.size());
   }
   const Vec3& operator[](std::uint32_t index) {
-    Vertex& vertex = vertices_[index];
-    if (vertex.run != run_) vertex = {side_->toOther * side_->vertex(index), run_};
-    return vertex.place;
+    return places_.get(index, [&] { return side_->toOther * side_->vertex(index); });
   }
 
  private:
-  struct Vertex {
-    Vec3 place;
-    std::uint32_t run = 0;
-  };
   const PlacedSurface* side_ = nullptr;
-  std::vector<Vertex> vertices_;
-  std::uint32_t run_ = 0;
+  StampedList<Vec3> places_;
 };
 
 /// Both surfaces of a pair.

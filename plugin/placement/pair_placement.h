@@ -22,8 +22,10 @@ struct PairPlacement {
   int otherIndex = -1;  ///< which child of a compound it is, -1 for none, as Bullet's wrapper says
   float reach = 0;      ///< contacts with a gap below this are wanted; > 0
   float ownReach = 0;   ///< the same without what a query asks for beyond it; 0: as far as `reach`
-  float travel = 0;     ///< bound on how far the bodies move against each other in a step
-  float slip = 0;       ///< the same of the smaller body's points alone, in the larger's frame
+  /// How far apart surfaces touch, whatever a query asks for.
+  float contactDistance() const { return ownReach > 0 ? ownReach : reach; }
+  float travel = 0;  ///< bound on how far the bodies move against each other in a step
+  float slip = 0;    ///< the same of the smaller body's points alone, in the larger's frame
 };
 
 }  // namespace cairn::bullet

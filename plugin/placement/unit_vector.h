@@ -18,4 +18,12 @@ inline Vec3 unitVector(const Vec3& v) {
   return norm > 0 ? Vec3(exact / norm) : Vec3();
 }
 
+/// Directions closer than this, in radians, are one: over a metre they are a hundredth of a millimetre apart.
+inline constexpr float kSameDirection = 1e-5F;
+
+/// Whether what was measured along one unit vector holds for the other.
+inline bool isSameNormal(const Vec3& x, const Vec3& y) {
+  return lengthSq(x - y) < kSameDirection * kSameDirection;
+}
+
 }  // namespace cairn::bullet

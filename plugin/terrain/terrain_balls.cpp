@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "terrain/terrain_balls.h"
 
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

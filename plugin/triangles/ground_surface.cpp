@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <tuple>
 
 #include "kernel/contact_tuning.h"
+#include "memory/shared_for.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -36,15 +35,12 @@ bool isSamePlace(const btVector3& p, const btVector3& q) {
 }  // namespace
 
 std::shared_ptr<const GroundSurface> GroundSurface::of(const btConcaveShape& shape) {
-  static std::mutex mutex;
-  static std::map<const btConcaveShape*, std::weak_ptr<const GroundSurface>> known;
+  static SharedFor<btConcaveShape, GroundSurface> known;
   if (!isMesh(shape)) return nullptr;
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  std::weak_ptr<const GroundSurface>& entry = known[&shape];
-  std::shared_ptr<const GroundSurface> surface = entry.lock();
-  if (!surface) entry = surface = std::shared_ptr<const GroundSurface>(new GroundSurface(shape));
-  return surface;
+  // Whoever uses it sees whether it still is the shape's.
+  return known.of(
+      shape, [](const GroundSurface&) { return true; },
+      [&] { return std::shared_ptr<const GroundSurface>(new GroundSurface(shape)); });
 }
 
 GroundSurface::GroundSurface(const btConcaveShape& shape) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cairn/core/obstacle_traversal.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

@@ -3,7 +3,7 @@
 
 #include "cairn/core/traversal.h"
 #include "placement/placed_tree.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

@@ -8,7 +8,7 @@
 
 #include "contacts/contact.h"
 #include "placement/pair_placement.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::bullet {
 

@@ -187,6 +187,20 @@ TEST(ConvexSurface, HasANumberForWhatIsAPoint) {
   EXPECT_NEAR(length(surface.nearest({0, 0, 0}).normal), 1, kRounding);
 }
 
+TEST(ConvexSurface, AsksHugeHullsByGjk) {
+  std::mt19937 random(kSeed);
+  for (const int corners : {100, 2000}) {
+    btConvexHullShape hull;
+    for (int i = 0; i < corners; ++i) hull.addPoint(randomVector(random).normalized(), false);
+    hull.recalcLocalAabb();
+    hull.setMargin(btScalar(0.04));
+    EXPECT_EQ(HullFaces::of(hull) != nullptr, corners < 2000);
+    ConvexSurface surface;
+    surface.setShape(hull);
+    EXPECT_NEAR(surface.nearest({3, 0, 0}).distance, 3 - surface.support({1, 0, 0}).x, 0.02) << corners;
+  }
+}
+
 // A user may scale a hull, or give it another corner, between two steps.
 TEST(ConvexSurface, NoticesThatAHullHasChanged) {
   std::mt19937 random(kSeed);

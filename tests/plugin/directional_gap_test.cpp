@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "random_tree.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::test::directional_gap_test {
 namespace {

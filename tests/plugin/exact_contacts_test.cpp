@@ -14,7 +14,7 @@
 #include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 #include "random_tree.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::test::exact_contacts_test {
 namespace {

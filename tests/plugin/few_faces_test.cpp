@@ -12,7 +12,7 @@
 #include "random_tree.h"
 #include "test_solids.h"
 #include "test_trees.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::test::few_faces_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "distance_fields.h"
 #include "placement/bullet_math.h"
 #include "still_scenes.h"
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 namespace cairn::test::round_ground_test {
 namespace {

@@ -24,7 +24,8 @@ class SurfaceRay {
   /// `direction`: unit. `except`: a triangle that is not met, the one the ray starts from. Some microseconds.
   SurfaceHit cast(const SurfaceView& surface, const Vec3& origin, const Vec3& direction,
                   std::uint32_t except = SurfaceHit::kNone);
-  /// Whether a point is inside the body, by which side of the surface a ray meets first. Precondition: closed.
+  /// Whether a point is inside the body, by which side of the surface rays meet first: two that agree, or of three the
+  /// majority. Precondition: closed.
   bool isInside(const SurfaceView& surface, const Vec3& point);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "triangles/triangle.h"
+#include "placement/triangle.h"
 
 #include <algorithm>
 #include <array>
