@@ -48,7 +48,6 @@ HullFaces::HullFaces(const btPolyhedralConvexShape& shape) {
   for (int i = 0; i < shape.getNumVertices(); ++i) corners_.push_back(cornerOf(shape, i));
   const auto isFinite = [](const btVector3& corner) { return std::isfinite(double(corner.length2())); };
   if (!std::ranges::all_of(corners_, isFinite)) return;
-  for (const btVector3& corner : corners_) size_ = std::max(size_, static_cast<float>(corner.length()));
   btConvexHullComputer hull;
   hull.compute(&corners_[0][0], sizeof(btVector3), static_cast<int>(corners_.size()), 0, 0);
   if (hull.faces.size() < 4) return;
@@ -86,7 +85,7 @@ float HullFaces::heightAbove(const Vec3& p) const {
 }
 
 // Behind all planes the nearest one. Else the nearest point of the faces whose outer side is seen: never one of those
-// that are not. Rounding leaves the shortest ways no direction: there it is the face's.
+// that are not.
 NearestPoint HullFaces::nearest(const Vec3& p) const {
   const auto height = [&](const Face& face) { return dot(face.normal, p) - face.offset; };
   const Face& highest = *std::ranges::max_element(faces_, {}, height);
@@ -105,7 +104,7 @@ NearestPoint HullFaces::nearest(const Vec3& p) const {
     const Vec3 way = p - on.point;
     const float distance = length(way);
     if (distance >= nearest.distance) continue;
-    nearest = {on.point, distance < tuning::kShortWay * size_ ? highest.normal : unitVector(way), distance};
+    nearest = {on.point, way == Vec3() ? highest.normal : unitVector(way), distance};
   }
   return nearest;
 }

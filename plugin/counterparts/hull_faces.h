@@ -41,7 +41,6 @@ class HullFaces {
 
   std::vector<btVector3> corners_;  // all the shape's
   std::vector<Face> faces_;
-  float size_ = 0;  // how far its corners are from its origin
 };
 
 }  // namespace cairn::bullet

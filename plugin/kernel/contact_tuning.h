@@ -75,15 +75,11 @@ inline constexpr std::size_t kAskedVertices = 24;
 /// triangle, in the step in which a body first comes near (`GroundSurface.IsNotOfHugeMeshes`).
 inline constexpr std::size_t kMostTriangles = 200000;
 
-/// A point nearer to a hull than this part of the hull's size has no direction of its own: floats leave it less than
-/// three digits, and it gets the face's normal. Without, a peg is taken to be deep in the rim of its hole, and thrown
-/// (`ConvexFits.FallsIntoItsHole`).
-inline constexpr float kShortWay = 1e-4F;
 /// Hulls of more corners are asked by GJK: a question of faces takes some ten nanoseconds a corner
 /// (`ConvexSurface.AsksHugeHullsByGjk`).
 inline constexpr int kMostHullVertices = 512;
 /// Places along an edge that are looked at for where a convex body is nearest, or where a face of it ends: a thousandth
-/// of the edge where they halve it. With three, one contact of seven is off by more than rounding, or missing
+/// of the edge where they halve it. With five, one nearest contact of seven is off by more than rounding, or missing
 /// (`ConvexContacts.TellWhatIsNearest`).
 inline constexpr int kMostLooks = 10;
 
