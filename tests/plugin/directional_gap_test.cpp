@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "random_tree.h"
 #include "placement/triangle.h"
+#include "random_tree.h"
 
 namespace cairn::test::directional_gap_test {
 namespace {

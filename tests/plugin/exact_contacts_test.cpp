@@ -13,8 +13,8 @@
 #include "bullet_world.h"
 #include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
-#include "random_tree.h"
 #include "placement/triangle.h"
+#include "random_tree.h"
 
 namespace cairn::test::exact_contacts_test {
 namespace {

@@ -9,10 +9,10 @@
 #include "bullet_world.h"
 #include "cairn/core/tree_pair_traversal.h"
 #include "faces/few_faces.h"
+#include "placement/triangle.h"
 #include "random_tree.h"
 #include "test_solids.h"
 #include "test_trees.h"
-#include "placement/triangle.h"
 
 namespace cairn::test::few_faces_test {
 namespace {

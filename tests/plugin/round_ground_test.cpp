@@ -10,8 +10,8 @@
 
 #include "distance_fields.h"
 #include "placement/bullet_math.h"
-#include "still_scenes.h"
 #include "placement/triangle.h"
+#include "still_scenes.h"
 
 namespace cairn::test::round_ground_test {
 namespace {
