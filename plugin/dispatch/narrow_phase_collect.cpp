@@ -66,12 +66,12 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   // A result of another class belongs to who wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   const bool isOfCompound = body0.m_parent || body1.m_parent;
-  if (mayDefer && isOfCompound && !isRetired_ && !pair.isOfCompound()) noteCompound(pair);
+  if (mayDefer && isOfCompound && !isRetired_ && !pair.notes.isOfCompound) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) fetchPairsAskedNext(pair);
-    if (isCollecting_ && pair.settleApart(body0, body1, mayBeInterrupted(), outlook())) {
+    if (isCollecting_ && settleApart(pair, body0, body1, mayBeInterrupted(), outlook())) {
       ++apartPairs_;
-      if (pair.isBrokenPair()) countBroken();
+      if (pair.is(PairStage::broken)) countBroken();
       return;
     }
     if (isCollecting_ && collect(pair, body0, body1)) return;
@@ -87,24 +87,26 @@ void NarrowPhase::Impl::fetchPairsAskedNext(TreePair& pair) {
   if (at + kSubjectsAhead >= asked_.size()) return;
   // Several threads may ask: what one reads, another may have written.
   const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
-  if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed)) next->fetchSubject();
-  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed)) next->fetchCopies(isPlanned());
+  if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed))
+    fetch(*next, PairPart::subject);
+  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed))
+    fetch(*next, isPlanned() ? PairPart::need : PairPart::copies);
   asked(at).store(&pair, std::memory_order_relaxed);
 }
 
 bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1) {
-  if (!pair.collect(body0, body1)) return false;
+  if (!bullet::collect(pair, body0, body1)) return false;
   // While it is in the cache.
-  if (isPlanned()) pair.survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
+  if (isPlanned()) survey(pair, static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
   const std::lock_guard lock(mutex_);
-  pair.setCollectedAt(collected_.size());
+  pair.notes.collectedAt = collected_.size();
   collected_.push_back(&pair);
   return true;
 }
 
 void NarrowPhase::Impl::noteCompound(TreePair& pair) {
-  pair.noteCompound();
+  pair.notes.isOfCompound = true;
   const std::lock_guard lock(mutex_);
   ofCompounds_.push_back(&pair);
 }
@@ -114,12 +116,11 @@ void NarrowPhase::Impl::noteCompound(TreePair& pair) {
 std::uint32_t NarrowPhase::Impl::settleLeftOvers(bool alsoCollected) {
   leftOvers_.clear();
   for (TreePair* const pair : ofCompounds_)
-    if ((alsoCollected || pair->collectedAt() == TreePair::kNotCollected) && pair->isLeftOver())
-      leftOvers_.push_back(pair);
+    if ((alsoCollected || !pair->notes.isCollected()) && isLeftOver(*pair)) leftOvers_.push_back(pair);
   std::uint32_t settled = 0;
   for (std::size_t i = 0; i < leftOvers_.size(); ++i) {
     if (!leftOvers_[i]) continue;
-    leftOvers_[i]->forgetBroken();
+    forgetBroken(*leftOvers_[i]);
     ++settled;
   }
   leftOvers_.clear();
@@ -144,14 +145,14 @@ void NarrowPhase::Impl::tellOfBroken() {
 void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
-  if (pair.settleBroken(body0, body1)) return countBroken();
+  if (settleBroken(pair, body0, body1)) return countBroken();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
-  if (!pair.begin(body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold, Remeasured::all,
-                  budget, scratch))
+  if (!bullet::begin(pair, body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold,
+                     Remeasured::all, budget, scratch))
     return;
-  pair.refine(budget);
-  pair.finish(dispatcher_, result, {policy_, finest_, false}, budget, scratch);
+  pair.traversal().refine(budget);
+  bullet::finish(pair, dispatcher_, result, {policy_, finest_, false}, budget, scratch);
 }
 
 }  // namespace cairn::bullet

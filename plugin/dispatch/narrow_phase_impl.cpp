@@ -109,7 +109,7 @@ void NarrowPhase::Impl::reserve(const PairCounts& pairs) {
     idle_[kind].reserve(pairs[kind]);
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
-    for (TreePair* const pair : idle_[kind]) pair->expectInterruptions();
+    for (TreePair* const pair : idle_[kind]) pair->contacts.makeRoomForRetests();
   }
   const std::size_t all = all_.size();
   makeWrittenRoom(collected_, all);
@@ -135,23 +135,23 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
   idle.pop_back();
   // Pairs are often made many at a time.
   constexpr std::size_t kAhead = 2;
-  if (idle.size() >= kAhead) idle[idle.size() - kAhead]->fetchState();
+  if (idle.size() >= kAhead) fetch(*idle[idle.size() - kAhead], PairPart::state);
   return pair;
 }
 
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
-  if (pair->collectedAt() != TreePair::kNotCollected) {
-    pair->withdrawPromise(left_);
-    dismiss(pair->collectedAt());
+  if (pair->notes.isCollected()) {
+    withdrawPromise(*pair, left_);
+    dismiss(pair->notes.collectedAt);
   }
   open_.forget(*pair);
-  if (pair->isOfCompound()) {
+  if (pair->notes.isOfCompound) {
     std::erase(ofCompounds_, pair);
     std::ranges::replace(leftOvers_, pair, nullptr);
   }
   pair->reset();
-  idle_[static_cast<std::size_t>(pair->kind())].push_back(pair);
+  idle_[static_cast<std::size_t>(pair->kind)].push_back(pair);
 }
 
 Budget NarrowPhase::Impl::budgetOf(const StepBudget& limit) {
@@ -216,11 +216,11 @@ void NarrowPhase::Impl::orderPairs() {
   std::erase(collected_, nullptr);
   nameNewPairs();
   named_.clear();
-  for (TreePair* pair : collected_) named_.push_back({pair->id(), pair});
+  for (TreePair* pair : collected_) named_.push_back({pair->notes.id, pair});
   std::sort(named_.begin(), named_.end(), [](const Named& x, const Named& y) { return x.id < y.id; });
   for (std::size_t i = 0; i < named_.size(); ++i) {
     collected_[i] = named_[i].pair;
-    collected_[i]->setCollectedAt(i);
+    collected_[i]->notes.collectedAt = i;
     scheduled_.push_back({.id = named_[i].id, .traversal = &nothing_});
   }
 }
@@ -244,24 +244,25 @@ void NarrowPhase::Impl::fetchPairsAfter(std::size_t index) const {
   const auto after = [&](std::size_t ahead) {
     return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
   };
-  if (const TreePair* pair = after(kStatesAhead)) pair->fetchState();
-  if (const TreePair* pair = after(kListsAhead)) pair->fetchLists();
-  if (const TreePair* pair = after(kLeafPairsAhead)) pair->fetchLeafPairs();
+  if (const TreePair* pair = after(kStatesAhead)) fetch(*pair, PairPart::state);
+  if (const TreePair* pair = after(kListsAhead)) fetch(*pair, PairPart::lists);
+  if (const TreePair* pair = after(kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
 }
 
 void NarrowPhase::Impl::beginPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   if (pair.isSettled()) return;
   if (carriesOver(index)) return;
-  if (!pair.begin(pair.body0(), pair.body1(), outlook(), 0, remeasuredOf(pair), left_, scratch_)) return dismiss(index);
+  if (!bullet::begin(pair, pair.bodies.body0(), pair.bodies.body1(), outlook(), 0, remeasuredOf(pair), left_, scratch_))
+    return dismiss(index);
   ++tally_.statistics.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.
-  if (!mayBeInterrupted()) pair.refine(left_);
-  pair.promise(left_, pace_);
+  if (!mayBeInterrupted()) pair.traversal().refine(left_);
+  promise(pair, left_, pace_);
   if (pair.isDone() && finishesResolvedAtOnce()) return finishPair(index);
   bookTo(pair, left_);
-  scheduled_[index] = pair.scheduled();
+  scheduled_[index] = bullet::scheduled(pair);
 }
 
 // In an open step Bullet asks for a pair's points later, and about where the bodies are then.
@@ -272,10 +273,10 @@ bool NarrowPhase::Impl::carriesPairsOver() const {
 bool NarrowPhase::Impl::carriesOver(std::size_t index) {
   if (!carriesPairsOver()) return false;
   TreePair& pair = *collected_[index];
-  const std::optional<PairReport> carried = pair.carryOver();
+  const std::optional<PairReport> carried = carryOver(pair);
   if (!carried) return false;
   ++tally_.statistics.pairs;
-  count(*carried, pair.seenHeld());
+  count(*carried, seen(pair));
   dismiss(index);
   return true;
 }
@@ -283,15 +284,15 @@ bool NarrowPhase::Impl::carriesOver(std::size_t index) {
 // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
 Remeasured NarrowPhase::Impl::remeasuredOf(const TreePair& pair) const {
   if (plan_.isScarce()) return Remeasured::allIfFew;
-  const bool isThrifty = isScarce_ && mayBeInterrupted() && (pair.id() + step_) % kStepsOfThrift != 0;
+  const bool isThrifty = isScarce_ && mayBeInterrupted() && (pair.notes.id + step_) % kStepsOfThrift != 0;
   return isThrifty ? Remeasured::touching : Remeasured::all;
 }
 
 void NarrowPhase::Impl::bookTo(TreePair& pair, const Budget& budget) {
   // In an open step a pair that is done is finished later, from another budget.
   const bool isFinishedLater = stepEnd_ == StepEnd::open && pair.isDone();
-  const std::uint64_t later = isFinishedLater ? pair.promised().operations : 0;
-  if (const std::uint64_t whole = pair.charged(budget.used() - bookedUntil_ + later); whole > 0)
+  const std::uint64_t later = isFinishedLater ? pair.work.promised.operations : 0;
+  if (const std::uint64_t whole = charge(pair, budget.used() - bookedUntil_ + later); whole > 0)
     usualOperations_ += kLearning * (static_cast<double>(whole) - usualOperations_);
   bookedUntil_ = budget.used();
 }
@@ -299,7 +300,7 @@ void NarrowPhase::Impl::bookTo(TreePair& pair, const Budget& budget) {
 void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& budget) {
   TreePair* const pair = collected_[index];
   if (!pair) return;
-  pair->promise(budget, pace_);
+  promise(*pair, budget, pace_);
   bookTo(*pair, budget);
   if (progress == Progress::done && finishesResolvedAtOnce()) finishPair(index);
 }
@@ -307,11 +308,11 @@ void NarrowPhase::Impl::turnEnded(std::size_t index, Progress progress, Budget& 
 void NarrowPhase::Impl::finishPair(std::size_t index) {
   TreePair& pair = *collected_[index];
   const bool isTimed = left_.hasDeadline();
-  const double expected = pair.promised().nanoseconds;
+  const double expected = pair.work.promised.nanoseconds;
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
-  btManifoldResult result(&pair.body0(), &pair.body1());
-  const ScheduledPair seen = pair.scheduled();
-  const PairReport report = pair.finish(dispatcher_, result, answerPolicy(), left_, scratch_);
+  btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
+  const ScheduledPair seen = bullet::scheduled(pair);
+  const PairReport report = bullet::finish(pair, dispatcher_, result, answerPolicy(), left_, scratch_);
   count(report, seen);
   // Triangles take what is left: were they expected, they would keep others from their leaves.
   if (isTimed) pace_.finished(expected, Budget::Clock::now() - began - report.onTriangles);
@@ -321,7 +322,7 @@ void NarrowPhase::Impl::finishPair(std::size_t index) {
 
 // Unless its own callbacks have destroyed it.
 void NarrowPhase::Impl::dismiss(std::size_t index) {
-  if (collected_[index]) collected_[index]->setCollectedAt(TreePair::kNotCollected);
+  if (collected_[index]) collected_[index]->notes.collectedAt = PairNotes::kNowhere;
   collected_[index] = nullptr;
   if (index < scheduled_.size()) scheduled_[index].traversal = &nothing_;
 }
@@ -329,11 +330,11 @@ void NarrowPhase::Impl::dismiss(std::size_t index) {
 void NarrowPhase::Impl::nameNewPairs() {
   newPairs_.clear();
   for (std::size_t i = 0; i < collected_.size(); ++i) {
-    if (i + kNamesAhead < collected_.size()) collected_[i + kNamesAhead]->fetchName();
-    if (collected_[i]->isUnnamed()) newPairs_.push_back({collected_[i]->key(i), collected_[i]});
+    if (i + kNamesAhead < collected_.size()) fetch(*collected_[i + kNamesAhead], PairPart::notes);
+    if (collected_[i]->notes.isUnnamed()) newPairs_.push_back({collected_[i]->bodies.key(i), collected_[i]});
   }
   std::sort(newPairs_.begin(), newPairs_.end(), [](const NewPair& x, const NewPair& y) { return x.key < y.key; });
-  for (const NewPair& fresh : newPairs_) fresh.pair->setId(nextId_++);
+  for (const NewPair& fresh : newPairs_) fresh.pair->notes.id = nextId_++;
 }
 
 // What was counted.

@@ -19,7 +19,13 @@
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/world_hook.h"
 #include "pairs/emission_pace.h"
-#include "pairs/tree_pair.h"
+#include "pairs/pair_begin.h"
+#include "pairs/pair_carry.h"
+#include "pairs/pair_fetch.h"
+#include "pairs/pair_finish.h"
+#include "pairs/pair_hold.h"
+#include "pairs/pair_settle.h"
+#include "pairs/pair_survey.h"
 
 namespace cairn::bullet {
 

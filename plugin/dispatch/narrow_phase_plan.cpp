@@ -25,12 +25,13 @@ void NarrowPhase::Impl::planStep() {
   plan_.clear();
   if (!isPlanned()) return;
   for (TreePair* pair : collected_) {
-    if (!pair->isSurveyed()) pair->survey(static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
-    plan_.add(carriesPairsOver() && pair->mayBeCarriedOver() ? PairNeed() : pair->need());
+    if (!pair->is(PairStage::surveyed))
+      survey(*pair, static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
+    plan_.add(carriesPairsOver() && bullet::mayBeCarriedOver(*pair) ? PairNeed() : pair->work.need);
   }
   if (priority_->hasImportances() && plan_.isTooMuchFor(means(), updatePace_))
     for (std::size_t i = 0; i < collected_.size(); ++i)
-      if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(collected_[i]->described()));
+      if (!collected_[i]->isSettled()) plan_.weigh(i, priority_->importance(describe(*collected_[i])));
   const bool hasNoTime = stepLimit().microseconds == 0;  // nor any that is given all the same
   const bool mayServeNone = left_.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < kMostStepsWithoutTurn);
   plan_.decide(means(), updatePace_, holdingPace_, mayServeNone);
@@ -99,7 +100,7 @@ void NarrowPhase::Impl::holdPairs() {
 
 void NarrowPhase::Impl::holdPair(std::size_t index, bool isLate) {
   TreePair& pair = *collected_[index];
-  btManifoldResult result(&pair.body0(), &pair.body1());
+  btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
   hold(pair, result, left_, isLate);
   if (!pair.isBegun()) ++tally_.statistics.pairs;
   dismiss(index);
@@ -116,12 +117,12 @@ bool NarrowPhase::Impl::isMostOfAStep(const Promise& promise) const {
 
 // What was promised for it is withdrawn, or the next step would hold it back again.
 PairReport NarrowPhase::Impl::hold(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
-  const bool isTooMuch = isMostOfAStep(pair.promised());
-  pair.withdrawPromise(budget);
-  if (pair.isBegun() && isTooMuch) pair.measureFound(budget, scratch_);
+  const bool isTooMuch = isMostOfAStep(pair.work.promised);
+  withdrawPromise(pair, budget);
+  if (pair.isBegun() && isTooMuch) pair.contacts.measureFound(*pair.counterpart, budget, scratch_);
   budget.chargeAnyway(StepPlan::kHoldingCost);
-  const PairReport report = pair.hold(dispatcher_, result, timeStep_, isLate);
-  return count(report, pair.seenHeld());
+  const PairReport report = bullet::hold(pair, {dispatcher_, result, timeStep_, isLate});
+  return count(report, seen(pair));
 }
 
 // Whether so many pairs can only be held as the late are, if at all.
@@ -134,15 +135,15 @@ void NarrowPhase::Impl::fetchHeldAfter(std::size_t index, bool isLate) const {
   const auto after = [&](std::size_t ahead) {
     return index + ahead < collected_.size() ? collected_[index + ahead] : nullptr;
   };
-  if (const TreePair* pair = after(kHeldAhead)) pair->fetchHeld();
+  if (const TreePair* pair = after(kHeldAhead)) fetch(*pair, PairPart::held);
   if (isLate) return;
-  if (const TreePair* pair = after(kHeldBodiesAhead)) pair->fetchHeldBodies();
-  if (const TreePair* pair = after(kHeldPointsAhead)) pair->fetchPoints();
+  if (const TreePair* pair = after(kHeldBodiesAhead)) fetch(*pair, PairPart::heldBodies);
+  if (const TreePair* pair = after(kHeldPointsAhead)) fetch(*pair, PairPart::points);
 }
 
 void NarrowPhase::Impl::finishBegunPairs() {
   for (std::size_t i = 0; i < collected_.size(); ++i)
-    if (collected_[i] && !collected_[i]->isBetterHeld()) finishPair(i);
+    if (collected_[i] && !isBetterHeld(*collected_[i])) finishPair(i);
 }
 
 Progress NarrowPhase::Impl::resumePairs() {

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
-#include "pairs/tree_pair.h"
+#include "pairs/pair_begin.h"
 
 namespace cairn::bullet {
 
 bool OpenStep::isOver(const TreePair& pair, bool isPrepared) const {
-  if (isEnded_ || pair.answeredIn() == number_) return true;
+  if (isEnded_ || pair.notes.answeredIn == number_) return true;
   return !isPrepared &&
-         std::any_of(witnesses_.begin(), witnesses_.end(), [](const TreePair* w) { return w->hasMoved(); });
+         std::any_of(witnesses_.begin(), witnesses_.end(), [](const TreePair* w) { return w->bodies.haveMoved(); });
 }
 
 void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& expected) {
@@ -23,8 +23,8 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& 
   newcomers_ = 0;
   for (std::size_t i = 0; i < known_.size();) {
     TreePair& pair = *known_[i];
-    const bool isAwake = dispatcher.needsCollision(pair.object0(), pair.object1());
-    if (isAwake && !pair.follow()) {
+    const bool isAwake = dispatcher.needsCollision(pair.bodies.object0(), pair.bodies.object1());
+    if (isAwake && !follow(pair)) {
       forget(pair);  // puts another in its place
       continue;
     }
@@ -34,23 +34,23 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& 
 }
 
 void OpenStep::answered(TreePair& pair, bool wasExpected) {
-  pair.setAnsweredIn(number_);
+  pair.notes.answeredIn = number_;
   if (!wasExpected) ++newcomers_;
   // What is no number is never where it was.
-  if (witnesses_.size() < kMaxWitnesses && !pair.isBrokenPair()) witnesses_.push_back(&pair);
-  if (pair.knownAt() != TreePair::kUnknown) return;
-  pair.setKnownAt(known_.size());
+  if (witnesses_.size() < kMaxWitnesses && !pair.is(PairStage::broken)) witnesses_.push_back(&pair);
+  if (pair.notes.knownAt != PairNotes::kNowhere) return;
+  pair.notes.knownAt = known_.size();
   known_.push_back(&pair);
 }
 
 void OpenStep::forget(TreePair& pair) {
   std::erase(witnesses_, &pair);
-  const std::size_t at = pair.knownAt();
-  if (at == TreePair::kUnknown) return;
-  pair.setKnownAt(TreePair::kUnknown);
+  const std::size_t at = pair.notes.knownAt;
+  if (at == PairNotes::kNowhere) return;
+  pair.notes.knownAt = PairNotes::kNowhere;
   known_[at] = known_.back();
   known_.pop_back();
-  if (at < known_.size()) known_[at]->setKnownAt(at);
+  if (at < known_.size()) known_[at]->notes.knownAt = at;
 }
 
 double OpenStep::reserve(std::size_t expected) const {

@@ -9,7 +9,7 @@ class btCollisionDispatcher;
 
 namespace cairn::bullet {
 
-class TreePair;
+struct TreePair;
 
 /// The steps of a dispatcher that says neither where they begin nor where they end: tells from the pairs that come, and
 /// remembers which to expect next time.

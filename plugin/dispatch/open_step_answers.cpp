@@ -49,22 +49,22 @@ bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObject
 
 bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1, btManifoldResult& result) {
-  const auto isPreparedNow = [&] { return pair.collectedAt() != TreePair::kNotCollected && pair.isOf(body0, body1); };
+  const auto isPreparedNow = [&] { return pair.notes.isCollected() && pair.bodies.are(body0, body1); };
   if (open_.isOver(pair, isPreparedNow())) beginOpenStep();
 
   const bool isPrepared = isPreparedNow();
-  const bool wasExpected = pair.collectedAt() != TreePair::kNotCollected;
-  if (wasExpected) dismiss(pair.collectedAt());
-  if (!isPrepared && !pair.collect(body0, body1)) {
+  const bool wasExpected = pair.notes.isCollected();
+  if (wasExpected) dismiss(pair.notes.collectedAt);
+  if (!isPrepared && !bullet::collect(pair, body0, body1)) {
     open_.forget(pair);
     return false;
   }
-  if (!isPrepared) pair.settleApart(body0, body1, mayBeInterrupted(), outlook());
+  if (!isPrepared) settleApart(pair, body0, body1, mayBeInterrupted(), outlook());
   open_.answered(pair, wasExpected || pair.isSettled());
-  pair.setLastReport({});
+  pair.notes.lastReport = {};
   if (pair.isSettled()) {
     ++tally_.statistics.pairs;
-    if (pair.isBrokenPair()) countBroken();
+    if (pair.is(PairStage::broken)) countBroken();
     tally_.statistics.brokenPairs += brokenPairs_.exchange(0);
     return true;
   }
@@ -73,15 +73,15 @@ bool NarrowPhase::Impl::answerOpenly(TreePair& pair, const btCollisionObjectWrap
   const auto began = Budget::Clock::now();
   Budget budget = budgetOf(openLeft_);
   budget.promise(openHeld_);  // triangles leave the others what they need to be answered
-  const Promise own = pair.promised();
+  const Promise own = pair.work.promised;
   openHeld_.operations -= own.operations;
   openHeld_.nanoseconds -= own.nanoseconds;
   ++tally_.statistics.pairs;
-  if (!pair.isBetterHeld()) {
-    const ScheduledPair seen = pair.scheduled();
-    pair.setLastReport(count(pair.finish(dispatcher_, result, answerPolicy(), budget, scratch_), seen));
+  if (!isBetterHeld(pair)) {
+    const ScheduledPair seen = bullet::scheduled(pair);
+    pair.notes.lastReport = count(bullet::finish(pair, dispatcher_, result, answerPolicy(), budget, scratch_), seen);
   } else {
-    pair.setLastReport(hold(pair, result, budget, false));
+    pair.notes.lastReport = hold(pair, result, budget, false);
   }
   if (finest_ == Finest::triangles)
     bookRefinement(budget, began);
@@ -102,7 +102,7 @@ void NarrowPhase::Impl::beginOpenStep() {
   open_.begin(dispatcher_, collected_);
   const bool alsoFromGround = mayBeInterrupted();
   const auto near = std::ranges::count_if(collected_, [&](TreePair* pair) {
-    return !pair->settleApart(pair->body0(), pair->body1(), alsoFromGround, outlook());
+    return !settleApart(*pair, pair->bodies.body0(), pair->bodies.body1(), alsoFromGround, outlook());
   });
   const double reserve = open_.reserve(static_cast<std::size_t>(near));
   left_ = budgetOf(fractionOf(openLeft_, 1 - reserve));
@@ -122,8 +122,8 @@ void NarrowPhase::Impl::beginOpenStep() {
   openHeld_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
   for (const TreePair* pair : collected_)
     if (pair) {
-      openHeld_.operations += pair->promised().operations;
-      openHeld_.nanoseconds += pair->promised().nanoseconds;
+      openHeld_.operations += pair->work.promised.operations;
+      openHeld_.nanoseconds += pair->work.promised.nanoseconds;
     }
 }
 
@@ -146,8 +146,8 @@ StepTally NarrowPhase::Impl::withOutstanding() const {
   for (const TreePair* const pair : collected_) {
     if (!pair) continue;
     ++tally.statistics.pairs;
-    if (pair->isBrokenPair()) ++tally.statistics.brokenPairs;
-    if (!pair->isSettled()) tally.add(pair->lastReport());
+    if (pair->is(PairStage::broken)) ++tally.statistics.brokenPairs;
+    if (!pair->isSettled()) tally.add(pair->notes.lastReport);
   }
   return tally;
 }
@@ -172,8 +172,8 @@ bool NarrowPhase::Impl::refineNewcomer(TreePair& pair, const btCollisionObjectWr
         std::min(*openLeft_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = budgetOf(share);
   const Remeasured remeasured = mayBeInterrupted() ? Remeasured::allIfFew : Remeasured::all;
-  const bool hasBegun = pair.begin(body0, body1, outlook(), 0, remeasured, budget, scratch_);
-  if (hasBegun) pair.refine(budget);
+  const bool hasBegun = bullet::begin(pair, body0, body1, outlook(), 0, remeasured, budget, scratch_);
+  if (hasBegun) pair.traversal().refine(budget);
   bookRefinement(budget, began);
   return hasBegun;
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "cairn/bullet/step.h"
-#include "pairs/tree_pair.h"
+#include "pairs/pair_report.h"
 
 namespace cairn::bullet {
 

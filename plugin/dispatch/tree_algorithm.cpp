@@ -15,11 +15,11 @@ TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
       narrowPhase_(std::move(narrowPhase)),
       pair_(narrowPhase_->acquire(kind)),
       mayDefer_(mayDefer) {
-  pair_->setAlgorithm(this);
+  pair_->handles.setAlgorithm(this);
 }
 
 TreeAlgorithm::~TreeAlgorithm() {
-  pair_->releaseManifolds(*m_dispatcher);
+  pair_->manifolds.release(*m_dispatcher);
   narrowPhase_->release(pair_);
 }
 
@@ -34,7 +34,7 @@ btScalar TreeAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObj
 }
 
 void TreeAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  pair_->appendManifolds(manifolds);
+  pair_->manifolds.append(manifolds);
 }
 
 }  // namespace cairn::bullet

@@ -11,7 +11,7 @@
 
 namespace cairn::bullet {
 
-class TreePair;
+struct TreePair;
 
 /// What Bullet keeps for a pair with a sphere-tree: a handle on the pair's state, and a share of the narrow phase,
 /// which may be taken off the dispatcher while Bullet still holds this. It must stay small, because Bullet's pool of

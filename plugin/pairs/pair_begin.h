@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/scheduler.h"
+#include "pairs/emission_pace.h"
+#include "pairs/pair_settle.h"
+#include "pairs/tree_pair.h"
+
+namespace cairn::bullet {
+
+/// Copies the bodies for a deferred answer; false when they are nested too deep for that.
+bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+/// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
+/// their shapes have changed). Precondition: `collect` succeeded; the bodies live.
+bool follow(TreePair& pair);
+
+/// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart are
+/// wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten first.
+/// `remeasured`: of an answer that is kept. False, and no contacts, when the shapes are no longer a sphere-tree and
+/// something it can meet.
+bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+           const Outlook& outlook, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch);
+
+// Precondition of what follows: `begin` succeeded in this step.
+
+/// What a priority is told.
+ScheduledPair scheduled(TreePair& pair);
+/// So much was charged for the pair, in this step or one before. What a whole traversal took, where it has ended; else
+/// 0.
+std::uint64_t charge(TreePair& pair, std::uint64_t operations);
+/// Holds back what finishing the pair would take now, in place of what was held back for it before.
+void promise(TreePair& pair, Budget& budget, const EmissionPace& pace);
+void withdrawPromise(TreePair& pair, Budget& budget);
+
+}  // namespace cairn::bullet

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+
+#include "memory/fetch_ahead.h"
+#include "pairs/body_snapshot.h"
+
+namespace cairn::bullet {
+
+/// What orders new pairs within a step: never an address. `arrival` decides only between children of compounds whose
+/// paths collide.
+struct PairKey {
+  std::uint64_t bodies = 0;
+  std::uint64_t children = 0;
+  std::size_t arrival = 0;
+
+  friend auto operator<=>(const PairKey&, const PairKey&) = default;
+};
+
+/// Copies of both bodies, for an answer that is given after Bullet asked, or before.
+class PairBodies {
+ public:
+  /// False when they are nested too deep for that.
+  bool take(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+    return bodies_[0].take(body0) && bodies_[1].take(body1);
+  }
+
+  // Precondition of all that follows: `take` succeeded; of the first two, the bodies live.
+
+  /// Takes the copies to where the bodies are now; false when their shapes have changed.
+  bool follow() { return bodies_[0].follow() && bodies_[1].follow(); }
+  /// Whether they are elsewhere.
+  bool haveMoved() const { return bodies_[0].hasMoved() || bodies_[1].hasMoved(); }
+  bool are(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) const {
+    return bodies_[0].isOf(body0) && bodies_[1].isOf(body1);
+  }
+  const btCollisionObjectWrapper& body0() const { return bodies_[0].wrapper(); }
+  const btCollisionObjectWrapper& body1() const { return bodies_[1].wrapper(); }
+  const btCollisionObject* object0() const { return body0().getCollisionObject(); }
+  const btCollisionObject* object1() const { return body1().getCollisionObject(); }
+  PairKey key(std::size_t arrival) const;
+
+  /// See `fetchAhead`.
+  void fetch() const {
+    for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+  }
+
+ private:
+  static constexpr std::size_t kCopyBytes = 192;  // they hardly ever need all their room
+
+  std::array<BodySnapshot, 2> bodies_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "pairs/tree_pair.h"
+
+namespace cairn::bullet {
+
+/// How far ahead a step looks, and how closely.
+struct Outlook {
+  btScalar timeStep = 0;      ///< seconds
+  btScalar sweptTime = 0;     ///< seconds that fast bodies look ahead, see `fastTravel`; 0: they do not
+  btScalar wallTime = 0;      ///< the same of bodies that are fast for thin walls, see `wallTravel`
+  bool asksTriangles = true;  ///< what leaves say is not enough
+};
+
+/// True when there can be no contacts, because the bodies' spheres are apart, or nothing touched in an earlier step
+/// and nothing moved far since, or `settleBroken`: the pair then has none, and needs no more work in this step.
+/// Cheap. `alsoFromGround`: whether the sphere of a body above a plane or a terrain is looked at as well. Where
+/// nothing is interrupted a traversal says it once for many steps, and pairs keep the order they always had.
+bool settleApart(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                 bool alsoFromGround, const Outlook& outlook);
+/// True when one of the bodies `isBroken`: the pair then forgets what it knew and has no contacts, as if settled.
+bool settleBroken(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+/// Whether it has points of an earlier step between bodies of which one `isBroken` now. It may not be asked about in
+/// this step: Bullet passes over children of compounds whose boxes are apart in the compound's frame, and leaves them
+/// their points. Precondition: the bodies live.
+bool isLeftOver(const TreePair& pair);
+/// What that does to a pair of a broken body. Contacts end: users' callbacks are called.
+void forgetBroken(TreePair& pair);
+
+}  // namespace cairn::bullet

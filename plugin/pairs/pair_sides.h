@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+
+#include "cairn/bullet/sphere_tree_shape.h"
+
+namespace cairn::bullet {
+
+/// The bodies of a pair, told apart: the one whose sphere-tree it is, and the other.
+struct PairSides {
+  const btCollisionObjectWrapper &tree, &other;
+
+  static PairSides of(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool treeIsBody0) {
+    return treeIsBody0 ? PairSides{body0, body1} : PairSides{body1, body0};
+  }
+  /// Of two trees body 0's. Where neither is one, the shape is null.
+  static PairSides of(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
+    return of(body0, body1, asSphereTree(body0.getCollisionShape()) != nullptr);
+  }
+
+  const SphereTreeShape* shape() const { return asSphereTree(tree.getCollisionShape()); }
+  const btCollisionShape& otherShape() const { return *other.getCollisionShape(); }
+  /// Null where it is none.
+  const SphereTreeShape* otherTree() const { return asSphereTree(other.getCollisionShape()); }
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/pair_subject.h"
+
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+
+#include "counterparts/distance_field.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
+  return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
+}
+
+// 0 for what is no field.
+std::uint64_t fieldMark(const btCollisionShape& shape) {
+  const btSdfCollisionShape* const sdf = asField(shape);
+  if (!sdf) return 0;
+  DistanceField field;
+  field.take(*sdf);
+  return field.mark();
+}
+
+}  // namespace
+
+void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& other) {
+  forget();
+  tree_ = tree.sharedTree();
+  treeScale_ = tree.scale();
+  treeMargin_ = tree.getMargin();
+  treeFrame_ = tree.bodyFrame();
+  otherShape_ = &other;
+  if (const SphereTreeShape* const otherTree = asSphereTree(&other)) {
+    otherTree_ = otherTree->sharedTree();
+    otherScale_ = otherTree->scale();
+    otherMargin_ = otherTree->getMargin();
+    otherFrame_ = otherTree->bodyFrame();
+  }
+  if (const btStaticPlaneShape* const plane = asPlane(other)) {
+    planeNormal_ = plane->getPlaneNormal();
+    planeConstant_ = plane->getPlaneConstant();
+  }
+  fieldMark_ = fieldMark(other);
+}
+
+bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other) const {
+  if (tree_.get() != &tree.tree() || treeScale_ != tree.scale() || treeMargin_ != tree.getMargin() ||
+      treeFrame_ != tree.bodyFrame() || otherShape_ != &other)
+    return false;
+  if (const btStaticPlaneShape* const plane = asPlane(other))
+    return !otherTree_ && planeNormal_ == plane->getPlaneNormal() && planeConstant_ == plane->getPlaneConstant();
+  const SphereTreeShape* const otherTree = asSphereTree(&other);
+  if (!otherTree) return !otherTree_ && fieldMark_ == fieldMark(other);
+  return otherTree_.get() == &otherTree->tree() && otherScale_ == otherTree->scale() &&
+         otherMargin_ == otherTree->getMargin() && otherFrame_ == otherTree->bodyFrame();
+}
+
+float PairSubject::rootErrors() const {
+  return tree_->error(kRootNode) * static_cast<float>(treeScale_) +
+         otherTree_->error(kRootNode) * static_cast<float>(otherScale_);
+}
+
+float PairSubject::rootDiameter() const {
+  return 2 * tree_->sphere(kRootNode).radius * static_cast<float>(treeScale_);
+}
+
+}  // namespace cairn::bullet

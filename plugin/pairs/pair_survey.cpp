@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/pair_survey.h"
+
+#include <algorithm>
+
+#include "pairs/body_motion.h"
+#include "placement/bullet_math.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// Certified error of what nothing is known about, of the smaller body's size.
+constexpr double kUnknownError = 1;
+
+// Of two trees their whole spheres, of trees of like size; on the ground points of the body. Planes are few and soon
+// asked: where operations alone are counted, nobody has to wait for them.
+bool hasStandIn(const TreePair& pair, bool isTimed) {
+  if (pair.kind == CounterpartKind::plane) return isTimed;
+  return pair.kind == CounterpartKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
+}
+
+PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
+  pair.treeIsBody0 = asSphereTree(pair.bodies.body0().getCollisionShape()) != nullptr;
+  const PairSides sides = pair.sides();
+  const SphereTreeShape* const tree = sides.shape();
+  if (!pair.subject.isKnown()) pair.adopt(sides);
+  const bool isSame = pair.subject.isKnown() && tree && pair.subject.is(*tree, sides.otherShape());
+  const bool canStandIn =
+      isSame && hasStandIn(pair, isTimed) && (!pair.course.isFast || pair.kind == CounterpartKind::terrain);
+  PairAge& age = pair.age;
+  if (!isSame || !age.isPlaced) return {kUnknownError * (1 + age.waited), usualOperations, canStandIn, true};
+  pair.motion.seenNow = PairMotion::placementOf(sides);
+  const RelativeMotion& begun = pair.motion.relative;
+  age.moved = static_cast<float>(pair.motion.seenNow.displacementSince(begun.placement));
+  const bool isOld = pair.contacts.isSilenceOld(age.moved, pair.sizes.smaller);
+  age.holdsStill = pair.contacts.holds(age.moved, pair.sizes.smaller) && !(pair.said.contacts == 0 && isOld);
+  // Spheres that stand in for an old answer hold the bodies, and are no reason to wait longer for a new one.
+  const bool isUrgent = !age.holdsStill || (pair.manifolds.hasStandIn() && isOld);
+  const double error = isUrgent ? kUnknownError : age.error + pair.sizes.fraction(age.moved);
+  const bool isKept = pair.work.wasDone && pair.contacts.keepsAt(*pair.counterpart, pair.motion.seenNow, begun.reach);
+  const std::uint64_t operations = isKept ? pair.contacts.keptCost(*pair.counterpart, pair.motion.seenNow, begun.reach)
+                                          : pair.work.expected(usualOperations);
+  return {error * (1 + age.waited), operations, canStandIn || (age.holdsStill && !pair.course.isFast),
+          !age.holdsStill || !pair.work.wasDone, isKept ? PairContacts::kKeptCostIfFew : operations};
+}
+
+}  // namespace
+
+void survey(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
+  pair.work.need = pair.isSettled() ? PairNeed() : needOf(pair, usualOperations, isTimed);
+  if (!pair.isSettled()) pair.enter(PairStage::surveyed);
+}
+
+// Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
+ScheduledPair describe(const TreePair& pair) {
+  const PairSides sides = PairSides::of(pair.bodies.body0(), pair.bodies.body1());
+  const SphereTreeShape* const tree = sides.shape();
+  if (!tree) return {.id = pair.notes.id};
+  const SphereTreeShape* const otherTree = sides.otherTree();
+  const auto treeSize = static_cast<float>(tree->size());
+  const float knownSize = pair.age.isPlaced ? pair.sizes.smaller : treeSize;
+  const float size = otherTree ? std::min(treeSize, static_cast<float>(otherTree->size())) : knownSize;
+  const btCollisionObject &object = *sides.tree.getCollisionObject(), &other = *sides.other.getCollisionObject();
+  return {.id = pair.notes.id,
+          .center = toVec3d((size < treeSize ? sides.other : sides.tree).getWorldTransform().getOrigin()),
+          .size = size,
+          .closingSpeed = closingSpeed(object, other, static_cast<float>(tree->getAngularMotionDisc())),
+          .mass = reducedMass(object, other)};
+}
+
+}  // namespace cairn::bullet
