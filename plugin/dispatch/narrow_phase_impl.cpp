@@ -109,7 +109,7 @@ void NarrowPhase::Impl::reserve(const PairCounts& pairs) {
     idle_[kind].reserve(pairs[kind]);
     while (idle_[kind].size() < pairs[kind])
       idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
-    for (TreePair* const pair : idle_[kind]) pair->contacts.makeRoomForRetests();
+    for (TreePair* const pair : idle_[kind]) pair->contacts.expectInterruptions();
   }
   const std::size_t all = all_.size();
   makeWrittenRoom(collected_, all);

@@ -14,7 +14,7 @@ namespace {
 void endWaiting(TreePair& pair, const PairSides& sides) {
   const auto moved =
       static_cast<float>(PairMotion::placementOf(sides).displacementSince(pair.motion.relative.placement));
-  pair.contacts.waited(moved);
+  pair.contacts.age().approached(moved, moved);
   pair.age.error += pair.sizes.fraction(moved);
   pair.age.isHeld = false;
 }

@@ -7,49 +7,37 @@
 
 namespace cairn::bullet {
 
-// Bodies may roll for minutes before as much is known of a pair as can be.
-PairContacts::PairContacts() {
-  guards_.reserve(kMaxGuards);
-  known_.reserve(kMaxKnown);
-}
-
-void PairContacts::makeRoomForRetests() {
-  retested_.reserve(kMaxKnown);
+void PairContacts::expectInterruptions() {
+  known_.makeRoom();
   found_.makeRoom();
 }
 
 void PairContacts::reset() {
-  known_.clear();
-  retested_.clear();
+  known_.reset();
   found_.clear();
   guards_.clear();
-  seeds_ = {};
-  commonNormals_ = {};
+  normals_.forget();
   seenLeafPairs_ = 0;
-  isAnswered_ = false;
-  answerHadContacts_ = false;
-  answer_ = {};
-  traversal_ = {};
+  age_ = {};
   started_ = false;
   isResumed_ = false;
   overlooked_ = 0;
   isTold_ = false;
-  isRetested_ = false;
   isKept_ = isOfTriangles_ = false;
-  isFlat_ = liesStill_ = false;
+  liesStill_ = false;
   kept_.reset();
 }
 
 void PairContacts::settleApart(const Vec3& centers) {
   if (started_) reset();
-  isAnswered_ = true;
-  answer_ = {0, centers};
+  age_.settleApart(centers);
 }
 
 bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion, const Beginning& beginning,
                          Budget& budget, ContactScratch& scratch) {
-  isResumed_ = isRetested_ = false;
-  counterpart.expect(commonNormals_);
+  isResumed_ = false;
+  known_.beginStep();
+  counterpart.expect(normals_.normals());
   isKept_ = keepAnswer(counterpart, motion, beginning.remeasured);
   if (isKept_ || isDoneUntold(counterpart, motion)) return false;
   if (!started_ || counterpart.traversal().done() || !counterpart.resume()) {
@@ -59,8 +47,8 @@ bool PairContacts::begin(Counterpart& counterpart, const RelativeMotion& motion,
   isResumed_ = true;
   kept_.resume(motion.placement);
   // What would take most of the budget is left to the end, or the traversal would never get anywhere.
-  const bool isDear = 2 * kContactCost * known_.size() > budget.remaining();
-  if (!beginning.isHeldOver && !isDear) retest(counterpart, budget, scratch);
+  const bool isDear = 2 * kContactCost * known_.pairs().size() > budget.remaining();
+  if (!beginning.isHeldOver && !isDear) known_.retest(counterpart, budget, scratch.retested);
   return false;
 }
 
@@ -72,8 +60,8 @@ bool PairContacts::isDoneUntold(const Counterpart& counterpart, const RelativeMo
 }
 
 void PairContacts::start(Counterpart& counterpart, const RelativeMotion& motion) {
-  counterpart.start(known_, kept_.begin(counterpart, motion));
-  traversal_ = {0, motion.treeCenter - motion.otherCenter};
+  counterpart.start(known_.pairs(), kept_.begin(counterpart, motion));
+  age_.traversalBegan(0, motion.treeCenter - motion.otherCenter);
   seenLeafPairs_ = 0;
   found_.clear();
   started_ = true;
@@ -85,29 +73,14 @@ bool PairContacts::keepAnswer(Counterpart& counterpart, const RelativeMotion& mo
   if (!keepsAt(counterpart, motion.placement, motion.reach)) return false;
   // Between flat faces that lie still, the points of the last step stand for all others.
   const bool isStill = kept_.isStillAt(motion.placement, motion.reach);
-  liesStill_ = isFlat_ && isStill;
+  liesStill_ = normals_.areFlat() && isStill;
   const std::span<const NodePair> leafPairs = counterpart.traversal().leafPairs();
   if (liesStill_ && (remeasured == Remeasured::all || kept_.tellsNear(leafPairs.size())))
     remeasured = Remeasured::touching;
-  kept_.pick(leafPairs, motion, known_, remeasured);
+  kept_.pick(leafPairs, motion, known_.pairs(), remeasured);
   if (!isStill) overlooked_ = kept_.overlooked();
-  traversal_ = {overlooked_, motion.treeCenter - motion.otherCenter};
+  age_.traversalBegan(overlooked_, motion.treeCenter - motion.otherCenter);
   return true;
-}
-
-// Each pair may have dozens of contacts; beyond what there is room for, the deepest are kept. The room is made at once:
-// bodies that roll would else need a little more for minutes.
-void PairContacts::retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch) {
-  if (isRetested_) return;
-  isRetested_ = true;
-  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(known_.size()));
-  std::vector<Contact>& all = scratch.retested;
-  all.clear();
-  counterpart.appendContacts(known_, all);
-  if (all.size() > kMaxRetested) std::partial_sort(all.begin(), all.begin() + kMaxRetested, all.end(), deeper);
-  const std::size_t count = std::min(all.size(), kMaxRetested);
-  retested_.reserve(count <= kMaxKnown ? kMaxKnown : kMaxRetested);
-  retested_.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 // What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
@@ -170,7 +143,7 @@ std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const 
 
 std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
   if (counterpart.traversal().done()) return 0;
-  const std::uint64_t known = isRetested_ ? 0 : kContactCost * known_.size();
+  const std::uint64_t known = known_.isRetested() ? 0 : kContactCost * known_.pairs().size();
   return known + kSphereCost * (std::min(counterpart.traversal().front().size(), kMaxFrontPairs) + 1);
 }
 
@@ -188,24 +161,13 @@ void PairContacts::appendFront(Counterpart& counterpart, bool compensate, float 
 
 // An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
-  return isAnswered_ && isRecent(motion) && (!answerHadContacts_ || !isRetested_ || !retested_.empty());
-}
-
-bool PairContacts::isAnsweredWithin(float moved, float smallerSize) const {
-  return isAnswered_ && answer_.approach + moved <= kHeldFraction * smallerSize;
+  const bool hasLost = known_.isRetested() && known_.contacts().empty();
+  return age_.isAnswered() && age_.isRecent(motion.smallerSize) && !(age_.hadContacts() && hasLost);
 }
 
 bool PairContacts::holds(float moved, float smallerSize) const {
-  return isAnsweredWithin(moved, smallerSize) || isGuardedWithin(moved, smallerSize);
-}
-
-bool PairContacts::isSilenceOld(float moved, float smallerSize) const {
-  return answer_.approach + moved > kApproachFraction * smallerSize;
-}
-
-void PairContacts::waited(float moved) {
-  answer_.approach += moved;
-  traversal_.approach += moved;
+  return age_.isAnsweredWithin(moved, smallerSize) ||
+         (!guards_.isEmpty() && age_.isTraversedWithin(moved, smallerSize));
 }
 
 bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
@@ -216,12 +178,9 @@ bool PairContacts::keepsAt(const Counterpart& counterpart, const RelativePlaceme
 std::uint64_t PairContacts::keptCost(const Counterpart& counterpart, const RelativePlacement& now, float reach) const {
   const std::size_t all = counterpart.traversal().leafPairs().size();
   if (!isKept_ || !kept_.tellsNear(all)) return kContactCost * all;
-  if (isFlat_ && kept_.isStillAt(now, reach) && !known_.empty()) return kContactCost * known_.size();
+  if (normals_.areFlat() && kept_.isStillAt(now, reach) && !known_.pairs().empty())
+    return kContactCost * known_.pairs().size();
   return kContactCost * (liesStill_ ? all : kept_.wanted());
-}
-
-bool PairContacts::isRecent(const RelativeMotion& motion) const {
-  return answer_.approach <= kApproachFraction * motion.smallerSize;
 }
 
 void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, const RelativeMotion& motion,
@@ -229,60 +188,42 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   std::vector<Contact>& contacts = scratch.contacts.list();
   contacts.clear();
   const bool isDone = counterpart.traversal().done();
-  counterpart.expect(commonNormals_);
-  if (!isDone || isResumed_) retest(counterpart, budget, scratch);
+  counterpart.expect(normals_.normals());
+  if (!isDone || isResumed_) known_.retest(counterpart, budget, scratch.retested);
   onTriangles_ = {};
   isOfMesh_ =
-      isDone && traversal_.approach <= kApproachFraction * motion.smallerSize &&
+      isDone && age_.isTraversalRecent(motion.smallerSize) &&
       appendOfMesh(counterpart, motion,
                    {policy.finest, scratch.kernel, motion.placement, budget, policy.mayBeInterrupted}, contacts);
   if (!isOfMesh_) {
-    if (isRetested_ && !(isDone && counterpart.measuresTogether())) contacts = retested_;
+    if (known_.isRetested() && !(isDone && counterpart.measuresTogether()))
+      contacts.assign(known_.contacts().begin(), known_.contacts().end());
     appendFound(counterpart, budget, contacts);
     appendUnmeasured(counterpart, motion, budget, contacts);
   }
   if (isDone) {
-    isAnswered_ = isTold_ = true;
-    answer_ = traversal_;  // it is as old as its beginning: what was apart then may touch now
-    answerHadContacts_ = !contacts.empty();
+    isTold_ = true;
+    age_.traversalEnded(!contacts.empty());
   }
   // What an answer ruled out long ago may have closed in since.
-  if (isDone && isRecent(motion))
+  if (isDone && age_.isRecent(motion.smallerSize))
     guards_.clear();
   else if (policy.unresolved == Unresolved::guard)
     appendGuards(counterpart, motion, reach, budget, scratch);
   else if (!isDone && policy.unresolved != Unresolved::ignore)
     appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
-  known_.clear();
+  known_.forgetPairs();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
-  scratch.seeds = seeds_;
   isOfTriangles_ = isOfMesh_ && policy.finest == Finest::triangles;
-  scratch.contacts.group(seeds_, reach, isOfTriangles_ ? tuning::kOneManifold : kClusterCosine);
+  scratch.contacts.group(normals_.seeds(), reach, isOfTriangles_ ? tuning::kOneManifold : kClusterCosine);
   if (isOfMesh_)
-    keepNormals(scratch.contacts);
+    normals_.keep(scratch.contacts);
   else
-    flatten(counterpart, reach, scratch);
-  dropOverruled(ahead, reach, scratch);
+    normals_.flatten(counterpart, reach, scratch.contacts, scratch.strays);
+  dropOverruled(ahead, reach, scratch.contacts);
   if (!counterpart.givesWay()) return;
   for (Contact& contact : contacts)
     if (!contact.ofSpheres) contact.bend = motion.bend(contact);
-}
-
-void PairContacts::remember(const NodePair& leaves) {
-  if (!isKnown(leaves)) known_.push_back(leaves);
-}
-
-bool PairContacts::isKnown(const NodePair& pair) const {
-  return std::find(known_.begin(), known_.end(), pair) != known_.end();
-}
-
-void PairContacts::rememberDeepest(const Counterpart& counterpart, ContactScratch& scratch) {
-  makeRoomForRetests();
-  std::vector<Contact>& contacts = scratch.contacts.list();
-  const std::size_t count = std::min(contacts.size(), kMaxKnownPairs);
-  std::partial_sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count), contacts.end(), deeper);
-  for (std::size_t i = 0; i < count && known_.size() < kMaxKnownPairs; ++i)
-    if (!contacts[i].ofSpheres) remember(counterpart.leavesOf(contacts[i]));
 }
 
 }  // namespace cairn::bullet

@@ -11,8 +11,12 @@
 #include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 #include "counterparts/counterpart.h"
+#include "pairs/answer_age.h"
+#include "pairs/common_normals.h"
 #include "pairs/found_pairs.h"
 #include "pairs/kept_answer.h"
+#include "pairs/known_pairs.h"
+#include "pairs/pair_guards.h"
 
 namespace cairn::bullet {
 
@@ -26,10 +30,9 @@ struct AnswerPolicy {
 /// Working memory that all pairs of a narrow phase share, one after the other.
 struct ContactScratch {
   ClusteredContacts contacts;  ///< of the pair at hand
-  ClusterSeeds seeds{};        ///< its clusters' directions in the step before
   std::vector<Contact> guards, wholes;
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
-  std::vector<Contact> strays, moreStrays;
+  Strays strays;
   ContactKernel kernel;
 };
 
@@ -37,13 +40,9 @@ struct ContactScratch {
 /// pairs that were in contact last, and the directions of the clusters.
 class PairContacts {
  public:
-  /// Resolved pairs that are re-tested while a traversal is unfinished. Bounds, with `kMaxFrontPairs`, the work of a
-  /// pair that gets no budget.
-  static constexpr std::size_t kMaxKnownPairs = 32;
-  /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest.
+  /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest. Bounds, with
+  /// `KnownPairs::kMost`, the work of a pair that gets no budget.
   static constexpr std::size_t kMaxFrontPairs = 32;
-
-  PairContacts();
 
   /// Forgets everything; for a pair that is new.
   void reset();
@@ -86,23 +85,13 @@ class PairContacts {
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
   float overlooked() const { return overlooked_; }
-  // Steps without `begin` and `finish`, in which contacts only follow the bodies. `moved`: world length by which these
-  // have moved against each other since the last `begin`, at most.
-
-  /// Whether what was last said still keeps them from each other: an answer, or guards.
+  /// In steps without `begin` and `finish`, in which contacts only follow the bodies: whether what was last said still
+  /// keeps them from each other, an answer or guards. `moved`: see `AnswerAge`.
   bool holds(float moved, float smallerSize) const;
-  /// Whether it is an answer.
-  bool isAnsweredWithin(float moved, float smallerSize) const;
-  /// Whether it is too old to tell that nothing touches: what was apart then may be in each other by now.
-  bool isSilenceOld(float moved, float smallerSize) const;
-  /// The spheres of whole bodies as a guard: reports what they have sunk since they were first seen.
-  Contact holdWhole(Contact whole, float smallerSize);
-  /// The bodies stand elsewhere: guards begin anew.
-  void forgetGuards() { guards_.clear(); }
-  /// Before the `begin` that ends the waiting.
-  void waited(float moved);
-  /// After a `begin` without `finish`: the bodies had moved so far since what was said last.
-  void answerAged(float moved) { answer_.approach += moved; }
+  AnswerAge& age() { return age_; }
+  const AnswerAge& age() const { return age_; }
+  PairGuards& guards() { return guards_; }
+  KnownPairs& known() { return known_; }
   /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about; and at
   /// most, with `Remeasured::allIfFew`.
   bool keepsAt(const Counterpart& counterpart, const RelativePlacement& now, float reach) const;
@@ -116,42 +105,24 @@ class PairContacts {
 
   /// See `fetchAhead`: what a step looks at besides the object itself.
   void fetchLists() const {
-    fetchAhead(known_.data(), known_.size() * sizeof(NodePair));
+    known_.fetch();
     kept_.fetchLists();
   }
 
   /// Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
 
-  /// Tells that this contact was handed to Bullet.
-  void remember(const NodePair& leaves);
   /// Allocates, once, what only steps that may be interrupted need: more than all the rest of a pair.
-  void makeRoomForRetests();
-  /// Tops up what is known with the deepest of the contacts that were not chosen, for steps that may be interrupted,
-  /// and makes room for these.
-  void rememberDeepest(const Counterpart& counterpart, ContactScratch& scratch);
+  void expectInterruptions();
 
  private:
-  bool isGuardedWithin(float moved, float smallerSize) const;
-  // A pair of bounding spheres that may not approach further until it is resolved, how far it already overlapped when
-  // it was first seen, and what it has sunk since.
-  struct Guard {
-    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
-    bool isWhole;
-    Vec3 normal;
-    float allowedGap;
-    float sunk;
-  };
-
   bool keepAnswer(Counterpart& counterpart, const RelativeMotion& motion, Remeasured remeasured);
   bool isDoneUntold(const Counterpart& counterpart, const RelativeMotion& motion);
   void start(Counterpart& counterpart, const RelativeMotion& motion);
-  void retest(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   std::span<const NodePair> unmeasured(const Counterpart& counterpart) const;
   void appendFound(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
-  static void dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch);
   // Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
   static std::span<const NodePair> headOf(std::span<const NodePair> front) {
     return front.first(std::min(front.size(), kMaxFrontPairs));
@@ -162,57 +133,27 @@ class PairContacts {
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
-  bool isKnown(const NodePair& pair) const;
-  void flatten(Counterpart& counterpart, float reach, ContactScratch& scratch);
-  void keepNormals(ClusteredContacts& contacts);
-  void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ContactScratch& scratch);
-  void joinSameNormals(ClusteredContacts& contacts);
-  // Whether the bodies have hardly approached since the traversal that gave the last answer began.
-  bool isRecent(const RelativeMotion& motion) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
-  static std::size_t putChosenFirst(std::vector<Contact>& guards);
-  const Guard* lastOf(const Contact& guard) const;
-  float allowedGap(const Contact& guard, float smallerSize) const;
 
   // Comparing two bounding spheres moves one of them.
   static constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
-  // How far bodies may approach each other, as a fraction of the smaller one's size, before an old answer counts for
-  // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
-  static constexpr float kApproachFraction = 0.008F;
-  // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
-  static constexpr float kHeldFraction = 0.03F;
-  static constexpr std::size_t kMaxGuards = 4;
-  static constexpr std::size_t kMaxKnown = kMaxKnownPairs + kMaxClusters * kMaxPoints;
-  static_assert(kMaxKnown <= KeptAnswer::kFew);
-  // A flat leaf touches with its corners, four as a rule.
-  static constexpr std::size_t kMaxRetested = 4 * kMaxKnown;
+  static_assert(KnownPairs::kMostOfAll <= KeptAnswer::kFew);
 
   // First what a step looks at in any case.
-  std::vector<Guard> guards_;
-  // How the bodies stood when a traversal began, and how they have moved since.
-  struct Epoch {
-    float approach = 0;  // world length by which they may have closed, at most
-    Vec3 centers;        // from the other body's centre to the tree's, then
-  };
-  bool isAnswered_ = false;         // was the traversal ever done
-  bool answerHadContacts_ = false;  // and did it find any
-  Epoch answer_, traversal_;        // of the last answer, of the traversal at hand
+  PairGuards guards_;
+  AnswerAge age_;
   bool isKept_ = false;
-  bool isFlat_ = false;     // did every contact of the last step have a common normal
   bool liesStill_ = false;  // and the bodies hardly moved: only what was in contact was measured
   bool started_ = false;
   bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;
-  bool isRetested_ = false;
   bool isOfMesh_ = false, isOfTriangles_ = false;
   float overlooked_ = 0;
   Budget::Clock::duration onTriangles_{};
   KeptAnswer kept_;  // its beginning as well, see there
-  std::vector<NodePair> known_;
+  KnownPairs known_;
   FoundPairs found_;
-  std::vector<Contact> retested_;  // at most kMaxRetested, whatever each known pair has to say
-  ClusterSeeds seeds_{};
-  std::array<Vec3, kMaxClusters> commonNormals_{};
+  CommonNormals normals_;
   std::size_t seenLeafPairs_ = 0;
 };
 

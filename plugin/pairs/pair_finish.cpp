@@ -23,7 +23,7 @@ bool isOfPatches(const Contact& contact) {
 // What a step that can be interrupted goes on with.
 void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy) {
   if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfPatches(chosen))) return;
-  pair.contacts.remember(pair.counterpart->leavesOf(chosen));
+  pair.contacts.known().remember(pair.counterpart->leavesOf(chosen));
 }
 
 void writeCluster(TreePair& pair, int k, std::span<Contact> members, const AnswerPolicy& policy,
@@ -69,7 +69,8 @@ PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& re
   for (std::size_t k = 0; k < clusters.size(); ++k)
     writeCluster(pair, static_cast<int>(k), clusters[k], policy, dispatcher, result, report);
   if (policy.mayBeInterrupted) {
-    pair.contacts.rememberDeepest(*pair.counterpart, scratch);
+    pair.contacts.expectInterruptions();
+    pair.contacts.known().rememberDeepest(*pair.counterpart, scratch.contacts.list());
     pair.surviveRefresh();
   }
   pair.holdGuards();

@@ -50,7 +50,7 @@ void beginHeld(TreePair& pair, const HeldStep& step) {
   pair.age.moved = 0;
   // A step ago it may have been certainly apart, which says nothing of how far it has come since.
   const float travel = PairMotion::speedInOther(sides) * static_cast<float>(step.timeStep);
-  pair.contacts.answerAged(travel);
+  pair.contacts.age().approached(travel, 0);
   pair.age.error = pair.sizes.fraction(travel);
   // Boxes deeper in each other than that were so a step ago, too: bodies that were set down there. Boxes take time.
   if (pair.kind == CounterpartKind::tree && (step.isLate || overlapOfBoxes(sides) > travel))
@@ -59,7 +59,7 @@ void beginHeld(TreePair& pair, const HeldStep& step) {
 
 // Its traversal began here, but what it says is as old as before.
 void countStepAsWaited(TreePair& pair) {
-  pair.contacts.answerAged(pair.age.untold);
+  pair.contacts.age().approached(pair.age.untold, 0);
   pair.age.error += pair.sizes.fraction(pair.age.untold);
   pair.age.untold = 0;
 }
@@ -107,7 +107,7 @@ void standOnGround(TreePair& pair, const HeldStep& step) {
 
 void standIn(TreePair& pair, const HeldStep& step) {
   if (pair.isOnGround()) return standOnGround(pair, step);
-  std::array<Contact, 1> whole{pair.contacts.holdWhole(pair.motion.roots->contact(), pair.sizes.smaller)};
+  std::array<Contact, 1> whole{pair.contacts.guards().holdWhole(pair.motion.roots->contact(), pair.sizes.smaller)};
   writeStandIn(pair, whole, step);
 }
 
@@ -119,7 +119,7 @@ void bringPoints(TreePair& pair, bool standsIn) {
   if (standsIn && moved > kMostFollowed * size) pair.manifolds.clearOthers();
   // What stands in on the ground replaces every point: nothing has to follow.
   if (standsIn && pair.isOnGround()) return pair.manifolds.noteAxes();
-  const bool dropsParted = standsIn || pair.contacts.isAnsweredWithin(moved, size);
+  const bool dropsParted = standsIn || pair.contacts.age().isAnsweredWithin(moved, size);
   pair.manifolds.follow(dropsParted ? std::optional(pair.breakingThreshold()) : std::nullopt, standsIn);
 }
 
@@ -169,7 +169,7 @@ PairReport hold(TreePair& pair, const HeldStep& step) {
   const bool mayWait = step.isLate && !pair.course.isFast && !pair.said.wasAhead && !isDue,
              isFirst = age.unseenWay == 0;
   if (mayWait && mayStay(pair, step)) {
-    if (isNew) pair.contacts.answerAged(2 * kMostFollowed * pair.sizes.smaller);  // apart they were, no longer
+    if (isNew) pair.contacts.age().approached(2 * kMostFollowed * pair.sizes.smaller, 0);  // apart they were, no longer
     if (pair.said.areGuardsLoaded) pair.manifolds.stayAwake();
     return reportHeld(pair, needsStandIn);
   }

@@ -33,7 +33,7 @@ PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
   pair.motion.seenNow = PairMotion::placementOf(sides);
   const RelativeMotion& begun = pair.motion.relative;
   age.moved = static_cast<float>(pair.motion.seenNow.displacementSince(begun.placement));
-  const bool isOld = pair.contacts.isSilenceOld(age.moved, pair.sizes.smaller);
+  const bool isOld = pair.contacts.age().isSilenceOld(age.moved, pair.sizes.smaller);
   age.holdsStill = pair.contacts.holds(age.moved, pair.sizes.smaller) && !(pair.said.contacts == 0 && isOld);
   // Spheres that stand in for an old answer hold the bodies, and are no reason to wait longer for a new one.
   const bool isUrgent = !age.holdsStill || (pair.manifolds.hasStandIn() && isOld);

@@ -85,7 +85,7 @@ void TreePair::forgetImpulsesAhead() {
 
 void TreePair::lookForJump(const RelativePlacement& now, const PairSides& sides, btScalar timeStep) {
   if (age.isPlaced && motion.areSetDown(now, sides, sizes, timeStep)) {
-    contacts.forgetGuards();
+    contacts.guards().clear();
     course.forgetAnchor();
   }
   motion.seenAt = now;

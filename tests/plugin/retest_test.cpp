@@ -57,7 +57,7 @@ void step(bullet::PairContacts& pair, TalkativeCounterpart& counterpart, bullet:
   Budget budget = Budget::operations(0);
   pair.begin(counterpart, motion, {}, budget, scratch);
   pair.finish(counterpart, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
-  for (std::uint32_t i = 0; i < bullet::PairContacts::kMaxKnownPairs; ++i) pair.remember(NodePair{i, 0});
+  for (std::uint32_t i = 0; i < bullet::KnownPairs::kMost; ++i) pair.known().remember(NodePair{i, 0});
 }
 
 TEST(Retests, TakeNoMoreMemoryHoweverMuchIsSaid) {

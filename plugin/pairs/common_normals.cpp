@@ -2,7 +2,7 @@
 // One direction for each cluster of contacts between flat faces.
 #include <algorithm>
 
-#include "pairs/pair_contacts.h"
+#include "pairs/common_normals.h"
 
 namespace cairn::bullet {
 
@@ -32,60 +32,58 @@ bool isOpposed(const Contact& now, const Contact& ahead) {
 }  // namespace
 
 // What the meshes said has its directions already; contacts ahead have directions of their own.
-void PairContacts::keepNormals(ClusteredContacts& contacts) {
+void CommonNormals::keep(ClusteredContacts& contacts) {
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k);
     const auto measured = std::ranges::find(cluster, false, &Contact::isAhead);
-    commonNormals_[static_cast<std::size_t>(k)] = measured == cluster.end() ? Vec3() : measured->normal;
+    normals_[static_cast<std::size_t>(k)] = measured == cluster.end() ? Vec3() : measured->normal;
   }
 }
 
-void PairContacts::flatten(Counterpart& counterpart, float reach, ContactScratch& scratch) {
-  ClusteredContacts& contacts = scratch.contacts;
-  scratch.strays.clear();
-  const std::array<Vec3, kMaxClusters> lasts = commonNormals_;
+void CommonNormals::flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts, Strays& strays) {
+  strays.now.clear();
+  const std::array<Vec3, kMaxClusters> lasts = normals_;
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k), now = ofNow(cluster);
-    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    common = now.empty() ? Vec3() : counterpart.flatten(now, lasts, scratch.strays);
+    Vec3& common = normals_[static_cast<std::size_t>(k)];
+    common = now.empty() ? Vec3() : counterpart.flatten(now, lasts, strays.now);
     // Along the common normal some turn out to be farther apart than what is wanted.
     if (lengthSq(common) > 0 || now.size() < cluster.size()) contacts.resort(k, reach);
   }
-  clusterStrays(counterpart, reach, lasts, scratch);
+  clusterStrays(counterpart, reach, lasts, contacts, strays);
   joinSameNormals(contacts);
-  counterpart.learnNormals(commonNormals_);
+  counterpart.learnNormals(normals_);
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k)
-    if (!contacts.cluster(k).empty() && lengthSq(commonNormals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
+    if (!contacts.cluster(k).empty() && lengthSq(normals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
 }
 
 // Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
 // sides of a groove hold against different motions.
-void PairContacts::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
-                                 ContactScratch& scratch) {
-  ClusteredContacts& contacts = scratch.contacts;
-  std::sort(scratch.strays.begin(), scratch.strays.end(), deeper);  // they are of several clusters
-  for (int k = 0; k < kMaxClusters && !scratch.strays.empty(); ++k) {
+void CommonNormals::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
+                                  ClusteredContacts& contacts, Strays& strays) {
+  std::sort(strays.now.begin(), strays.now.end(), deeper);  // they are of several clusters
+  for (int k = 0; k < kMaxClusters && !strays.now.empty(); ++k) {
     if (!contacts.cluster(k).empty()) continue;
-    Vec3& common = commonNormals_[static_cast<std::size_t>(k)];
-    scratch.moreStrays.clear();
-    common = counterpart.flatten(scratch.strays, lasts, scratch.moreStrays);
+    Vec3& common = normals_[static_cast<std::size_t>(k)];
+    strays.next.clear();
+    common = counterpart.flatten(strays.now, lasts, strays.next);
     if (lengthSq(common) == 0) return;
-    contacts.fill(k, scratch.strays);
+    contacts.fill(k, strays.now);
     contacts.resort(k, reach);
     seeds_[static_cast<std::size_t>(k)] = {common, true};
-    scratch.strays.swap(scratch.moreStrays);
+    strays.now.swap(strays.next);
   }
 }
 
 // Tilted centre lines can put one pair of faces into several clusters.
-void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
-  for (std::size_t k = 0; k < commonNormals_.size(); ++k)
-    for (std::size_t j = k + 1; j < commonNormals_.size(); ++j) {
-      if (dot(commonNormals_[k], commonNormals_[j]) < kSameNormalCosine) continue;
+void CommonNormals::joinSameNormals(ClusteredContacts& contacts) {
+  for (std::size_t k = 0; k < normals_.size(); ++k)
+    for (std::size_t j = k + 1; j < normals_.size(); ++j) {
+      if (dot(normals_[k], normals_[j]) < kSameNormalCosine) continue;
       contacts.join(static_cast<int>(k), static_cast<int>(j));
-      commonNormals_[j] = {};
+      normals_[j] = {};
       seeds_[j].active = false;
     }
 }
@@ -93,14 +91,14 @@ void PairContacts::joinSameNormals(ClusteredContacts& contacts) {
 // What runs into something, or has passed it, is held on the side it came from: what touches on the other means
 // nothing, nor does what would bring it out by a longer way. Leaves as wide as the body and far wider than the slab
 // they are of overlap along the lines of centres by half the body: it was thrown along the slab, and out below.
-void PairContacts::dropOverruled(std::span<const Contact> ahead, float reach, ContactScratch& scratch) {
+void dropOverruled(std::span<const Contact> ahead, float reach, ClusteredContacts& contacts) {
   if (ahead.empty()) return;
   for (int k = 0; k < kMaxClusters; ++k) {
-    for (Contact& c : scratch.contacts.cluster(k)) {
+    for (Contact& c : contacts.cluster(k)) {
       const auto overrules = [&](const Contact& one) { return isOpposed(c, one) || isLongerWayOut(c, one); };
       if (!c.isAhead && std::ranges::any_of(ahead, overrules)) c.gap = reach;
     }
-    scratch.contacts.resort(k, reach);
+    contacts.resort(k, reach);
   }
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contacts/normal_clusters.h"
+#include "contacts/reduction.h"
+#include "counterparts/counterpart.h"
+#include "memory/fetch_ahead.h"
+
+namespace cairn::bullet {
+
+/// The resolved pairs that were in contact last, and what these say now: what is known while a traversal is unfinished.
+class KnownPairs {
+ public:
+  /// So many are re-tested, of those that were not handed to Bullet. Bounds the work of a pair that gets no budget.
+  static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMostOfAll = kMost + kMaxClusters * kMaxPoints;
+
+  // Bodies may roll for minutes before as much is known of a pair as can be.
+  KnownPairs() { pairs_.reserve(kMostOfAll); }
+
+  void reset();
+  /// Forgets the pairs, not what they said.
+  void forgetPairs() { pairs_.clear(); }
+  std::vector<NodePair>& pairs() { return pairs_; }
+  const std::vector<NodePair>& pairs() const { return pairs_; }
+  /// This contact was handed to Bullet.
+  void remember(const NodePair& leaves);
+  /// Tops them up with the deepest of the contacts that were not chosen, for steps that may be interrupted, and makes
+  /// room for these. Reorders the contacts.
+  void rememberDeepest(const Counterpart& counterpart, std::vector<Contact>& contacts);
+  /// Allocates, once, what only steps that may be interrupted need.
+  void makeRoom() { retested_.reserve(kMostOfAll); }
+
+  /// What they say is of an earlier step.
+  void beginStep() { isRetested_ = false; }
+  /// Asks them, once a step; `all`: working memory.
+  void retest(Counterpart& counterpart, Budget& budget, std::vector<Contact>& all);
+  bool isRetested() const { return isRetested_; }
+  std::span<const Contact> contacts() const { return retested_; }
+
+  /// See `fetchAhead`.
+  void fetch() const { fetchAhead(pairs_.data(), pairs_.size() * sizeof(NodePair)); }
+
+ private:
+  // A flat leaf touches with its corners, four as a rule.
+  static constexpr std::size_t kMostRetested = 4 * kMostOfAll;
+
+  std::vector<NodePair> pairs_;
+  std::vector<Contact> retested_;  // at most `kMostRetested`, whatever each known pair has to say
+  bool isRetested_ = false;
+};
+
+}  // namespace cairn::bullet

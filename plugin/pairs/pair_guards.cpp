@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/pair_guards.h"
+
+#include <algorithm>
+#include <array>
+
+#include "contacts/normal_clusters.h"
+#include "contacts/reduction.h"
+
+namespace cairn::bullet {
+
+namespace {
+
+// How far spheres may part, as a fraction of the smaller body's size, before their guard follows: less than the reach,
+// so that it stays a contact. Were it to follow what the solver's noise parts, bodies that are wedged would push each
+// other ever wider.
+constexpr float kUnfollowedFraction = 0.001F;
+
+// What overlaps for certain first, then the spheres of the whole bodies, then the deepest of each direction, then the
+// deepest of all: what overlaps a wall must not be all that is left of the floor.
+std::size_t putChosenFirst(std::vector<Contact>& guards) {
+  std::sort(guards.begin(), guards.end(), deeper);
+  std::size_t count = 0;
+  const auto choose = [&](const auto& isChoice) {
+    for (std::size_t i = count; i < guards.size() && count < PairGuards::kMost; ++i) {
+      if (!isChoice(guards[i])) continue;
+      const auto first = guards.begin() + static_cast<std::ptrdiff_t>(count);
+      const auto it = guards.begin() + static_cast<std::ptrdiff_t>(i);
+      std::rotate(first, it, it + 1);
+      ++count;
+    }
+  };
+  const auto certain = std::ranges::max_element(guards, {}, &Contact::certainDepth);
+  if (certain != guards.end() && certain->certainDepth > 0) {
+    std::rotate(guards.begin(), certain, certain + 1);
+    ++count;
+  }
+  choose([](const Contact& c) { return c.isWhole; });
+  choose([&](const Contact& c) {
+    return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
+                        [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameWayCosine; });
+  });
+  choose([](const Contact&) { return true; });
+  return count;
+}
+
+}  // namespace
+
+PairGuards::Guard PairGuards::noted(const Contact& guard, float allowedGap) {
+  return {guard.id, guard.isWhole, guard.normal, allowedGap, std::max(-guard.gap, 0.0F)};
+}
+
+void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std::vector<Contact>& contacts) {
+  const std::size_t count = putChosenFirst(candidates);
+  std::array<Guard, kMost> now;
+  for (std::size_t i = 0; i < count; ++i) {
+    Contact& guard = candidates[i];
+    const float allowed = allowedGap(guard, smallerSize);
+    // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
+    guard.gap -= allowed;
+    if (guard.certainDepth > 0) guard.gap = std::min(guard.gap, -guard.certainDepth);
+    now[i] = noted(guard, allowed);
+    guard.isGuard = true;
+    contacts.push_back(guard);
+  }
+  guards_.assign(now.begin(), now.begin() + count);
+}
+
+// The same guard in the last step. Of whole bodies it is the one that faced the same way, whatever is nearest now: one
+// for the floor says nothing about a wall.
+const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
+  const Guard* best = nullptr;
+  float cosine = kSameWayCosine;
+  for (const Guard& g : guards_) {
+    const float c = dot(g.normal, guard.normal);
+    if (!guard.isWhole || !g.isWhole || c <= cosine) continue;
+    best = &g;
+    cosine = c;
+  }
+  if (best) return best;
+  const auto same = std::ranges::find(guards_, guard.id, &Guard::id);
+  return same == guards_.end() ? nullptr : &*same;
+}
+
+// Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
+// it was and reports what its spheres have sunk since; when they part, it follows, all but a little. Where refinement
+// has replaced the spheres by finer ones, those inherit what the guards that faced the same way had sunk: else every
+// step of a slow traversal would start anew from zero, and bodies creep through each other.
+float PairGuards::allowedGap(const Contact& guard, float smallerSize) const {
+  const float now = std::min(guard.gap, 0.0F);
+  if (const Guard* last = lastOf(guard)) return std::max(last->allowedGap, now - kUnfollowedFraction * smallerSize);
+  float sunk = 0;
+  for (const Guard& g : guards_) {
+    if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
+  }
+  return now + sunk;
+}
+
+Contact PairGuards::holdWhole(Contact whole, float smallerSize) {
+  const float allowed = allowedGap(whole, smallerSize);
+  const Guard* const last = lastOf(whole);
+  whole.gap -= allowed;
+  whole.isGuard = whole.isWhole = true;
+  const Guard guard = noted(whole, allowed);
+  if (last)
+    guards_[static_cast<std::size_t>(last - guards_.data())] = guard;
+  else if (guards_.size() < kMost)
+    guards_.push_back(guard);
+  else
+    guards_.back() = guard;
+  return whole;
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contacts/contact.h"
+
+namespace cairn::bullet {
+
+/// Spheres that keep two bodies from each other while nothing newer is known: they may not approach further until they
+/// are resolved.
+class PairGuards {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  // Bodies may roll for minutes before there are as many as can be.
+  PairGuards() { guards_.reserve(kMost); }
+
+  bool isEmpty() const { return guards_.empty(); }
+  void clear() { guards_.clear(); }
+  /// Whether the same sphere, or, of whole bodies, one that faced the same way, was a guard in the last step.
+  bool had(const Contact& guard) const { return lastOf(guard) != nullptr; }
+  /// Those of the candidates, in any order before and after, that matter most, with the gaps that the solver is told;
+  /// appended to `contacts`.
+  void choose(std::vector<Contact>& candidates, float smallerSize, std::vector<Contact>& contacts);
+  /// The spheres of whole bodies as a guard, in place of what faced the same way: reports what they have sunk since
+  /// they were first seen.
+  Contact holdWhole(Contact whole, float smallerSize);
+
+ private:
+  // How far a pair of spheres already overlapped when it was first seen, and what it has sunk since.
+  struct Guard {
+    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
+    bool isWhole;
+    Vec3 normal;
+    float allowedGap;
+    float sunk;
+  };
+
+  static Guard noted(const Contact& guard, float allowedGap);
+  const Guard* lastOf(const Contact& guard) const;
+  float allowedGap(const Contact& guard, float smallerSize) const;
+
+  std::vector<Guard> guards_;
+};
+
+}  // namespace cairn::bullet
