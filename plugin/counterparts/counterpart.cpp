@@ -28,8 +28,6 @@ std::optional<float> Counterpart::appendOfMesh(const MeshQuestion& /*question*/,
   return std::nullopt;
 }
 
-void Counterpart::learnNormals(std::span<const Vec3> /*normals*/) {}
-
 namespace {
 
 // Concave by name, but its `processAllTriangles` is empty. Others may share its type number.

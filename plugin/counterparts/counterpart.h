@@ -98,8 +98,6 @@ class Counterpart {
   virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
   /// The leaf pair to be asked first next time, of a contact that was told.
   virtual NodePair leavesOf(const Contact& contact) const { return contact.pair; }
-  /// The common normals of this step's clusters, measured between leaves; zero where there is none.
-  virtual void learnNormals(std::span<const Vec3> normals);
 
   /// Diagonal of such a shape's box, world length; infinite when it has no size of its own to speak of.
   virtual float size(const btCollisionShape& shape) const = 0;

@@ -23,7 +23,6 @@ constexpr int kMaxWholeSplits = 8;
 
 void TreeCounterpart::reset() {
   Counterpart::reset();
-  fewFaces_.reset();
   kernelMemory_.forget();
 }
 
@@ -41,7 +40,6 @@ float TreeCounterpart::size(const btCollisionShape& shape) const {
 }
 
 void TreeCounterpart::start(std::vector<NodePair>& /*known*/, float skin) {
-  fewFaces_.start(a_.tree(), b_.tree());
   traversal_.start(a_.tree(), b_.tree(), a_.pose(), b_.pose(), reach_ + margins_ + skin);
 }
 
@@ -77,7 +75,6 @@ void TreeCounterpart::expect(std::span<const Vec3> normals) {
   expectedCount_ = 0;
   for (const Vec3& normal : normals)
     if (lengthSq(normal) > 0) expected_[expectedCount_++] = normal;
-  fewFaces_.carry(a_, b_, std::span(expected_).first(expectedCount_));
 }
 
 bool TreeCounterpart::areFaceted(const NodePair& pair) const {
@@ -230,9 +227,8 @@ std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {
 }
 
 std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
-  if (question.finest == Finest::triangles)
-    return traversal_.leafPairs().empty() ? std::nullopt : appendOfKernel(question, contacts);
-  return fewFaces_.append(a_, b_, margins_, reach_, traversal_.leafPairs(), question.budget, contacts);
+  if (question.finest != Finest::triangles || traversal_.leafPairs().empty()) return {};
+  return appendOfKernel(question, contacts);
 }
 
 // Contacts of meshes know no leaves.
@@ -250,10 +246,6 @@ std::optional<float> TreeCounterpart::appendOfKernel(const MeshQuestion& questio
   if (!answer) return {};
   for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, featureIdsOf(found)));
   return answer->apart;
-}
-
-void TreeCounterpart::learnNormals(std::span<const Vec3> normals) {
-  fewFaces_.learn(a_, b_, normals);
 }
 
 // What does not face the normal lies on a border where it is about as near along it: its neighbour knows better. Where

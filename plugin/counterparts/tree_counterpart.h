@@ -6,7 +6,6 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
-#include "faces/few_faces.h"
 #include "faces/planar_normal.h"
 
 namespace cairn::bullet {
@@ -30,7 +29,6 @@ class TreeCounterpart final : public Counterpart {
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
   NodePair leavesOf(const Contact& contact) const override;
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
-  void learnNormals(std::span<const Vec3> normals) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
@@ -72,7 +70,6 @@ class TreeCounterpart final : public Counterpart {
   PlanarNormal planarNormal_;
   std::array<Vec3, kMaxClusters> expected_;
   std::size_t expectedCount_ = 0;
-  FewFaces fewFaces_;
 };
 
 }  // namespace cairn::bullet

@@ -53,7 +53,6 @@ void CommonNormals::flatten(Counterpart& counterpart, float reach, ClusteredCont
   }
   clusterStrays(counterpart, reach, lasts, contacts, strays);
   joinSameNormals(contacts);
-  counterpart.learnNormals(normals_);
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k)
     if (!contacts.cluster(k).empty() && lengthSq(normals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;

@@ -34,25 +34,7 @@ NearestPoints nearestOfSegments(const Vec3& p, const Vec3& toP, const Vec3& q, c
   return {p + u * s, q + v * t};
 }
 
-// The segment's ends are on different sides of the plane, and its line passes all edges on the same side. In double:
-// floats do not tell for slivers.
-bool pierces(const Vec3& from, const Vec3& to, const Triangle& t) {
-  const Vec3d p(from), a = Vec3d(t.a) - p, b = Vec3d(t.b) - p, c = Vec3d(t.c) - p, along = Vec3d(to) - p;
-  const Vec3d out = cross(b - a, c - a);
-  if ((dot(out, a) < 0) == (dot(out, a - along) < 0)) return false;
-  const double ab = dot(along, cross(a, b)), bc = dot(along, cross(b, c)), ca = dot(along, cross(c, a));
-  return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-}
-
-bool edgesPierce(const Triangle& edges, const Triangle& t) {
-  return pierces(edges.a, edges.b, t) || pierces(edges.b, edges.c, t) || pierces(edges.c, edges.a, t);
-}
-
 }  // namespace
-
-bool trianglesCross(const Triangle& first, const Triangle& second) {
-  return edgesPierce(first, second) || edgesPierce(second, first);
-}
 
 // Of a point every direction is: then the longest edge has no length, and z is told.
 Vec3 anyNormalOf(const Triangle& t) {

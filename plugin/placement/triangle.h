@@ -39,8 +39,4 @@ struct NearestPoints {
 };
 NearestPoints nearestOfTriangles(const Triangle& first, const Triangle& second);
 
-/// Whether an edge of one passes through the other. Where they only touch, or one is degenerate, either answer may
-/// come.
-bool trianglesCross(const Triangle& first, const Triangle& second);
-
 }  // namespace cairn::bullet

@@ -269,7 +269,6 @@ TEST_P(Silence, IsBrokenByWhatIsTrue) {
 
 INSTANTIATE_TEST_SUITE_P(Depths, Silence, testing::Values(btScalar(1e-4), btScalar(1e-3)));
 
-// As the signs of volumes say; both are in double, of the same floats.
 // Deep in each other few triangles face each other: how deep is told by the leaves.
 TEST(ExactContacts, DoNotKeepBodiesInEachOther) {
   constexpr double kRadius = 0.5;
@@ -284,23 +283,6 @@ TEST(ExactContacts, DoNotKeepBodiesInEachOther) {
     const btVector3 between = other.getWorldTransform().getOrigin() - one.getWorldTransform().getOrigin();
     EXPECT_GT(between.length(), 1.8 * kRadius) << apart << " apart";
   }
-}
-
-TEST(ExactContacts, KnowWhichTrianglesCross) {
-  std::mt19937_64 engine(kSeed);
-  int crossing = 0, different = 0;
-  constexpr int kTrials = 100000;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const auto triangle = [&] {
-      return Triangle{Vec3(randomPoint(engine)), Vec3(randomPoint(engine)), Vec3(randomPoint(engine))};
-    };
-    const Triangle t = triangle(), u = triangle();
-    const bool cross = edgesPierce(t, u) || edgesPierce(u, t);
-    crossing += cross ? 1 : 0;
-    different += cross != bullet::trianglesCross(t, u) ? 1 : 0;
-  }
-  EXPECT_GT(crossing, kTrials / 20);
-  EXPECT_EQ(different, 0) << "seed " << kSeed;
 }
 
 TEST(ExactContacts, SayNothingOfWhatIsApart) {
