@@ -37,7 +37,7 @@ struct RelativeMotion {
   /// arc's height (half the step squared times the acceleration along the normal) makes the gap at the end of the step
   /// right to second order; taken three times, what only comes down within the step does not carry at its beginning,
   /// while it is still ahead and would brake. At most the way that turning alone brings the surfaces nearer, and the
-  /// reach; 0 where turning parts them. See docs/algorithms/contacts.md.
+  /// reach; 0 where turning parts them. See docs/algorithms/leaf-contacts.md.
   float bend(const Contact& c) const {
     const Vec3 tree = cross(treeAngular, c.position - treeCenter);
     const Vec3 other = cross(otherAngular, c.position - otherCenter);

@@ -53,7 +53,7 @@ class KernelMemory {
 };
 
 /// The contacts of two surfaces: the local minima of the distance between them, and what overlaps deeper. See
-/// docs/algorithms/contact-kernel.md. One object serves many pairs, one after the other.
+/// docs/algorithms/contacts.md. One object serves many pairs, one after the other.
 class ContactKernel {
  public:
   /// What `run` finds. Valid until the next one.

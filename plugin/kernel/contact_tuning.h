@@ -8,7 +8,7 @@
 namespace cairn::bullet::tuning {
 
 // Every number that decides which contacts two surfaces have. "Size" is the box diagonal of the smaller body; a
-// "contact distance" is `kContactDistance` of it. See docs/algorithms/contact-kernel.md.
+// "contact distance" is `kContactDistance` of it. See docs/algorithms/contacts.md.
 
 /// Surfaces no farther apart than this are told to the solver, which lets them close and no more. Sizes. At 0.1 %
 /// heaps of cubes keep 3 to 4 mJ/kg; what is farther off brakes rolling bodies.

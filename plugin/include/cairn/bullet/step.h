@@ -22,7 +22,7 @@ struct ExpectedPairs {
   std::size_t trees = 0, planes = 0, convexShapes = 0, triangleMeshes = 0, distanceFields = 0, terrains = 0;
 };
 
-/// What a pair answers while its traversal is unfinished (thesis 2.4; compared in docs/algorithms/contacts.md).
+/// What a pair answers while its traversal is unfinished (thesis 2.4; compared in docs/algorithms/leaf-contacts.md).
 enum class Unresolved : std::uint8_t {
   guard,       ///< last finished contacts, re-tested; while they say nothing, spheres that may not approach further
                ///< (default)
