@@ -21,8 +21,7 @@ inline constexpr float kTrustedDepth = 0.02F;
 inline constexpr float kTrustedThickness = 0.5F;
 
 /// What could cross half of a shell's wall in a step is met that much ahead, up to this many walls, so that a fast body
-/// is not asked about all of the other. Without, three of 18 bodies leave a shaken cup, at one wall one, and a plate
-/// passes a ball
+/// is not asked about all of the other. Without, one of 18 bodies leaves a shaken cup, and a plate passes a ball
 /// (`ThinWall.IsNotCrossedByWhatIsFasterThanItIsThick`).
 inline constexpr float kMostWalls = 4;
 
@@ -32,7 +31,8 @@ inline constexpr float kMostWalls = 4;
 inline constexpr float kBeside = 0.02F;
 
 /// A feature's cone of normals opens with depth: a neighbour may be below the tangent plane by the depth, up to this
-/// part of its own distance (11 degrees). Without, heaps of cubes keep 49 mJ/kg; without the cap a nut rattles.
+/// part of its own distance (11 degrees). Without, of three heaps of 100 cubes one keeps 3 mJ/kg and one 22, in
+/// place of 0.4 at most. Without the cap nothing that was measured gets worse.
 inline constexpr float kConeOpening = 0.2F;
 
 /// Sine of the angle below which two edges are parallel: their faces and vertices touch instead.
@@ -83,7 +83,8 @@ inline constexpr int kMostHullVertices = 512;
 /// (`ConvexContacts.TellWhatIsNearest`).
 inline constexpr int kMostLooks = 10;
 
-/// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees chains pull through.
+/// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees cups that stand in each other do not
+/// come to rest (`Mechanisms.CupsStandInEachOther`).
 inline constexpr float kOneManifold = 0.906307787F;
 
 }  // namespace cairn::bullet::tuning
