@@ -41,16 +41,16 @@ void NarrowPhase::beginFrame(int steps) {
   impl_->beginFrame(steps);
 }
 void NarrowPhase::setUnresolved(Unresolved policy) {
-  impl_->setUnresolved(policy);
+  impl_->rules().setUnresolved(policy);
 }
 void NarrowPhase::setFinest(Finest finest) {
-  impl_->setFinest(finest);
+  impl_->rules().setFinest(finest);
 }
 void NarrowPhase::setPriority(std::unique_ptr<Priority> priority) {
   impl_->setPriority(std::move(priority));
 }
 Status NarrowPhase::setViewer(const std::optional<Viewer>& viewer) {
-  return impl_->setViewer(viewer);
+  return impl_->rules().setViewer(viewer);
 }
 const StepStatistics& NarrowPhase::lastStep() const {
   return impl_->lastStep();

@@ -5,10 +5,12 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
-#include <cstdio>
 #include <typeinfo>
 
 #include "dispatch/narrow_phase_impl.h"
+#include "pairs/pair_begin.h"
+#include "pairs/pair_finish.h"
+#include "pairs/pair_survey.h"
 
 namespace cairn::bullet {
 
@@ -17,6 +19,10 @@ namespace {
 bool isOwnedBy(const btCollisionObject& object, btOverlappingPairCache& pairs) {
   auto* ghost = dynamic_cast<const btPairCachingGhostObject*>(&object);
   return ghost && const_cast<btPairCachingGhostObject*>(ghost)->getOverlappingPairCache() == &pairs;
+}
+
+bool isGhost(const btCollisionObject& object) {
+  return (object.getInternalType() & btCollisionObject::CO_GHOST_OBJECT) != 0;
 }
 
 // A ghost object keeps its own pairs and has them dispatched whenever a character looks around; every one of them
@@ -35,21 +41,19 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   if (registration_) registration_->renew();
   stepBegan_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
-  StepBudget planned = stepLimit();
+  StepBudget planned = step_.rules.limit();
   if (planned.microseconds) *planned.microseconds = overrun_.plannable(*planned.microseconds);
   planned_ = planned.microseconds;
-  left_ = budgetOf(planned);
+  step_.left = StepRules::budgetOf(planned);
   takeTime(info);
-  collected_.clear();
-  scheduled_.clear();
-  asked_.resize(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));
-  askedUntil_ = 0;
+  step_.pairs.clear();
+  asked_.begin(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));
 }
 
 // Where Bullet is not to look ahead, its broad phase does not either.
 void NarrowPhase::Impl::takeTime(const btDispatcherInfo& info) {
-  timeStep_ = info.m_timeStep;
-  sweptTime_ = info.m_useContinuous ? info.m_timeStep : btScalar(0);
+  step_.timeStep = info.m_timeStep;
+  step_.sweptTime = info.m_useContinuous ? info.m_timeStep : btScalar(0);
 }
 
 // A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
@@ -68,91 +72,57 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   const bool isOfCompound = body0.m_parent || body1.m_parent;
   if (mayDefer && isOfCompound && !isRetired_ && !pair.notes.isOfCompound) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {
-    if (isCollecting_) fetchPairsAskedNext(pair);
-    if (isCollecting_ && settleApart(pair, body0, body1, mayBeInterrupted(), outlook())) {
+    if (isCollecting_) asked_.ask(pair, step_.rules.isPlanned());
+    if (isCollecting_ && settleApart(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.outlook())) {
       ++apartPairs_;
-      if (pair.is(PairStage::broken)) countBroken();
+      if (pair.is(PairStage::broken)) broken_.count();
       return;
     }
     if (isCollecting_ && collect(pair, body0, body1)) return;
-    if (stepEnd_ == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
+    if (step_.rules.end() == StepEnd::open && answerInOpenStep(pair, body0, body1, info, result)) return;
   }
   answerAtOnce(pair, body0, body1, info, result);
-}
-
-// In a large heap the states of all pairs are far more than any cache holds.
-void NarrowPhase::Impl::fetchPairsAskedNext(TreePair& pair) {
-  constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
-  const std::size_t at = askedUntil_++;
-  if (at + kSubjectsAhead >= asked_.size()) return;
-  // Several threads may ask: what one reads, another may have written.
-  const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
-  if (const TreePair* next = asked(at + kSubjectsAhead).load(std::memory_order_relaxed))
-    fetch(*next, PairPart::subject);
-  if (const TreePair* next = asked(at + kCopiesAhead).load(std::memory_order_relaxed))
-    fetch(*next, isPlanned() ? PairPart::need : PairPart::copies);
-  asked(at).store(&pair, std::memory_order_relaxed);
 }
 
 bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1) {
   if (!bullet::collect(pair, body0, body1)) return false;
   // While it is in the cache.
-  if (isPlanned()) survey(pair, static_cast<std::uint64_t>(usualOperations_), left_.hasDeadline());
+  if (step_.rules.isPlanned()) survey(pair, refinement_.usualOperations(), step_.left.hasDeadline());
   const std::lock_guard lock(mutex_);
-  pair.notes.collectedAt = collected_.size();
-  collected_.push_back(&pair);
+  step_.pairs.add(pair);
   return true;
 }
 
 void NarrowPhase::Impl::noteCompound(TreePair& pair) {
   pair.notes.isOfCompound = true;
   const std::lock_guard lock(mutex_);
-  ofCompounds_.push_back(&pair);
+  broken_.watch(pair);
 }
 
-// How many were. Users' callbacks are told of contacts that end; where the end of a step is told they may remove
-// bodies. What is collected in this step settles itself, or was asked about before it broke.
-std::uint32_t NarrowPhase::Impl::settleLeftOvers(bool alsoCollected) {
-  leftOvers_.clear();
-  for (TreePair* const pair : ofCompounds_)
-    if ((alsoCollected || !pair->notes.isCollected()) && isLeftOver(*pair)) leftOvers_.push_back(pair);
-  std::uint32_t settled = 0;
-  for (std::size_t i = 0; i < leftOvers_.size(); ++i) {
-    if (!leftOvers_[i]) continue;
-    forgetBroken(*leftOvers_[i]);
-    ++settled;
-  }
-  leftOvers_.clear();
-  if (settled > 0) tellOfBroken();
-  return settled;
-}
-
-void NarrowPhase::Impl::countBroken() {
-  ++brokenPairs_;
-  tellOfBroken();
-}
-
-// Bullet's interface cannot return it.
-void NarrowPhase::Impl::tellOfBroken() {
-  if (hasToldOfBroken_.exchange(true)) return;
-  std::fprintf(
-      stderr,
-      "a body's place, speed or force is no number or endless: its sphere-tree pairs have no contacts until it "
-      "is one again (said once; StepStatistics::brokenPairs counts them)\n");
+// False, and nothing done, for what is answered at once: pairs of ghosts, and those nested too deep to be remembered.
+bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObjectWrapper& body0,
+                                         const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
+                                         btManifoldResult& result) {
+  if (isGhost(*body0.getCollisionObject()) || isGhost(*body1.getCollisionObject())) return false;
+  takeTime(info);
+  isAnswering_ = true;
+  const bool isAnswered = open_.answer(pair, body0, body1, result);
+  endAnswering();
+  return isAnswered;
 }
 
 void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
-  if (settleBroken(pair, body0, body1)) return countBroken();
+  if (settleBroken(pair, body0, body1)) return broken_.count();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
-  if (!bullet::begin(pair, body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold,
-                     Remeasured::all, budget, scratch))
+  if (!begin(pair, body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold, Remeasured::all,
+             budget, scratch))
     return;
   pair.traversal().refine(budget);
-  bullet::finish(pair, dispatcher_, result, {policy_, finest_, false}, budget, scratch);
+  finish(pair, step_.dispatcher, result, step_.rules.policyAtOnce(), budget, scratch);
 }
 
 }  // namespace cairn::bullet

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/pair_pool.h"
+
+#include "pairs/pair_fetch.h"
+
+namespace cairn::bullet {
+
+TreePair* PairPool::take(CounterpartKind kind) {
+  std::vector<TreePair*>& idle = idle_[static_cast<std::size_t>(kind)];
+  if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
+  TreePair* const pair = idle.back();
+  idle.pop_back();
+  // Pairs are often made many at a time.
+  constexpr std::size_t kAhead = 2;
+  if (idle.size() >= kAhead) fetch(*idle[idle.size() - kAhead], PairPart::state);
+  return pair;
+}
+
+void PairPool::giveBack(TreePair& pair) {
+  pair.reset();
+  idle_[static_cast<std::size_t>(pair.kind)].push_back(&pair);
+}
+
+std::size_t PairPool::reserve(const PairCounts& pairs) {
+  for (std::size_t kind = 0; kind < pairs.size(); ++kind) {
+    idle_[kind].reserve(pairs[kind]);
+    while (idle_[kind].size() < pairs[kind])
+      idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
+    for (TreePair* const pair : idle_[kind]) pair->contacts.expectInterruptions();
+  }
+  return all_.size();
+}
+
+}  // namespace cairn::bullet

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "counterparts/counterpart.h"
+#include "pairs/tree_pair.h"
+
+namespace cairn::bullet {
+
+using PairCounts = std::array<std::size_t, kCounterpartKinds>;
+
+/// The states of all pairs. None is freed before this is: a pair that comes back costs no allocation.
+class PairPool {
+ public:
+  /// An idle one, or a new one.
+  TreePair* take(CounterpartKind kind);
+  /// Precondition: taken, and not given back since; without manifolds.
+  void giveBack(TreePair& pair);
+  /// Makes as many idle pairs of each kind as these, if there are fewer. Returns how many there are in all.
+  std::size_t reserve(const PairCounts& pairs);
+
+ private:
+  std::vector<std::unique_ptr<TreePair>> all_;
+  std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "dispatch/step_state.h"
+
+namespace cairn::bullet {
+
+/// What becomes of the pairs of a step that are not brought up to date: they are held, and time and operations for that
+/// are held back before.
+class StepHolding {
+ public:
+  explicit StepHolding(StepState& step) : step_(step) {}
+
+  /// Holds back what the plan's held pairs will take.
+  void promise();
+  void withdraw();
+  const Promise& promised() const { return promised_; }
+  const EmissionPace& pace() const { return pace_; }
+  void endStep();
+
+  /// All that still wait, in the order of their names: callbacks may tell. But where time ran out the step before, what
+  /// had to wait then comes first.
+  void holdPairs();
+  /// One, charged to this budget.
+  PairReport hold(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate);
+
+ private:
+  bool isMostOfAStep(const Promise& promise) const;
+  bool isTooLateFor(std::size_t pairs) const;
+  void holdPair(std::size_t index, bool isLate);
+  void fetchAfter(std::size_t index, bool isLate) const;
+
+  // 150 nanoseconds for a pair, until it is known better.
+  static constexpr double kHoldPace = 5;
+  static constexpr std::size_t kHeldBetweenLooks = 8;  // pairs, at the time
+  // How many pairs ahead what one needs is fetched.
+  static constexpr std::size_t kHeldAhead = 5, kBodiesAhead = 3, kPointsAhead = 2;
+
+  StepState& step_;
+  Promise promised_;
+  EmissionPace pace_{kHoldPace};      // of a pair that is held
+  EmissionPace latePace_{kHoldPace};  // of one that is when it is too late for that
+  std::uint64_t firstLate_ = 0;       // the name of the first pair held in the last step for which it was too late
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/step_refinement.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+
+#include "pairs/pair_begin.h"
+#include "pairs/pair_carry.h"
+#include "pairs/pair_fetch.h"
+#include "pairs/pair_finish.h"
+#include "pairs/pair_hold.h"
+#include "pairs/pair_survey.h"
+
+namespace cairn::bullet {
+
+void StepRefinement::planStep() {
+  StepPlan& plan = step_.plan;
+  StepPairs& pairs = step_.pairs;
+  const Priority& priority = step_.rules.priority();
+  plan.clear();
+  if (!step_.rules.isPlanned()) return;
+  for (TreePair* pair : pairs.list()) {
+    if (!pair->is(PairStage::surveyed)) survey(*pair, usualOperations(), step_.left.hasDeadline());
+    plan.add(step_.rules.carriesPairsOver() && mayBeCarriedOver(*pair) ? PairNeed() : pair->work.need);
+  }
+  if (priority.hasImportances() && plan.isTooMuchFor(step_.means(), updatePace_))
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (!pairs[i]->isSettled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
+  const bool hasNoTime = step_.rules.limit().microseconds == 0;  // nor any that is given all the same
+  const bool mayServeNone = step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < kMostStepsWithoutTurn);
+  plan.decide(step_.means(), updatePace_, holding_.pace(), mayServeNone);
+}
+
+void StepRefinement::beginPairs() {
+  updated_ = 0;
+  bookedUntil_ = step_.left.used();
+  if (step_.plan.isScarce()) {
+    for (const std::size_t i : step_.plan.chosen())
+      if (step_.pairs[i]) beginPair(i);
+    return;
+  }
+  for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
+    fetchAfter(i);
+    if (step_.pairs[i]) beginPair(i);
+  }
+}
+
+void StepRefinement::fetchAfter(std::size_t index) const {
+  if (const TreePair* pair = step_.pairs.after(index, kStatesAhead)) fetch(*pair, PairPart::state);
+  if (const TreePair* pair = step_.pairs.after(index, kListsAhead)) fetch(*pair, PairPart::lists);
+  if (const TreePair* pair = step_.pairs.after(index, kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
+}
+
+void StepRefinement::beginPair(std::size_t index) {
+  TreePair& pair = *step_.pairs[index];
+  if (pair.isSettled() || carriesOver(index)) return;
+  if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, remeasuredOf(pair), step_.left,
+             step_.scratch))
+    return step_.pairs.dismiss(index);
+  ++step_.tally.statistics.pairs;
+  ++updated_;
+  // Without a limit nobody has to wait for a turn.
+  if (!step_.rules.mayBeInterrupted()) pair.traversal().refine(step_.left);
+  promise(pair, step_.left, pace_);
+  if (pair.isDone() && step_.rules.finishesResolvedAtOnce()) return finishPair(index);
+  bookTo(pair);
+  step_.pairs.scheduled()[index] = scheduled(pair);
+}
+
+bool StepRefinement::carriesOver(std::size_t index) {
+  if (!step_.rules.carriesPairsOver()) return false;
+  TreePair& pair = *step_.pairs[index];
+  const std::optional<PairReport> carried = carryOver(pair);
+  if (!carried) return false;
+  ++step_.tally.statistics.pairs;
+  step_.count(*carried, seen(pair));
+  step_.pairs.dismiss(index);
+  return true;
+}
+
+// While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
+Remeasured StepRefinement::remeasuredOf(const TreePair& pair) const {
+  if (step_.plan.isScarce()) return Remeasured::allIfFew;
+  const bool isThrifty = isScarce_ && step_.rules.mayBeInterrupted() && (pair.notes.id + steps_) % kStepsOfThrift != 0;
+  return isThrifty ? Remeasured::touching : Remeasured::all;
+}
+
+void StepRefinement::bookTo(TreePair& pair) {
+  // In an open step a pair that is done is finished later, from another budget.
+  const bool isFinishedLater = step_.rules.end() == StepEnd::open && pair.isDone();
+  const std::uint64_t later = isFinishedLater ? pair.work.promised.operations : 0;
+  if (const std::uint64_t whole = charge(pair, step_.left.used() - bookedUntil_ + later); whole > 0)
+    usualOperations_ += kLearning * (static_cast<double>(whole) - usualOperations_);
+  bookedUntil_ = step_.left.used();
+}
+
+void StepRefinement::turnEnded(std::size_t index, Progress progress, Budget& budget) {
+  TreePair* const pair = step_.pairs[index];
+  if (!pair) return;
+  promise(*pair, budget, pace_);
+  bookTo(*pair);
+  if (progress == Progress::done && step_.rules.finishesResolvedAtOnce()) finishPair(index);
+}
+
+void StepRefinement::finishPair(std::size_t index) {
+  TreePair& pair = *step_.pairs[index];
+  const bool isTimed = step_.left.hasDeadline();
+  const double expected = pair.work.promised.nanoseconds;
+  const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
+  btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
+  const ScheduledPair before = scheduled(pair);
+  const PairReport report =
+      finish(pair, step_.dispatcher, result, step_.rules.answerPolicy(), step_.left, step_.scratch);
+  step_.count(report, before);
+  // Triangles take what is left: were they expected, they would keep others from their leaves.
+  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began - report.onTriangles);
+  if (step_.pairs[index]) bookTo(pair);
+  step_.pairs.dismiss(index);
+}
+
+void StepRefinement::refinePairs() {
+  holding_.promise();
+  Progress progress = scheduler_.run(step_.pairs.scheduled(), step_.rules.priority(), step_.left, this);
+  // What was promised to those that are done is more than triangles take.
+  if (progress != Progress::done && finishResolvedPairs()) progress = resumePairs();
+  while (step_.plan.isScarce() && progress == Progress::done) {
+    StepMeans more = step_.means();
+    more.nanoseconds -= holding_.promised().nanoseconds;
+    if (!step_.plan.decideOnMore(more, updatePace_)) break;
+    holding_.promise();
+    for (const std::size_t i : step_.plan.chosen()) progress = serveAlone(i);
+  }
+  stepsWithoutTurn_ = step_.plan.servesNone() ? stepsWithoutTurn_ + 1 : 0;
+}
+
+Progress StepRefinement::serveAlone(std::size_t index) {
+  if (step_.pairs[index]) beginPair(index);
+  const bool isToBeRefined = step_.pairs[index] && !step_.pairs[index]->isDone();
+  if (!isToBeRefined) return Progress::done;
+  return scheduler_.runAlone(step_.pairs.scheduled(), index, step_.left, this);
+}
+
+Progress StepRefinement::resumePairs() {
+  Progress progress = Progress::done;
+  for (std::size_t i = 0; i < step_.pairs.size() && progress == Progress::done; ++i)
+    if (step_.pairs[i] && step_.pairs[i]->isBegun())
+      progress = scheduler_.runAlone(step_.pairs.scheduled(), i, step_.left, this);
+  return progress;
+}
+
+// In an open step Bullet asks for them one by one.
+bool StepRefinement::finishResolvedPairs() {
+  if (step_.rules.end() != StepEnd::told) return false;
+  bool hasFinished = false;
+  for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
+    const TreePair* const pair = step_.pairs[i];
+    if (!pair || !pair->isBegun() || !pair->isDone()) continue;
+    finishPair(i);
+    hasFinished = true;
+  }
+  return hasFinished;
+}
+
+void StepRefinement::finishBegunPairs() {
+  for (std::size_t i = 0; i < step_.pairs.size(); ++i)
+    if (step_.pairs[i] && !isBetterHeld(*step_.pairs[i])) finishPair(i);
+}
+
+void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began) {
+  if (!step_.left.hasDeadline() || updated_ == 0) return;
+  const double expected = updatePace_.expectedNanoseconds(step_.left.used() - operationsBefore) +
+                          static_cast<double>(updated_ - 1) * updatePace_.expectedNanoseconds(0);
+  updatePace_.finished(expected, Budget::Clock::now() - began);
+}
+
+void StepRefinement::endStep() {
+  pace_.endStep();
+  updatePace_.endStep();
+  isScarce_ = step_.tally.statistics.unresolvedPairs > 0;
+  ++steps_;
+}
+
+}  // namespace cairn::bullet

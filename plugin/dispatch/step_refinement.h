@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "cairn/core/scheduler.h"
+#include "dispatch/step_holding.h"
+
+namespace cairn::bullet {
+
+/// Brings the pairs of a step up to date, as far as its budget goes and its plan says: begins them, refines them in
+/// turns, finishes them.
+class StepRefinement final : private TurnListener {
+ public:
+  StepRefinement(StepState& step, StepHolding& holding) : step_(step), holding_(holding) {}
+
+  /// What pairs were resolved with lately.
+  std::uint64_t usualOperations() const { return static_cast<std::uint64_t>(usualOperations_); }
+  /// Pairs begun in this step.
+  std::uint32_t updated() const { return updated_; }
+
+  /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
+  /// not finished.
+  void planStep();
+  void beginPairs();
+  void refinePairs();
+  void finishBegunPairs();
+  /// From the whole of what was done since `began`, for pairs that were not held.
+  void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
+  void endStep();
+
+ private:
+  void beginPair(std::size_t index);
+  bool carriesOver(std::size_t index);
+  void finishPair(std::size_t index);
+  bool finishResolvedPairs();
+  Progress resumePairs();
+  Progress serveAlone(std::size_t index);
+  void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
+  Remeasured remeasuredOf(const TreePair& pair) const;
+  void bookTo(TreePair& pair);
+  void fetchAfter(std::size_t index) const;
+
+  // How many pairs ahead what one needs is fetched.
+  static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
+  static constexpr double kLearning = 1.0 / 16;
+  static constexpr std::uint64_t kStepsOfThrift = 4;
+  // In a row in which no time was left for any pair that can be held: without a turn now and then none would end.
+  static constexpr std::uint32_t kMostStepsWithoutTurn = 7;
+
+  StepState& step_;
+  StepHolding& holding_;
+  Scheduler scheduler_;
+  EmissionPace pace_;
+  EmissionPace updatePace_;        // of all that is done for a pair that is not held
+  double usualOperations_ = 300;   // that a pair is resolved with, from its start
+  std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
+  std::uint32_t updated_ = 0;
+  std::uint32_t stepsWithoutTurn_ = 0;
+  bool isScarce_ = false;    // the last step left pairs unresolved
+  std::uint64_t steps_ = 0;  // so far
+};
+
+}  // namespace cairn::bullet

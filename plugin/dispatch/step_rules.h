@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cairn/bullet/frame_budget.h"
+#include "cairn/bullet/narrow_phase.h"
+#include "cairn/core/priority.h"
+#include "pairs/pair_contacts.h"
+#include "pairs/pair_settle.h"
+
+namespace cairn::bullet {
+
+/// Whether somebody says when a step ends. If not, pairs are answered as they come: see `open_step.h`.
+enum class StepEnd : std::uint8_t { told, open };
+
+/// What users ask of a narrow phase's steps.
+class StepRules {
+ public:
+  explicit StepRules(StepEnd end);
+
+  Status setBudget(const StepBudget& budget);
+  Status setFrameBudget(const StepBudget& budget);
+  void setUnresolved(Unresolved policy) { policy_ = policy; }
+  void setFinest(Finest finest) { finest_ = finest; }
+  /// From `adoptPriority` on: not while another is at work, as a user's callback may ask for one.
+  void setPriority(std::unique_ptr<Priority> priority);
+  void adoptPriority();
+  Status setViewer(const std::optional<Viewer>& viewer);
+  void beginFrame(int steps) { frame_.begin(steps); }
+  /// A step has used this.
+  void spend(std::uint64_t operations, double microseconds) { frame_.spend(operations, microseconds); }
+
+  StepEnd end() const { return end_; }
+  /// Of the step at hand.
+  StepBudget limit() const { return tighter(budget_, frame_.share()); }
+  static Budget budgetOf(const StepBudget& limit);
+  bool mayBeInterrupted() const;
+  bool asksTriangles() const { return finest_ == Finest::triangles; }
+  /// Whether pairs are finished while they are in the cache. In an open step they are when they come; and what goes on
+  /// to triangles first leaves the others what they need to find their leaves.
+  bool finishesResolvedAtOnce() const { return end_ == StepEnd::told && !(asksTriangles() && mayBeInterrupted()); }
+  /// In an open step Bullet asks for a pair's points later, and about where the bodies are then.
+  bool carriesPairsOver() const { return end_ == StepEnd::told && asksTriangles(); }
+  /// Not while other policies than guards stand in: their answers cannot wait.
+  bool isPlanned() const { return mayBeInterrupted() && policy_ == Unresolved::guard; }
+  AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
+  /// Of a pair that is answered at once, and in full.
+  AnswerPolicy policyAtOnce() const { return {policy_, finest_, false}; }
+  Priority& priority() const { return *priority_; }
+  const std::optional<Viewer>& viewer() const { return viewer_; }
+
+ private:
+  const StepEnd end_;
+  StepBudget budget_;
+  FrameBudget frame_;
+  bool hasFrameBudget_ = false;
+  Unresolved policy_ = Unresolved::guard;
+  Finest finest_ = Finest::triangles;
+  std::unique_ptr<Priority> priority_, nextPriority_;
+  std::optional<Viewer> viewer_;
+};
+
+}  // namespace cairn::bullet

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Zlib
+#include "dispatch/step_state.h"
+
+namespace cairn::bullet {
+
+StepMeans StepState::means() const {
+  constexpr std::uint64_t kUnbounded = Budget::kUnlimited / 2;
+  StepMeans means;
+  if (left.remaining() < kUnbounded) means.operations = static_cast<double>(left.remaining());
+  means.nanoseconds = left.nanosecondsLeft();
+  return means;
+}
+
+PairReport StepState::count(PairReport report, const ScheduledPair& pair) {
+  const auto size = static_cast<double>(pair.size);
+  if (const std::optional<Viewer>& viewer = rules.viewer())
+    report.seenError = seenError(sightOf(*viewer, pair.center, size / 2), report.errorFraction * size);
+  tally.add(report);
+  return report;
+}
+
+}  // namespace cairn::bullet

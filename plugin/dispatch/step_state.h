@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include "dispatch/step_pairs.h"
+#include "dispatch/step_plan.h"
+#include "dispatch/step_rules.h"
+#include "dispatch/step_tally.h"
+
+class btCollisionDispatcher;
+
+namespace cairn::bullet {
+
+/// The step at hand, for all who work on it.
+struct StepState {
+  StepState(btCollisionDispatcher& bullets, StepEnd end) : dispatcher(bullets), rules(end) {}
+
+  btCollisionDispatcher& dispatcher;
+  StepRules rules;
+  StepPairs pairs;
+  StepPlan plan;
+  Budget left = Budget::unlimited();
+  StepTally tally;
+  ContactScratch scratch;
+  btScalar timeStep = 0, sweptTime = 0;  ///< seconds
+
+  Outlook outlook() const {
+    const bool asksTriangles = rules.asksTriangles();
+    return {timeStep, sweptTime, asksTriangles ? timeStep : btScalar(0), asksTriangles};
+  }
+  /// What the plan may use.
+  StepMeans means() const;
+  /// Adds it to the tally; what was counted. `pair`: where it is seen.
+  PairReport count(PairReport report, const ScheduledPair& pair);
+};
+
+}  // namespace cairn::bullet
