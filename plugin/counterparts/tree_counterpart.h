@@ -6,7 +6,7 @@
 #include "cairn/core/tree_pair_traversal.h"
 #include "contacts/normal_clusters.h"
 #include "counterparts/counterpart.h"
-#include "faces/planar_normal.h"
+#include "counterparts/planar_normal.h"
 
 namespace cairn::bullet {
 

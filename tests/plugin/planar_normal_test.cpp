@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "faces/planar_normal.h"
+#include "counterparts/planar_normal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Zlib
-#include "faces/planar_normal.h"
+#include "counterparts/planar_normal.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "contacts/normal_clusters.h"
-#include "faces/edge_limits.h"
 
 namespace cairn::bullet {
 
 namespace {
+
+// Sine of the angle below which two edges are parallel: nothing is across them.
+constexpr float kParallelEdges = 0.1F;
+// A face is preferred to a pair of edges that separates better by less than this fraction of the size: the cross
+// product of two edges that are nearly parallel says nothing.
+constexpr float kFaceFraction = 0.001F;
 
 constexpr float kSameCandidateCosine = 0.99862953F;  // 3 degrees: one candidate stands for both
 constexpr float kTowardsCosine = 0.173648178F;       // 80 degrees: tilted centre lines may belong to a face
