@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cairn::frame_budget {
@@ -52,6 +53,22 @@ void printTimes(const Table& table, Costs costs) {
   timeRow("  99 %", &RunCost::stepCpuUs, &Quantiles::p99);
 }
 
+/// In elapsed time; left out where no shape has a deadline.
+void printDeadline(const Table& table, Costs costs) {
+  if (std::ranges::none_of(costs, [](const RunCost* cost) { return cost->deadline.has_value(); })) return;
+  const auto row = [&](const char* title, const std::function<std::string(const scenes::DeadlineKept&)>& cell) {
+    table.row(title, [&](std::size_t c) { return costs[c]->deadline ? cell(*costs[c]->deadline) : std::string("-"); });
+  };
+  row("elapsed, ms: median / 99.9 % / 99.99 %", [](const auto& kept) {
+    const Quantiles& q = kept.elapsedUs;
+    return milliseconds(q.median) + " / " + milliseconds(q.p999) + " / " + milliseconds(q.p9999);
+  });
+  row("  steps later than the budget", [](const auto& kept) { return std::to_string(kept.lateSteps); });
+  row("  latest by, ms / of it while others ran", [](const auto& kept) {
+    return milliseconds(kept.worstMissUs) + " / " + milliseconds(std::min(kept.worstMissOffCpuUs, kept.worstMissUs));
+  });
+}
+
 void printRatios(const Table& table, Costs costs) {
   if (costs.size() < 2) return;
   const Quantiles& first = costs[0]->narrowPhaseCpuUs;
@@ -81,6 +98,7 @@ void printWork(const Table& table, Costs costs) {
 
 void printCost(const Table& table, Costs costs) {
   printTimes(table, costs);
+  printDeadline(table, costs);
   printRatios(table, costs);
   printWork(table, costs);
 }

@@ -30,7 +30,7 @@ struct Contact {
   float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
   float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
   Vec3 apart;              ///< of a contact ahead: from the counterpart's point to the tree's, as they are now
-  NodePair pair;           ///< of the traversal that found it
+  NodePair pair;           ///< of the traversal that found it; both roots where meshes told it, which know no leaves
   ContactId id;
   bool isHeld = false;     ///< its id is in the manifold already
   bool ofSpheres = false;  ///< of bounding spheres, not of what they hold, or ahead: not measured again

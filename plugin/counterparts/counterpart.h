@@ -91,8 +91,8 @@ class Counterpart {
   /// they belong to another one. Default: nothing is flat.
   virtual Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays);
 
-  /// In place of `appendContacts` for all leaf pairs of a traversal that is done, where the source mesh has so few
-  /// triangles that it says more for less: appends the contacts, and returns how far the surfaces are apart at least
+  /// In place of `appendContacts` for all leaf pairs of a traversal that is done, where the source meshes can tell:
+  /// appends the contacts, and returns how far the surfaces are apart at least
   /// (world length), minus infinity where that is not known. Nothing, and nothing appended, when the leaf pairs have to
   /// be asked, or the budget does not cover triangles that the question asks for. Default: nothing.
   virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);

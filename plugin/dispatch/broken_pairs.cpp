@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "pairs/pair_settle.h"
+
 namespace cairn::bullet {
 
 void BrokenPairs::count() {

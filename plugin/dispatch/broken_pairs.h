@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pairs/pair_settle.h"
+#include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
 

@@ -39,9 +39,10 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   if (registration_) registration_->renew();
-  stepBegan_ = ThreadCpuClock::now();
+  beganOnCpu_ = ThreadCpuClock::now();
   began_ = Budget::Clock::now();
   StepBudget planned = step_.rules.limit();
+  deadline_ = planned.microseconds;
   if (planned.microseconds) *planned.microseconds = overrun_.plannable(*planned.microseconds);
   planned_ = planned.microseconds;
   step_.left = StepRules::budgetOf(planned);
@@ -74,7 +75,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) asked_.ask(pair, step_.rules.isPlanned());
     if (isCollecting_ && settleApart(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.outlook())) {
-      ++apartPairs_;
+      ++settledPairs_;
       if (pair.is(PairStage::broken)) broken_.count();
       return;
     }

@@ -102,7 +102,8 @@ void NarrowPhase::Impl::endStep() {
   isCollecting_ = false;
   isAnswering_ = true;
   StepStatistics& statistics = (step_.tally = {}).statistics;
-  statistics.pairs = apartPairs_.exchange(0);
+  statistics.deadlineMicroseconds = deadline_;
+  statistics.pairs = settledPairs_.exchange(0);
   statistics.brokenPairs = broken_.takeCount();
   statistics.brokenPairs += broken_.settleLeftOvers(false);
   answerCollected();
@@ -113,9 +114,10 @@ void NarrowPhase::Impl::endStep() {
 
   statistics.operations = step_.left.used();
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
+  step_.tally.tookUntilNow(elapsed.count());
   if (planned_) overrun_.learn(elapsed.count(), *planned_);
   step_.rules.spend(step_.left.used(), elapsed.count());
-  const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - stepBegan_;
+  const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - beganOnCpu_;
   statistics.microseconds = spent.count();
 }
 

@@ -75,7 +75,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::mutex mutex_;  // guards pool and lists of pairs while algorithms run
   PairPool pool_;
   AskedPairs asked_;
-  std::atomic<std::uint32_t> apartPairs_{0};
+  std::atomic<std::uint32_t> settledPairs_{0};
   const bool hasThreads_;  // Bullet's own pairs are answered by several
   bool isRetired_ = false;
   bool isCollecting_ = false;
@@ -84,9 +84,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   bool hasRoomForDeadlines_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
   Overrun overrun_;
-  Budget::Clock::time_point began_;  // when the current step did
-  ThreadCpuClock::time_point stepBegan_;
-  std::optional<double> planned_;  // microseconds the current step was planned to take
+  Budget::Clock::time_point began_;           // when the current step did
+  ThreadCpuClock::time_point beganOnCpu_;     // the same by its thread's processor time
+  std::optional<double> deadline_, planned_;  // microseconds the current step may take, and was planned to take
   std::optional<WorldHook> hook_;
   std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
 };

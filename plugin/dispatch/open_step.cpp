@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dispatch/step_pairs.h"
 #include "pairs/pair_begin.h"
 
 namespace cairn::bullet {
@@ -15,7 +16,7 @@ bool OpenStep::isOver(const TreePair& pair, bool isPrepared) const {
          std::any_of(witnesses_.begin(), witnesses_.end(), [](const TreePair* w) { return w->bodies.haveMoved(); });
 }
 
-void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& expected) {
+void OpenStep::begin(btCollisionDispatcher& dispatcher, StepPairs& expected) {
   ++number_;
   isEnded_ = false;
   witnesses_.clear();
@@ -28,7 +29,7 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& 
       forget(pair);  // puts another in its place
       continue;
     }
-    if (isAwake) expected.push_back(&pair);
+    if (isAwake) expected.add(pair);
     ++i;
   }
 }

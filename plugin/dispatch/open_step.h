@@ -9,6 +9,7 @@ class btCollisionDispatcher;
 
 namespace cairn::bullet {
 
+class StepPairs;
 struct TreePair;
 
 /// The steps of a dispatcher that says neither where they begin nor where they end: tells from the pairs that come, and
@@ -22,9 +23,9 @@ class OpenStep {
   void end() { isEnded_ = true; }
   bool hasEnded() const { return isEnded_; }
 
-  /// A new step; appends the pairs to expect in it to `expected`, taken to where their bodies are now. Those that are
+  /// A new step; adds the pairs to expect in it to `expected`, taken to where their bodies are now. Those that are
   /// asleep wait for another step; those whose shapes have changed are no longer known.
-  void begin(btCollisionDispatcher& dispatcher, std::vector<TreePair*>& expected);
+  void begin(btCollisionDispatcher& dispatcher, StepPairs& expected);
   /// The pair was answered, expected (or apart, which costs nothing) or not; it is known from now on.
   void answered(TreePair& pair, bool wasExpected);
   /// No longer known: destroyed, or expected and not come.

@@ -40,6 +40,7 @@ bool OpenStepAnswers::answer(TreePair& pair, const btCollisionObjectWrapper& bod
   const bool isPrepared = isPreparedNow();
   const bool wasExpected = pair.notes.isCollected();
   if (wasExpected) step_.pairs.dismiss(pair.notes.collectedAt);
+  if (wasExpected && !isPrepared) withdraw(pair);
   if (!isPrepared && !collect(pair, body0, body1)) {
     steps_.forget(pair);
     return false;
@@ -59,6 +60,13 @@ bool OpenStepAnswers::settle(TreePair& pair, bool wasExpected) {
   if (pair.is(PairStage::broken)) broken_.count();
   step_.tally.statistics.brokenPairs += broken_.takeCount();
   return true;
+}
+
+// What was held back for it.
+void OpenStepAnswers::withdraw(TreePair& pair) {
+  const Promise own = std::exchange(pair.work.promised, {});
+  held_.operations -= std::min(own.operations, held_.operations);
+  held_.nanoseconds -= own.nanoseconds;
 }
 
 void OpenStepAnswers::tell(TreePair& pair, btManifoldResult& result) {
@@ -89,18 +97,28 @@ void OpenStepAnswers::beginStep() {
   holding_.endStep();
   step_.tally = {};
   left_ = step_.rules.limit();
+  step_.tally.statistics.deadlineMicroseconds = left_.microseconds;
   broken_.settleLeftOvers(true);  // those Bullet asks about are counted when it does
 
   const auto began = Budget::Clock::now();
-  steps_.begin(step_.dispatcher, step_.pairs.list());
-  const auto near = std::ranges::count_if(step_.pairs.list(), [&](TreePair* pair) {
-    return !settleApart(*pair, pair->bodies.body0(), pair->bodies.body1(), step_.rules.mayBeInterrupted(),
-                        step_.outlook());
-  });
-  const double reserve = steps_.reserve(static_cast<std::size_t>(near));
+  steps_.begin(step_.dispatcher, step_.pairs);
+  const double reserve = steps_.reserve(settleExpected());
   step_.left = StepRules::budgetOf(fractionOf(left_, 1 - reserve));
   refineExpected(reserve);
   bookRefinement(step_.left, began);
+}
+
+// How many of them are not settled. Contacts end: users' callbacks may destroy any pair.
+std::size_t OpenStepAnswers::settleExpected() {
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
+    TreePair* const pair = step_.pairs[i];
+    if (!pair) continue;
+    const bool isSettled =
+        settleApart(*pair, pair->bodies.body0(), pair->bodies.body1(), step_.rules.mayBeInterrupted(), step_.outlook());
+    near += isSettled ? 0 : 1;
+  }
+  return near;
 }
 
 void OpenStepAnswers::refineExpected(double reserve) {
@@ -184,6 +202,7 @@ void OpenStepAnswers::bookRefinement(const Budget& used, Budget::Clock::time_poi
 void OpenStepAnswers::book(const Budget& used, Budget::Clock::time_point began) {
   step_.tally.statistics.operations += used.used();
   step_.tally.statistics.microseconds += microsecondsSince(began);
+  step_.tally.tookUntilNow(step_.tally.statistics.microseconds);
 }
 
 }  // namespace cairn::bullet

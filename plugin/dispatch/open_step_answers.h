@@ -26,10 +26,12 @@ class OpenStepAnswers {
 
  private:
   void beginStep();
+  std::size_t settleExpected();
   void refineExpected(double reserve);
   void dropUnanswered();
   bool settle(TreePair& pair, bool wasExpected);
   bool refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
+  void withdraw(TreePair& pair);
   void tell(TreePair& pair, btManifoldResult& result);
   StepTally withOutstanding() const;
   void bookRefinement(const Budget& used, Budget::Clock::time_point began);

@@ -15,7 +15,9 @@ void StepPairs::reserve(std::size_t pairs) {
   makeWrittenRoom(scheduled_, pairs);
 }
 
+// Some may be left of a step that an exception ended.
 void StepPairs::clear() {
+  for (std::size_t i = 0; i < pairs_.size(); ++i) dismiss(i);
   pairs_.clear();
   scheduled_.clear();
 }

@@ -16,8 +16,7 @@ class StepPairs {
   void reserve(std::size_t pairs);
   void clear();
   void add(TreePair& pair);
-  /// Those that open steps expect are appended here, before `order`.
-  std::vector<TreePair*>& list() { return pairs_; }
+  std::span<TreePair* const> list() const { return pairs_; }
   /// Drops what was destroyed meanwhile, names what is new and puts all in the order of their names. Their places stay
   /// from here on.
   void order();

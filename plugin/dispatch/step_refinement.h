@@ -14,8 +14,6 @@ class StepRefinement final : private TurnListener {
 
   /// What pairs were resolved with lately.
   std::uint64_t usualOperations() const { return static_cast<std::uint64_t>(usualOperations_); }
-  /// Pairs begun in this step.
-  std::uint32_t updated() const { return updated_; }
 
   /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
   /// not finished.
@@ -53,7 +51,7 @@ class StepRefinement final : private TurnListener {
   EmissionPace updatePace_;        // of all that is done for a pair that is not held
   double usualOperations_ = 300;   // that a pair is resolved with, from its start
   std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
-  std::uint32_t updated_ = 0;
+  std::uint32_t updated_ = 0;      // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;
   bool isScarce_ = false;    // the last step left pairs unresolved
   std::uint64_t steps_ = 0;  // so far

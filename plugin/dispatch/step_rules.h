@@ -8,7 +8,6 @@
 #include "cairn/bullet/narrow_phase.h"
 #include "cairn/core/priority.h"
 #include "pairs/pair_contacts.h"
-#include "pairs/pair_settle.h"
 
 namespace cairn::bullet {
 

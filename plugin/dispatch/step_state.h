@@ -5,6 +5,7 @@
 #include "dispatch/step_plan.h"
 #include "dispatch/step_rules.h"
 #include "dispatch/step_tally.h"
+#include "pairs/pair_settle.h"
 
 class btCollisionDispatcher;
 
@@ -12,7 +13,7 @@ namespace cairn::bullet {
 
 /// The step at hand, for all who work on it.
 struct StepState {
-  StepState(btCollisionDispatcher& bullets, StepEnd end) : dispatcher(bullets), rules(end) {}
+  StepState(btCollisionDispatcher& ofBullet, StepEnd end) : dispatcher(ofBullet), rules(end) {}
 
   btCollisionDispatcher& dispatcher;
   StepRules rules;

@@ -13,6 +13,12 @@ namespace cairn::bullet {
 struct StepTally {
   StepStatistics statistics;
 
+  /// The step has taken so long so far.
+  void tookUntilNow(double microseconds) {
+    statistics.elapsedMicroseconds = microseconds;
+    statistics.missedByMicroseconds =
+        std::max(microseconds - statistics.deadlineMicroseconds.value_or(microseconds), 0.0);
+  }
   /// What a pair answered. Its place among `pairs` is counted apart: some have nothing to report.
   void add(const PairReport& report) {
     statistics.unresolvedPairs += report.isUnresolved ? 1 : 0;

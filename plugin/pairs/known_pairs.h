@@ -14,7 +14,8 @@ namespace cairn::bullet {
 /// The resolved pairs that were in contact last, and what these say now: what is known while a traversal is unfinished.
 class KnownPairs {
  public:
-  /// So many are re-tested, of those that were not handed to Bullet. Bounds the work of a pair that gets no budget.
+  /// To so many they are topped up with what was not handed to Bullet. Bounds, with what was, the work of a pair that
+  /// gets no budget.
   static constexpr std::size_t kMost = 32;
   static constexpr std::size_t kMostOfAll = kMost + kMaxClusters * kMaxPoints;
 
@@ -26,10 +27,10 @@ class KnownPairs {
   void forgetPairs() { pairs_.clear(); }
   std::vector<NodePair>& pairs() { return pairs_; }
   const std::vector<NodePair>& pairs() const { return pairs_; }
-  /// This contact was handed to Bullet.
+  /// A contact of these was handed to Bullet.
   void remember(const NodePair& leaves);
-  /// Tops them up with the deepest of the contacts that were not chosen, for steps that may be interrupted, and makes
-  /// room for these. Reorders the contacts.
+  /// Tops them up with the deepest of the contacts that were not chosen, for steps that may be interrupted.
+  /// Reorders the contacts.
   void rememberDeepest(const Counterpart& counterpart, std::vector<Contact>& contacts);
   /// Allocates, once, what only steps that may be interrupted need.
   void makeRoom() { retested_.reserve(kMostOfAll); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include "cairn/core/scheduler.h"
+#include "cairn/core/priority.h"
 #include "pairs/emission_pace.h"
 #include "pairs/pair_settle.h"
 #include "pairs/tree_pair.h"
@@ -21,15 +21,15 @@ bool follow(TreePair& pair);
 bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
            const Outlook& outlook, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch);
 
-// Precondition of what follows: `begin` succeeded in this step.
-
-/// What a priority is told.
+/// What a priority is told. Precondition: `begin` succeeded in this step.
 ScheduledPair scheduled(TreePair& pair);
 /// So much was charged for the pair, in this step or one before. What a whole traversal took, where it has ended; else
-/// 0.
+/// 0. Precondition: as for `scheduled`.
 std::uint64_t charge(TreePair& pair, std::uint64_t operations);
-/// Holds back what finishing the pair would take now, in place of what was held back for it before.
+/// Holds back what finishing the pair would take now, in place of what was held back for it before. Precondition: as
+/// for `scheduled`.
 void promise(TreePair& pair, Budget& budget, const EmissionPace& pace);
+/// Begun or not.
 void withdrawPromise(TreePair& pair, Budget& budget);
 
 }  // namespace cairn::bullet

@@ -191,11 +191,11 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
   counterpart.expect(normals_.normals());
   if (!isDone || isResumed_) known_.retest(counterpart, budget, scratch.retested);
   onTriangles_ = {};
-  isOfMesh_ =
+  const bool isOfMesh =
       isDone && age_.isTraversalRecent(motion.smallerSize) &&
       appendOfMesh(counterpart, motion,
                    {policy.finest, scratch.kernel, motion.placement, budget, policy.mayBeInterrupted}, contacts);
-  if (!isOfMesh_) {
+  if (!isOfMesh) {
     if (known_.isRetested() && !(isDone && counterpart.measuresTogether()))
       contacts.assign(known_.contacts().begin(), known_.contacts().end());
     appendFound(counterpart, budget, contacts);
@@ -214,9 +214,9 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
     appendFront(counterpart, policy.unresolved == Unresolved::compensate, reach, budget, contacts);
   known_.forgetPairs();
   contacts.insert(contacts.end(), ahead.begin(), ahead.end());
-  isOfTriangles_ = isOfMesh_ && policy.finest == Finest::triangles;
+  isOfTriangles_ = isOfMesh && policy.finest == Finest::triangles;
   scratch.contacts.group(normals_.seeds(), reach, isOfTriangles_ ? tuning::kOneManifold : kClusterCosine);
-  if (isOfMesh_)
+  if (isOfMesh)
     normals_.keep(scratch.contacts);
   else
     normals_.flatten(counterpart, reach, scratch.contacts, scratch.strays);

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "cairn/bullet/step.h"
 #include "cairn/core/budget.h"
 #include "contacts/normal_clusters.h"
-#include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 #include "counterparts/counterpart.h"
 #include "pairs/answer_age.h"
@@ -147,7 +145,7 @@ class PairContacts {
   bool started_ = false;
   bool isTold_ = false;  // what the traversal at hand found: `finish` came after it was done
   bool isResumed_ = false;
-  bool isOfMesh_ = false, isOfTriangles_ = false;
+  bool isOfTriangles_ = false;
   float overlooked_ = 0;
   Budget::Clock::duration onTriangles_{};
   KeptAnswer kept_;  // its beginning as well, see there

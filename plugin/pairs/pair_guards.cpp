@@ -5,7 +5,6 @@
 #include <array>
 
 #include "contacts/normal_clusters.h"
-#include "contacts/reduction.h"
 
 namespace cairn::bullet {
 

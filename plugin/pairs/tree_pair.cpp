@@ -26,6 +26,7 @@ std::uint64_t PairWork::expected(std::uint64_t usual) const {
 }
 
 void TreePair::reset() {
+  enter(PairStage::idle);
   contacts.reset();
   counterpart->reset();
   work.wasDone = true;

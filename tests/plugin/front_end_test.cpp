@@ -276,6 +276,37 @@ TEST(FrontEnd_OpenStep, SeesBodiesMovedByACallback) {
   EXPECT_EQ(contacts, 4) << "of the one body that stayed";
 }
 
+BulletWorld<InstalledOnDispatcher>* gWorld;
+btRigidBody* gRemoved;
+
+// Two balls of a metre whose boxes overlap though they do not touch.
+const btVector3 kTouching(btScalar(0.95), 0, 0), kBeside(btScalar(0.9), btScalar(0.9), 0);
+
+// Contacts end while a step begins: who is told of it may remove what the same step expects.
+TEST(FrontEnd_OpenStep, SkipsABodyThatIsRemovedWhenAContactEnds) {
+  const auto round = treeShape(plainTree(ball(0.5, 5)));
+  BulletWorld<InstalledOnDispatcher> w;
+  gWorld = &w;
+  const btVector3 far(10, 0, 0);
+  w.add(round, 1, btVector3(0, 0, 0));
+  btRigidBody& moved = w.add(round, 1, kTouching);
+  w.add(round, 1, far);
+  gRemoved = &w.add(round, 1, far + kTouching);
+  for (int i = 0; i < 2; ++i) w.world.performDiscreteCollisionDetection();
+  ASSERT_EQ(w.dispatcher.lastStep().pairs, 2U);
+  ASSERT_GE(w.dispatcher.lastStep().contacts, 2U);
+  gContactEndedCallback = [](btPersistentManifold* const&) {
+    if (btRigidBody* const body = std::exchange(gRemoved, nullptr)) gWorld->remove(*body);
+  };
+  moved.translate(kBeside - kTouching);
+  w.world.performDiscreteCollisionDetection();
+  gContactEndedCallback = nullptr;
+  EXPECT_FALSE(gRemoved) << "no contact ended: the test shows nothing";
+  EXPECT_EQ(w.dispatcher.lastStep().contacts, 0U);
+  w.world.performDiscreteCollisionDetection();
+  EXPECT_EQ(w.dispatcher.lastStep().pairs, 1U);
+}
+
 CAIRN_FRONT_END_SUITE(FrontEnd_Queries, EveryFrontEnd);
 
 struct Count final : btCollisionWorld::ContactResultCallback {

@@ -2,7 +2,9 @@
 // What a step says it did.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "bullet_world.h"
 
@@ -46,6 +48,69 @@ TEST(StepStatistics, CountThePointsThatTheManifoldsHold) {
     w.step();
     ASSERT_EQ(w.dispatcher.lastStep().contacts, pointsHeld(w.dispatcher)) << "seed " << kSeed << ", step " << step;
   }
+}
+
+// One that other work keeps from its end for longer than it may take.
+class LateStep {
+ public:
+  LateStep() {
+    gContactAddedCallback = [](btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+                               const btCollisionObjectWrapper*, int, int) {
+      std::this_thread::sleep_for(kSlept);
+      return false;
+    };
+  }
+  ~LateStep() { gContactAddedCallback = nullptr; }
+  LateStep(const LateStep&) = delete;
+  LateStep& operator=(const LateStep&) = delete;
+
+  static constexpr std::chrono::milliseconds kSlept{20};
+};
+
+template <class World>
+void standOnGround(World& w) {
+  w.addGround();
+  btRigidBody& body = w.add(treeShape(plainTree(cuboid({1, 1, 1}, 3))), 1, btVector3(0, 0, btScalar(0.5)));
+  body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+}
+
+constexpr double kSleptUs = std::chrono::duration<double, std::micro>(LateStep::kSlept).count();
+
+TEST(StepStatistics, TellByHowMuchADeadlineWasMissed) {
+  BulletWorld<> w;
+  standOnGround(w);
+  constexpr double kDeadlineUs = 1000;
+  ASSERT_TRUE(w.dispatcher.setBudget({.operations = {}, .microseconds = kDeadlineUs}));
+  const LateStep late;
+  w.step();
+  const bullet::StepStatistics& step = w.dispatcher.lastStep();
+  ASSERT_GT(step.contacts, 0U);
+  EXPECT_EQ(step.deadlineMicroseconds, kDeadlineUs);
+  EXPECT_GE(step.elapsedMicroseconds, kSleptUs);
+  EXPECT_EQ(step.missedByMicroseconds, step.elapsedMicroseconds - kDeadlineUs);
+  EXPECT_LT(step.microseconds, step.elapsedMicroseconds - kSleptUs / 2) << "asleep it takes no processor time";
+}
+
+TEST(StepStatistics, KnowNoDeadlineWithoutABudgetInTime) {
+  BulletWorld<> w;
+  standOnGround(w);
+  ASSERT_TRUE(w.dispatcher.setBudget({.operations = 100, .microseconds = {}}));
+  const LateStep late;
+  w.step();
+  const bullet::StepStatistics& step = w.dispatcher.lastStep();
+  EXPECT_GE(step.elapsedMicroseconds, kSleptUs);
+  EXPECT_FALSE(step.deadlineMicroseconds);
+  EXPECT_EQ(step.missedByMicroseconds, 0);
+}
+
+// A second is never missed by what takes a few microseconds.
+TEST(StepStatistics, MissNoDeadlineThatIsFarOff) {
+  BulletWorld<> w;
+  standOnGround(w);
+  ASSERT_TRUE(w.dispatcher.setBudget({.operations = {}, .microseconds = 1e6}));
+  w.step();
+  EXPECT_EQ(w.dispatcher.lastStep().deadlineMicroseconds, 1e6);
+  EXPECT_EQ(w.dispatcher.lastStep().missedByMicroseconds, 0);
 }
 
 }  // namespace

@@ -9,12 +9,12 @@ namespace cairn::scenes {
 Quantiles quantilesOf(std::vector<double> sample) {
   if (sample.empty()) return {};
   std::ranges::sort(sample);
-  // In thousandths, so that the rank is an integer computation.
-  const auto at = [&](std::size_t thousandths) {
-    const std::size_t rank = (sample.size() * thousandths + 999) / 1000;
+  // In ten-thousandths, so that the rank is an integer computation.
+  const auto at = [&](std::size_t tenThousandths) {
+    const std::size_t rank = (sample.size() * tenThousandths + 9999) / 10000;
     return sample[std::max<std::size_t>(rank, 1) - 1];
   };
-  return {at(500), at(990), at(999), sample.back()};
+  return {at(5000), at(9900), at(9990), at(9999), sample.back()};
 }
 
 }  // namespace cairn::scenes

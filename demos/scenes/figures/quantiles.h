@@ -7,7 +7,7 @@ namespace cairn::scenes {
 
 /// Nearest-rank quantiles of a sample: the smallest value with at least that share of the sample at or below it.
 struct Quantiles {
-  double median = 0, p99 = 0, p999 = 0, max = 0;
+  double median = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
 };
 
 /// All zero for an empty sample. Sorts: n log n.

@@ -9,6 +9,14 @@ using Json = nlohmann::ordered_json;
 Json timesToJson(const Quantiles& q) {
   return {{"median", q.median}, {"p99", q.p99}, {"p999", q.p999}, {"max", q.max}};
 }
+Json toJson(const DeadlineKept& kept) {
+  Json elapsed = timesToJson(kept.elapsedUs);
+  elapsed["p9999"] = kept.elapsedUs.p9999;
+  return {{"elapsed_us", elapsed},
+          {"late_steps", kept.lateSteps},
+          {"worst_miss_us", kept.worstMissUs},
+          {"worst_miss_off_cpu_us", kept.worstMissOffCpuUs}};
+}
 Json countsToJson(const Quantiles& q) {
   return {{"median", q.median}, {"max", q.max}};
 }
@@ -24,6 +32,7 @@ Json toJson(const RunCost& cost) {
   Json json;
   json["narrow_phase_cpu_us"] = timesToJson(cost.narrowPhaseCpuUs);
   json["step_cpu_us"] = timesToJson(cost.stepCpuUs);
+  json["deadline"] = cost.deadline ? toJson(*cost.deadline) : Json(nullptr);
   json["operations"] = tree ? countsToJson(tree->operations) : Json{{"median", nullptr}, {"max", nullptr}};
   json["contacts"] = countsToJson(cost.contacts);
   json["manifolds"] = countsToJson(cost.manifolds);

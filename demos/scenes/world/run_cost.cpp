@@ -41,6 +41,21 @@ std::optional<TreeRunStatistics> treeStatistics(const std::vector<StepRecord>& r
   return statistics;
 }
 
+std::optional<DeadlineKept> deadlineKept(const std::vector<StepRecord>& records) {
+  const auto hasDeadline = [](const StepRecord& r) { return r.tree && r.tree->deadlineMicroseconds; };
+  if (!std::ranges::any_of(records, hasDeadline)) return {};
+  DeadlineKept kept;
+  kept.elapsedUs = quantilesOver(records, [](const StepRecord& r) { return r.tree->elapsedMicroseconds; });
+  for (const StepRecord& record : records) {
+    const bullet::StepStatistics& step = *record.tree;
+    kept.lateSteps += step.missedByMicroseconds > 0 ? 1 : 0;
+    if (step.missedByMicroseconds <= kept.worstMissUs) continue;
+    kept.worstMissUs = step.missedByMicroseconds;
+    kept.worstMissOffCpuUs = std::max(step.elapsedMicroseconds - step.microseconds, 0.0);
+  }
+  return kept;
+}
+
 }  // namespace
 
 RunCost runCost(const std::vector<StepRecord>& records) {
@@ -50,6 +65,7 @@ RunCost runCost(const std::vector<StepRecord>& records) {
   cost.contacts = quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.contacts); });
   cost.manifolds = quantilesOver(records, [](const StepRecord& r) { return static_cast<double>(r.manifolds); });
   cost.tree = treeStatistics(records);
+  cost.deadline = deadlineKept(records);
   return cost;
 }
 

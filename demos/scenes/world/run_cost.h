@@ -20,10 +20,19 @@ struct TreeRunStatistics {
   double exactContactFraction = 0;    ///< of all contacts of all steps: measured between source triangles
 };
 
+/// How the steps of a run kept their deadline, in elapsed time.
+struct DeadlineKept {
+  Quantiles elapsedUs;          ///< a step
+  std::uint64_t lateSteps = 0;  ///< that took longer than their deadline
+  double worstMissUs = 0;
+  double worstMissOffCpuUs = 0;  ///< of the step that missed it by most: while the operating system ran others
+};
+
 /// What the collision of a run cost, over its steps.
 struct RunCost {
   Quantiles narrowPhaseCpuUs, stepCpuUs, contacts, manifolds;  ///< a step
   std::optional<TreeRunStatistics> tree;                       ///< nothing for other shapes
+  std::optional<DeadlineKept> deadline;                        ///< nothing where no step has one
 };
 
 RunCost runCost(const std::vector<StepRecord>& records);

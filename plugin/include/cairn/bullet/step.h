@@ -43,6 +43,12 @@ struct StepStatistics {
   std::uint64_t operations = 0;  ///< all work charged, re-testing included
   double microseconds = 0;       ///< CPU time of the calling thread in the whole dispatch, pairs without a sphere-tree
                                  ///< included (installed on a dispatcher: elapsed time of the narrow phase alone)
+  /// Elapsed time of the same: what a budget in microseconds limits. What is more than `microseconds` the operating
+  /// system gave to others.
+  double elapsedMicroseconds = 0;
+  /// What the step might take, of its own budget and its share of the frame's; unset without a limit in time.
+  std::optional<double> deadlineMicroseconds;
+  double missedByMicroseconds = 0;  ///< by how much it took longer; 0 where it did not, or has no deadline
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
