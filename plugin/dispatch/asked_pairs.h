@@ -4,6 +4,7 @@
 #include <atomic>
 #include <vector>
 
+#include "dispatch/step_tuning.h"
 #include "memory/written_room.h"
 #include "pairs/pair_fetch.h"
 
@@ -21,7 +22,7 @@ class AskedPairs {
   }
   /// It asks about this one now. May be called from several threads.
   void ask(TreePair& pair, bool isSurveyed) {
-    constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
+    using step_tuning::kCopiesAhead, step_tuning::kSubjectsAhead;
     const std::size_t at = until_++;
     if (at + kSubjectsAhead >= asked_.size()) return;
     // What one thread reads, another may have written.

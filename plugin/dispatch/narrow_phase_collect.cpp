@@ -9,7 +9,9 @@
 
 #include "dispatch/narrow_phase_impl.h"
 #include "pairs/pair_begin.h"
+#include "pairs/pair_collect.h"
 #include "pairs/pair_finish.h"
+#include "pairs/pair_settle.h"
 #include "pairs/pair_survey.h"
 
 namespace cairn::bullet {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cairn/bullet/manifold_order.h"
+#include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
 
 namespace cairn::bullet {
@@ -128,7 +129,7 @@ void NarrowPhase::Impl::answerCollected() {
   const std::uint64_t operationsBefore = step_.left.used();
   refinement_.beginPairs();
   // However short the time, some turns are given: pairs without an answer would hold each other off for ever.
-  if (step_.rules.limit().microseconds.value_or(0) > 0) step_.left.guarantee(kLeastOperations);
+  if (step_.rules.limit().microseconds.value_or(0) > 0) step_.left.guarantee(step_tuning::kLeastOperations);
   refinement_.refinePairs();
   refinement_.finishBegunPairs();
   refinement_.learnUpdates(operationsBefore, began);

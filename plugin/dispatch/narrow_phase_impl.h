@@ -61,8 +61,6 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void reserveFor(const StepBudget& budget);
   void endAnswering();
 
-  // Two turns, contacts included about three microseconds.
-  static constexpr std::uint64_t kLeastOperations = 160;
   // Made ahead for who sets a deadline, about five megabytes: trees, planes, convex shapes, triangles, fields,
   // terrains.
   static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "dispatch/step_pairs.h"
-#include "pairs/pair_begin.h"
+#include "pairs/pair_collect.h"
 
 namespace cairn::bullet {
 

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "pairs/pair_begin.h"
+#include "pairs/pair_collect.h"
 #include "pairs/pair_finish.h"
 #include "pairs/pair_hold.h"
+#include "pairs/pair_settle.h"
 
 namespace cairn::bullet {
 

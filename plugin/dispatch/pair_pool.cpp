@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "dispatch/pair_pool.h"
 
+#include "dispatch/step_tuning.h"
 #include "pairs/pair_fetch.h"
 
 namespace cairn::bullet {
@@ -10,9 +11,8 @@ TreePair* PairPool::take(CounterpartKind kind) {
   if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
   TreePair* const pair = idle.back();
   idle.pop_back();
-  // Pairs are often made many at a time.
-  constexpr std::size_t kAhead = 2;
-  if (idle.size() >= kAhead) fetch(*idle[idle.size() - kAhead], PairPart::state);
+  using step_tuning::kIdleAhead;
+  if (idle.size() >= kIdleAhead) fetch(*idle[idle.size() - kIdleAhead], PairPart::state);
   return pair;
 }
 

@@ -47,7 +47,7 @@ void StepHolding::holdPairs() {
     fetchAfter(i, isLate);
     if (!pairs[i]) continue;
     // Callbacks may have destroyed some meanwhile.
-    if (!isLate && looked++ % kHeldBetweenLooks == 0 && isTooLateFor(std::min(waiting, all - k))) {
+    if (!isLate && looked++ % step_tuning::kHeldBetweenLooks == 0 && isTooLateFor(std::min(waiting, all - k))) {
       isLate = true;
       firstLate_ = pairs.nameOf(i);
       learn(pace_);
@@ -67,13 +67,12 @@ void StepHolding::holdPair(std::size_t index, bool isLate) {
   step_.pairs.dismiss(index);
 }
 
-// Held back from refinement, it would leave the next steps nothing to refine with. What is less is better measured at
-// the end, together with the rest: flat faces find their common direction so.
+// What is less is better measured at the end, together with the rest: flat faces find their common direction so.
 bool StepHolding::isMostOfAStep(const Promise& promise) const {
-  constexpr double kMost = 0.75;
+  using step_tuning::kMostOfAStep;
   const StepBudget limit = step_.rules.limit();
-  return (limit.operations && double(promise.operations) > kMost * double(*limit.operations)) ||
-         (limit.microseconds && promise.nanoseconds > kMost * 1e3 * *limit.microseconds);
+  return (limit.operations && double(promise.operations) > kMostOfAStep * double(*limit.operations)) ||
+         (limit.microseconds && promise.nanoseconds > kMostOfAStep * 1e3 * *limit.microseconds);
 }
 
 // What was promised for it is withdrawn, or the next step would hold it back again.
@@ -93,10 +92,11 @@ bool StepHolding::isTooLateFor(std::size_t pairs) const {
 
 // What is late hardly ever gets to its points.
 void StepHolding::fetchAfter(std::size_t index, bool isLate) const {
-  if (const TreePair* pair = step_.pairs.after(index, kHeldAhead)) fetch(*pair, PairPart::held);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kHeldAhead)) fetch(*pair, PairPart::held);
   if (isLate) return;
-  if (const TreePair* pair = step_.pairs.after(index, kBodiesAhead)) fetch(*pair, PairPart::heldBodies);
-  if (const TreePair* pair = step_.pairs.after(index, kPointsAhead)) fetch(*pair, PairPart::points);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kHeldBodiesAhead))
+    fetch(*pair, PairPart::heldBodies);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kHeldPointsAhead)) fetch(*pair, PairPart::points);
 }
 
 }  // namespace cairn::bullet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dispatch/step_state.h"
+#include "dispatch/step_tuning.h"
 
 namespace cairn::bullet {
 
@@ -30,17 +31,11 @@ class StepHolding {
   void holdPair(std::size_t index, bool isLate);
   void fetchAfter(std::size_t index, bool isLate) const;
 
-  // 150 nanoseconds for a pair, until it is known better.
-  static constexpr double kHoldPace = 5;
-  static constexpr std::size_t kHeldBetweenLooks = 8;  // pairs, at the time
-  // How many pairs ahead what one needs is fetched.
-  static constexpr std::size_t kHeldAhead = 5, kBodiesAhead = 3, kPointsAhead = 2;
-
   StepState& step_;
   Promise promised_;
-  EmissionPace pace_{kHoldPace};      // of a pair that is held
-  EmissionPace latePace_{kHoldPace};  // of one that is when it is too late for that
-  std::uint64_t firstLate_ = 0;       // the name of the first pair held in the last step for which it was too late
+  EmissionPace pace_{step_tuning::kHoldPace};      // of a pair that is held
+  EmissionPace latePace_{step_tuning::kHoldPace};  // of one that is when it is too late for that
+  std::uint64_t firstLate_ = 0;  // the name of the first pair held in the last step for which it was too late
 };
 
 }  // namespace cairn::bullet

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dispatch/step_tuning.h"
 #include "memory/written_room.h"
 #include "pairs/pair_fetch.h"
 
@@ -43,7 +44,7 @@ void StepPairs::order() {
 void StepPairs::nameNew() {
   newPairs_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (const TreePair* next = after(i, kNamesAhead)) fetch(*next, PairPart::notes);
+    if (const TreePair* next = after(i, step_tuning::kNamesAhead)) fetch(*next, PairPart::notes);
     if (pairs_[i]->notes.isUnnamed()) newPairs_.push_back({pairs_[i]->bodies.key(i), pairs_[i]});
   }
   std::ranges::sort(newPairs_, {}, &NewPair::key);

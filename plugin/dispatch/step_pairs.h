@@ -50,8 +50,6 @@ class StepPairs {
 
   void nameNew();
 
-  static constexpr std::size_t kNamesAhead = 8;
-
   std::vector<TreePair*> pairs_;
   std::vector<NewPair> newPairs_;         // working memory of `order`
   std::vector<Named> named_;              // the same: sorted without a look at the pairs

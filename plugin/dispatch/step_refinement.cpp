@@ -3,6 +3,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
+#include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_carry.h"
 #include "pairs/pair_fetch.h"
@@ -18,16 +19,22 @@ void StepRefinement::planStep() {
   const Priority& priority = step_.rules.priority();
   plan.clear();
   if (!step_.rules.isPlanned()) return;
-  for (TreePair* pair : pairs.list()) {
-    if (!pair->is(PairStage::surveyed)) survey(*pair, usualOperations(), step_.left.hasDeadline());
-    plan.add(step_.rules.carriesPairsOver() && mayBeCarriedOver(*pair) ? PairNeed() : pair->work.need);
-  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) plan.add(needOf(i));
   if (priority.hasImportances() && plan.isTooMuchFor(step_.means(), updatePace_))
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (!pairs[i]->isSettled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
+      if (pairs[i] && !pairs[i]->isSettled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
   const bool hasNoTime = step_.rules.limit().microseconds == 0;  // nor any that is given all the same
-  const bool mayServeNone = step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < kMostStepsWithoutTurn);
+  const bool mayServeNone =
+      step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < step_tuning::kMostStepsWithoutTurn);
   plan.decide(step_.means(), updatePace_, holding_.pace(), mayServeNone);
+}
+
+// Nothing of what is settled or carried over.
+PairNeed StepRefinement::needOf(std::size_t index) {
+  if (!step_.pairs[index] || step_.pairs[index]->isSettled() || carriesOver(index)) return {};
+  TreePair& pair = *step_.pairs[index];
+  if (!pair.is(PairStage::surveyed)) survey(pair, usualOperations(), step_.left.hasDeadline());
+  return pair.work.need;
 }
 
 void StepRefinement::beginPairs() {
@@ -45,14 +52,15 @@ void StepRefinement::beginPairs() {
 }
 
 void StepRefinement::fetchAfter(std::size_t index) const {
-  if (const TreePair* pair = step_.pairs.after(index, kStatesAhead)) fetch(*pair, PairPart::state);
-  if (const TreePair* pair = step_.pairs.after(index, kListsAhead)) fetch(*pair, PairPart::lists);
-  if (const TreePair* pair = step_.pairs.after(index, kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kStatesAhead)) fetch(*pair, PairPart::state);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kListsAhead)) fetch(*pair, PairPart::lists);
+  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
 }
 
 void StepRefinement::beginPair(std::size_t index) {
   TreePair& pair = *step_.pairs[index];
-  if (pair.isSettled() || carriesOver(index)) return;
+  // Where steps are planned, what is carried over was before.
+  if (pair.isSettled() || (!step_.rules.isPlanned() && carriesOver(index))) return;
   if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, remeasuredOf(pair), step_.left,
              step_.scratch))
     return step_.pairs.dismiss(index);
@@ -80,7 +88,8 @@ bool StepRefinement::carriesOver(std::size_t index) {
 // While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
 Remeasured StepRefinement::remeasuredOf(const TreePair& pair) const {
   if (step_.plan.isScarce()) return Remeasured::allIfFew;
-  const bool isThrifty = isScarce_ && step_.rules.mayBeInterrupted() && (pair.notes.id + steps_) % kStepsOfThrift != 0;
+  const bool isThrifty =
+      isScarce_ && step_.rules.mayBeInterrupted() && (pair.notes.id + steps_) % step_tuning::kStepsOfThrift != 0;
   return isThrifty ? Remeasured::touching : Remeasured::all;
 }
 
@@ -89,7 +98,7 @@ void StepRefinement::bookTo(TreePair& pair) {
   const bool isFinishedLater = step_.rules.end() == StepEnd::open && pair.isDone();
   const std::uint64_t later = isFinishedLater ? pair.work.promised.operations : 0;
   if (const std::uint64_t whole = charge(pair, step_.left.used() - bookedUntil_ + later); whole > 0)
-    usualOperations_ += kLearning * (static_cast<double>(whole) - usualOperations_);
+    usualOperations_ += step_tuning::kLearning * (static_cast<double>(whole) - usualOperations_);
   bookedUntil_ = step_.left.used();
 }
 

@@ -26,6 +26,7 @@ class StepRefinement final : private TurnListener {
   void endStep();
 
  private:
+  PairNeed needOf(std::size_t index);
   void beginPair(std::size_t index);
   bool carriesOver(std::size_t index);
   void finishPair(std::size_t index);
@@ -36,13 +37,6 @@ class StepRefinement final : private TurnListener {
   Remeasured remeasuredOf(const TreePair& pair) const;
   void bookTo(TreePair& pair);
   void fetchAfter(std::size_t index) const;
-
-  // How many pairs ahead what one needs is fetched.
-  static constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;
-  static constexpr double kLearning = 1.0 / 16;
-  static constexpr std::uint64_t kStepsOfThrift = 4;
-  // In a row in which no time was left for any pair that can be held: without a turn now and then none would end.
-  static constexpr std::uint32_t kMostStepsWithoutTurn = 7;
 
   StepState& step_;
   StepHolding& holding_;

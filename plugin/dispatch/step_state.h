@@ -5,7 +5,7 @@
 #include "dispatch/step_plan.h"
 #include "dispatch/step_rules.h"
 #include "dispatch/step_tally.h"
-#include "pairs/pair_settle.h"
+#include "pairs/outlook.h"
 
 class btCollisionDispatcher;
 

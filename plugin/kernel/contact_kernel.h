@@ -8,6 +8,7 @@
 
 #include "cairn/core/budget.h"
 #include "contacts/relative_placement.h"
+#include "kernel/contact_limits.h"
 #include "kernel/convex_contacts.h"
 #include "kernel/crossings.h"
 #include "kernel/deep_overlap.h"

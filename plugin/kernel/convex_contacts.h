@@ -9,6 +9,7 @@
 #include "cairn/core/budget.h"
 #include "cairn/core/surface_ray.h"
 #include "contacts/facing_corners.h"
+#include "kernel/contact_limits.h"
 #include "kernel/convex_body.h"
 #include "kernel/feature_contacts.h"
 #include "memory/stamped_list.h"

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/contact_limits.h"
 #include "kernel/feature_contacts.h"
 #include "kernel/overlap_regions.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "kernel/contact_limits.h"
 #include "kernel/contact_tuning.h"
 #include "kernel/feature_contacts.h"
 

@@ -2,22 +2,10 @@
 #include "kernel/feature_contacts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "kernel/contact_tuning.h"
 
 namespace cairn::bullet {
-
-float ContactLimits::besideAt(float separation) const {
-  const float depth = separation < 0 ? std::min(-separation, contactDistance) : 0;
-  return std::max(tuning::kBeside * contactDistance, depth);
-}
-
-float ContactLimits::belowAt(float separation, float neighbourDistance) const {
-  const float opening = separation < 0 ? std::min(-separation, tuning::kConeOpening * neighbourDistance) : 0;
-  return contactDistance + opening;
-}
 
 bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t index, const Vec3& p, float beside) {
   bool isInside = true;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/contact_limits.h"
 #include "kernel/feature_lists.h"
 #include "kernel/placed_vertices.h"
 

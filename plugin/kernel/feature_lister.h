@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cairn/core/budget.h"
+#include "kernel/contact_limits.h"
 #include "kernel/feature_lists.h"
 #include "kernel/near_patches.h"
 #include "kernel/placed_patches.h"

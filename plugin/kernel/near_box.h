@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cairn/core/surface_patches.h"
+#include "kernel/contact_limits.h"
 #include "kernel/contact_tuning.h"
 #include "kernel/placed_surface.h"
 

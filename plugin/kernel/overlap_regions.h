@@ -8,6 +8,7 @@
 
 #include "cairn/core/budget.h"
 #include "cairn/core/surface_ray.h"
+#include "kernel/contact_limits.h"
 #include "kernel/crossings.h"
 #include "kernel/feature_contacts.h"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cairn/core/surface_patches.h"
+#include "kernel/contact_limits.h"
 #include "kernel/near_box.h"
 
 namespace cairn::bullet {

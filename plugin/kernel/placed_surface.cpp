@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #include "kernel/placed_surface.h"
 
-#include <algorithm>
-
-#include "kernel/contact_tuning.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -26,12 +23,6 @@ PlacedSurface placed(const SurfaceView& mesh, const Pose& pose, const Pose& othe
 }
 
 }  // namespace
-
-ContactLimits ContactLimits::of(float contactDistance, float reach, float thickness, float margins) {
-  const float size = contactDistance / tuning::kContactDistance;
-  const float trusted = std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thickness);
-  return {contactDistance, reach, trusted, margins, 0, size};
-}
 
 PlacedSurface PlacedSurface::of(const SurfaceView& mesh, const Pose& pose) {
   return placed(mesh, pose, Pose{});

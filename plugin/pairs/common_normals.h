@@ -42,7 +42,4 @@ class CommonNormals {
   bool isFlat_ = false;
 };
 
-/// Of contacts ahead and those of now, drops these where the others overrule them.
-void dropOverruled(std::span<const Contact> ahead, float reach, ClusteredContacts& contacts);
-
 }  // namespace cairn::bullet

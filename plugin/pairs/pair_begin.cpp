@@ -44,19 +44,6 @@ PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, 
 
 }  // namespace
 
-bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  pair.age.holdsStill = false;
-  pair.enter(PairStage::collected);
-  pair.handles.note(PairSides::of(body0, body1).tree);
-  return pair.bodies.take(body0, body1);
-}
-
-bool follow(TreePair& pair) {
-  pair.age.holdsStill = false;
-  pair.enter(PairStage::collected);
-  return pair.bodies.follow();
-}
-
 bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
            const Outlook& outlook, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch) {
   pair.work.promised = {};  // of a step that an exception ended

@@ -3,16 +3,10 @@
 
 #include "cairn/core/priority.h"
 #include "pairs/emission_pace.h"
-#include "pairs/pair_settle.h"
+#include "pairs/outlook.h"
 #include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
-
-/// Copies the bodies for a deferred answer; false when they are nested too deep for that.
-bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
-/// For pairs whose answer is not deferred but prepared: takes the copies to where the bodies are now (false when
-/// their shapes have changed). Precondition: `collect` succeeded; the bodies live.
-bool follow(TreePair& pair);
 
 /// Places the counterpart and starts or resumes its traversal. `threshold` (world length): contacts this far apart are
 /// wanted, beyond the speculative distance. When a shape was replaced, what is known of the old one is forgotten first.

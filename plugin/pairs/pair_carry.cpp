@@ -39,10 +39,6 @@ std::optional<StandsStill> standsStill(const TreePair& pair) {
 
 }  // namespace
 
-bool mayBeCarriedOver(const TreePair& pair) {
-  return standsStill(pair).has_value();
-}
-
 std::optional<PairReport> carryOver(TreePair& pair) {
   const std::optional<StandsStill> still = standsStill(pair);
   if (!still) return {};

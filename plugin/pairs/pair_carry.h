@@ -8,11 +8,9 @@
 
 namespace cairn::bullet {
 
-/// Whether `carryOver` will do. Precondition: the bodies are copied where they are.
-bool mayBeCarriedOver(const TreePair& pair);
 /// For a pair that triangles answered: where the bodies have hardly moved against each other since
 /// (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do. Precondition:
-/// as for `mayBeCarriedOver`.
+/// the bodies are copied where they are.
 std::optional<PairReport> carryOver(TreePair& pair);
 
 }  // namespace cairn::bullet

@@ -16,13 +16,13 @@ Clusters clustersOf(ClusteredContacts& contacts) {
   return clusters;
 }
 
-bool isOfPatches(const Contact& contact) {
+bool isOfMeshes(const Contact& contact) {
   return contact.isExact && contact.pair == NodePair{kRootNode, kRootNode};
 }
 
 // What a step that can be interrupted goes on with.
 void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy) {
-  if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfPatches(chosen))) return;
+  if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfMeshes(chosen))) return;
   pair.contacts.known().remember(pair.counterpart->leavesOf(chosen));
 }
 

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "pairs/outlook.h"
 #include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
-
-/// How far ahead a step looks, and how closely.
-struct Outlook {
-  btScalar timeStep = 0;      ///< seconds
-  btScalar sweptTime = 0;     ///< seconds that fast bodies look ahead, see `fastTravel`; 0: they do not
-  btScalar wallTime = 0;      ///< the same of bodies that are fast for thin walls, see `wallTravel`
-  bool asksTriangles = true;  ///< what leaves say is not enough
-};
 
 /// True when there can be no contacts, because the bodies' spheres are apart, or nothing touched in an earlier step
 /// and nothing moved far since, or `settleBroken`: the pair then has none, and needs no more work in this step.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "cairn/core/budget.h"
+#include "cairn/core/scheduler.h"
 #include "pairs/pair_need.h"
 
 namespace cairn::bullet {
@@ -16,8 +18,13 @@ struct PairWork {
   std::uint64_t spent = 0;        ///< operations, on the traversal at hand
   std::uint64_t ofLastWhole = 0;  ///< the same, of the last that ended
 
-  /// Operations of the next. `usual`: what others took lately.
-  std::uint64_t expected(std::uint64_t usual) const;
+  /// Operations that are left to do, or that the next one takes: a turn at least of what is not done. `usual`: what
+  /// others took lately.
+  std::uint64_t expected(std::uint64_t usual) const {
+    const std::uint64_t whole = ofLastWhole > 0 ? ofLastWhole : usual;
+    if (wasDone) return whole;
+    return std::max<std::uint64_t>(std::max(whole, 2 * spent) - spent, Scheduler::kTurnOperations);
+  }
   /// As of a pair that nothing was done for; what is promised stays.
   void forget() { spent = ofLastWhole = 0; }
 };

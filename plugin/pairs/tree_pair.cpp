@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "cairn/core/scheduler.h"
 #include "contacts/reduction.h"
 
 namespace cairn::bullet {
@@ -15,29 +14,16 @@ constexpr float kBreakingFactor = 1.01F;
 constexpr float kInheritanceFraction = 0.02F;
 // Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
 constexpr float kSeparationFactor = 1.5F;
-// Expected of any that is not done, at least.
-constexpr std::uint64_t kLeastOperations = Scheduler::kTurnOperations;
 
 }  // namespace
 
-std::uint64_t PairWork::expected(std::uint64_t usual) const {
-  const std::uint64_t whole = ofLastWhole > 0 ? ofLastWhole : usual;
-  return wasDone ? whole : std::max(std::max(whole, 2 * spent) - spent, kLeastOperations);
-}
-
 void TreePair::reset() {
+  forget();
   enter(PairStage::idle);
-  contacts.reset();
-  counterpart->reset();
-  work.wasDone = true;
   work.promised = {};
-  said.mayHavePoints = false;
-  said.contacts = said.manifolds = 0;
-  subject.forget();
   course.ahead = {};
   course.isFast = false;
   motion.roots.reset();
-  forgetWaiting();
   notes = {};
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Zlib
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cairn::bullet::step_tuning {
+
+// Every number by which a step shares its time and operations. None of them changes what a contact is.
+
+/// Of the operations that a whole pair took, by so much the expectation for others moves towards it: some sixteen pairs
+/// are remembered.
+inline constexpr double kLearning = 1.0 / 16;
+/// Of so many steps in a row in which there is too little for all, a pair with an answer looks in one at what else came
+/// near; in the others at what it touches.
+inline constexpr std::uint64_t kStepsOfThrift = 4;
+/// So many steps in a row may serve no pair that can be held, where time is short: without a turn now and then none
+/// would ever be finished.
+inline constexpr std::uint32_t kMostStepsWithoutTurn = 7;
+/// Operations that are given however short the time: two turns, some three microseconds with contacts.
+inline constexpr std::uint64_t kLeastOperations = 160;
+
+/// What measuring a held pair's finds takes, as a part of a step: from there on it is measured as it is found. Held
+/// back from refinement, it would leave the next steps nothing to refine with.
+inline constexpr double kMostOfAStep = 0.75;
+/// Nanoseconds an operation, of a pair that is held, until it is known better: 150 nanoseconds a pair.
+inline constexpr double kHoldPace = 5;
+/// Pairs that are held between two looks at the clock: more end a step later, fewer spend it on looking.
+inline constexpr std::size_t kHeldBetweenLooks = 8;
+
+// How many pairs ahead what one needs is fetched: about as many as are worked on while memory answers. Time alone.
+
+/// In Bullet's pass: what tells whether anything has to be done, and what is copied.
+inline constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
+inline constexpr std::size_t kNamesAhead = 8;                                             ///< as pairs are put in order
+inline constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;      ///< as they are begun
+inline constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2;  ///< as they are held
+inline constexpr std::size_t kIdleAhead = 2;  ///< as they are made, often many at a time
+
+}  // namespace cairn::bullet::step_tuning

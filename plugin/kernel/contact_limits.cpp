@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Zlib
+#include "kernel/contact_limits.h"
+
+#include <algorithm>
+
+#include "kernel/contact_tuning.h"
+
+namespace cairn::bullet {
+
+ContactLimits ContactLimits::of(float contactDistance, float reach, float thickness, float margins) {
+  const float size = contactDistance / tuning::kContactDistance;
+  const float trusted = std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thickness);
+  return {contactDistance, reach, trusted, margins, 0, size};
+}
+
+float ContactLimits::besideAt(float separation) const {
+  const float depth = separation < 0 ? std::min(-separation, contactDistance) : 0;
+  return std::max(tuning::kBeside * contactDistance, depth);
+}
+
+float ContactLimits::belowAt(float separation, float neighbourDistance) const {
+  const float opening = separation < 0 ? std::min(-separation, tuning::kConeOpening * neighbourDistance) : 0;
+  return contactDistance + opening;
+}
+
+}  // namespace cairn::bullet
