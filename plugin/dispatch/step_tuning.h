@@ -9,7 +9,7 @@ namespace cairn::bullet::step_tuning {
 // Every number by which a step shares its time and operations. None of them changes what a contact is.
 
 /// Of the operations that a whole pair took, by so much the expectation for others moves towards it: some sixteen pairs
-/// are remembered.
+/// are remembered. Without, plans go by what was guessed at first (`Budget_GoldenHash` changes).
 inline constexpr double kLearning = 1.0 / 16;
 /// Of so many steps in a row in which there is too little for all, a pair with an answer looks in one at what else came
 /// near; in the others at what it touches.
@@ -21,7 +21,8 @@ inline constexpr std::uint32_t kMostStepsWithoutTurn = 7;
 inline constexpr std::uint64_t kLeastOperations = 160;
 
 /// What measuring a held pair's finds takes, as a part of a step: from there on it is measured as it is found. Held
-/// back from refinement, it would leave the next steps nothing to refine with.
+/// back from refinement, it would leave the next steps nothing to refine with
+/// (`HeldPairs.ThatCostMoreThanAStepHasComeToAnAnswer`).
 inline constexpr double kMostOfAStep = 0.75;
 /// Nanoseconds an operation, of a pair that is held, until it is known better: 150 nanoseconds a pair.
 inline constexpr double kHoldPace = 5;
