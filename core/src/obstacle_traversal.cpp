@@ -17,6 +17,7 @@ void ObstacleTraversal::start(const SphereTree& tree, float scale, const Obstacl
 }
 
 Progress ObstacleTraversal::refine(Budget& budget) {
+  noteFront();
   while (head_ < queue_.size()) {
     const NodePair pair = queue_.data()[head_];
     const std::uint32_t family = tree_->childFamily(pair.a);

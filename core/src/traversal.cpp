@@ -5,6 +5,17 @@
 
 namespace cairn {
 
+std::span<const NodePair> Traversal::coarseFront() const {
+  const std::span<const NodePair> now = front();
+  return now.size() <= kCoarsePairs ? now : queue_.pairs().subspan(coarseBegin_, coarseEnd_ - coarseBegin_);
+}
+
+void Traversal::noteFront() {
+  if (queue_.size() - head_ > kCoarsePairs) return;
+  coarseBegin_ = head_;
+  coarseEnd_ = queue_.size();
+}
+
 float Traversal::worstOf(std::span<const NodePair> pairs) const {
   float worst = 0;
   for (const NodePair& pair : pairs) worst = std::max(worst, pairError(pair));
@@ -41,7 +52,7 @@ void Traversal::forgetErrors() {
 void Traversal::abandon() {
   queue_.clear();
   leafPairs_.clear();
-  head_ = 0;
+  head_ = coarseBegin_ = coarseEnd_ = 0;
   forgetErrors();
 }
 

@@ -42,6 +42,7 @@ void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, c
 
 Progress TreePairTraversal::refine(Budget& budget) {
   if (done()) return Progress::done;
+  noteFront();
   const auto body = [](const Side& side) {
     return StaircaseBody{side.tree->families().data(), side.tree->traversalNodes().data(), side.fromOther, side.scale,
                          side.margin};

@@ -76,6 +76,8 @@ class Counterpart {
     contacts.back().isWhole = true;
     return 1;
   }
+  /// Whether the spheres around both wholes are of like size: then no answer is worse, however old.
+  virtual bool isOfLikeSize() const { return false; }
   /// While nothing newer is known: appends contacts of a few points of the body, each true, whatever others would say.
   /// Spheres stand in for all of it, and let it turn in them as it likes. Returns the nodes asked. Default: none.
   virtual std::uint32_t appendCoarse(std::vector<Contact>& /*contacts*/) { return 0; }

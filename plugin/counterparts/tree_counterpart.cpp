@@ -197,6 +197,11 @@ bool TreeCounterpart::isMuchLarger(const Sphere& large, const Sphere& small) con
   return large.radius > kMuchLarger * small.radius;
 }
 
+bool TreeCounterpart::isOfLikeSize() const {
+  const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
+  return !isMuchLarger(rootA, rootB) && !isMuchLarger(rootB, rootA);
+}
+
 // The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is
 // done. What is left covers all that may touch.
 std::uint32_t TreeCounterpart::appendWhole(std::vector<Contact>& contacts) {

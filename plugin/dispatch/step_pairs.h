@@ -31,6 +31,8 @@ class StepPairs {
   std::size_t waiting() const;
   /// It needs nothing more in this step.
   void dismiss(std::size_t index);
+  /// It gets no turns until it is scheduled again.
+  void unschedule(std::size_t index) { scheduled_[index].traversal = &nothing_; }
   std::span<ScheduledPair> scheduled() { return scheduled_; }
 
   std::uint64_t nameOf(std::size_t index) const { return scheduled_[index].id; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cairn/core/scheduler.h"
+#include "dispatch/step_tuning.h"
 #include "memory/written_room.h"
 
 namespace cairn::bullet {
@@ -40,12 +41,15 @@ void StepPlan::reserve(std::size_t pairs) {
   makeWrittenRoom(needs_, pairs);
   makeWrittenRoom(heap_, pairs);
   makeWrittenRoom(chosen_, pairs);
+  makeWrittenRoom(coarse_, pairs);
 }
 
 void StepPlan::clear() {
   needs_.clear();
   heap_.clear();
   chosen_.clear();
+  coarse_.clear();
+  coarseOperations_ = 0;
   isScarce_ = servesAny_ = false;
 }
 
@@ -64,9 +68,38 @@ void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPa
   if (!isScarce_) return;
   for (PairNeed& need : needs_) need.operations = std::min(need.operations, need.operationsIfScarce);
   holdAllThatCanBe(left, pace, holdingPace);
+  chooseCoarse(left, pace);
   std::make_heap(heap_.begin(), heap_.end(), [&](std::size_t x, std::size_t y) { return isLessUrgent(x, y); });
   const bool mustServe = !mayServeNone || left.nanoseconds >= pace.expectedNanoseconds(kFewestOperations);
   chooseMostUrgent(left, pace, mustServe ? 1 : 0);
+}
+
+// A turn each, or as much as there is. Where that is too little for all, the most urgent; what cannot be held in any
+// case.
+void StepPlan::chooseCoarse(StepMeans& left, const EmissionPace& pace) {
+  if (coarse_.empty()) return;
+  const StepMeans share{left.operations * step_tuning::kCoarseShare, left.nanoseconds * step_tuning::kCoarseShare};
+  const auto fits = [&](std::uint64_t operations) {
+    const auto pairs = static_cast<double>(coarse_.size());
+    return static_cast<double>(operations) * pairs <= share.operations &&
+           pace.expectedNanoseconds(operations) * pairs <= share.nanoseconds;
+  };
+  std::uint64_t each = Scheduler::kTurnOperations;
+  while (each > step_tuning::kFewestCoarse && !fits(each)) each /= 2;
+  if (!fits(each)) {
+    std::ranges::sort(coarse_, [&](std::size_t x, std::size_t y) {
+      return needs_[x].canBeHeld != needs_[y].canBeHeld ? needs_[y].canBeHeld : isLessUrgent(y, x);
+    });
+    while (!coarse_.empty() && needs_[coarse_.back()].canBeHeld && !fits(each)) {
+      if (sharesTheRest(coarse_.back())) heap_.push_back(coarse_.back());
+      coarse_.pop_back();
+    }
+  }
+  // What some do not need goes to the others.
+  const std::uint64_t most = std::isinf(left.nanoseconds) ? Scheduler::kTurnOperations : each;
+  const double shared = std::clamp(share.operations, 0.0, static_cast<double>(most * coarse_.size()));
+  coarseOperations_ = static_cast<std::uint64_t>(shared);
+  spend(left, shared, static_cast<double>(coarse_.size()) * pace.expectedNanoseconds(each));
 }
 
 bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {
@@ -80,10 +113,11 @@ bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {
 void StepPlan::holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace) {
   for (std::size_t i = 0; i < needs_.size(); ++i) {
     const PairNeed& need = needs_[i];
-    (need.canBeHeld ? heap_ : chosen_).push_back(i);
+    if (need.isUnanswered) coarse_.push_back(i);
+    if (!sharesTheRest(i)) (need.canBeHeld ? heap_ : chosen_).push_back(i);
     if (need.canBeHeld)
       spend(left, static_cast<double>(kHoldingCost), holdingPace.expectedNanoseconds(0));
-    else
+    else if (!need.isUnanswered)
       spend(left, static_cast<double>(need.operations), nanosecondsFor(need, pace));
   }
 }

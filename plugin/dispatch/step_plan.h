@@ -19,9 +19,10 @@ struct StepMeans {
   double nanoseconds = std::numeric_limits<double>::infinity();
 };
 
-/// Decides which pairs of a step are brought up to date when there is not enough for all: the most urgent, as many as
-/// can be expected to be finished. The others are held: their contacts follow the bodies. A few answers that are right
-/// serve better than many that are half done. See docs/algorithms/narrow-phase.md.
+/// Decides what the pairs of a step get when there is not enough for all. Those that have nothing to say share a part
+/// of it: each is looked at coarsely before any gets all. Of the others the most urgent are brought up to date, as many
+/// as can be expected to be finished; the rest is held: their contacts follow the bodies. See
+/// docs/algorithms/narrow-phase.md.
 class StepPlan {
  public:
   /// What holding a pair is charged: as much as moving a sphere.
@@ -51,6 +52,15 @@ class StepPlan {
   bool isScarce() const { return isScarce_; }
   /// Whether all that can be held are.
   bool servesNone() const { return isScarce_ && !servesAny_; }
+  /// Those to be looked at coarsely, all of them together with so many operations: some of the chosen are among them.
+  std::span<const std::size_t> coarse() const { return coarse_; }
+  std::uint64_t coarseOperations() const { return coarseOperations_; }
+  /// Whether one of these shares with the chosen what is left then: finishing it alone would make no answer that lasts,
+  /// or it cannot be held.
+  bool sharesTheRest(std::size_t pair) const {
+    const PairNeed& need = needs_[pair];
+    return need.isUnanswered && (need.outrunsAnswers || !need.canBeHeld);
+  }
   /// Those last chosen.
   std::span<const std::size_t> chosen() const { return chosen_; }
   /// Those still held, in no order.
@@ -58,6 +68,7 @@ class StepPlan {
 
  private:
   bool isLessUrgent(std::size_t x, std::size_t y) const;
+  void chooseCoarse(StepMeans& left, const EmissionPace& pace);
   void holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace);
   bool fits(std::size_t pair, const StepMeans& left, const EmissionPace& pace, double share) const;
   void chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::size_t atLeast);
@@ -65,6 +76,8 @@ class StepPlan {
   std::vector<PairNeed> needs_;
   std::vector<std::size_t> heap_;  // of those that are held, the most urgent on top
   std::vector<std::size_t> chosen_;
+  std::vector<std::size_t> coarse_;
+  std::uint64_t coarseOperations_ = 0;
   bool isScarce_ = false;
   bool servesAny_ = false;
 };

@@ -3,6 +3,8 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
+#include <algorithm>
+
 #include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_carry.h"
@@ -33,7 +35,7 @@ void StepRefinement::planStep() {
 PairNeed StepRefinement::needOf(std::size_t index) {
   if (!step_.pairs[index] || step_.pairs[index]->isSettled() || carriesOver(index)) return {};
   TreePair& pair = *step_.pairs[index];
-  if (!pair.is(PairStage::surveyed)) survey(pair, usualOperations(), step_.left.hasDeadline());
+  if (!pair.is(PairStage::surveyed)) survey(pair, usualOperations(), step_.left.hasDeadline(), step_.timeStep);
   return pair.work.need;
 }
 
@@ -41,6 +43,7 @@ void StepRefinement::beginPairs() {
   updated_ = 0;
   bookedUntil_ = step_.left.used();
   if (step_.plan.isScarce()) {
+    lookCoarsely();
     for (const std::size_t i : step_.plan.chosen())
       if (step_.pairs[i]) beginPair(i);
     return;
@@ -49,6 +52,45 @@ void StepRefinement::beginPairs() {
     fetchAfter(i);
     if (step_.pairs[i]) beginPair(i);
   }
+}
+
+// Only what shares the rest stays scheduled.
+void StepRefinement::lookCoarsely() {
+  for (const std::size_t i : step_.plan.coarse()) {
+    if (step_.pairs[i]) beginPair(i);
+    if (step_.pairs[i] && !step_.plan.sharesTheRest(i)) step_.pairs.unschedule(i);
+  }
+  std::uint64_t share = step_.plan.coarseOperations(), used = 0;
+  do {
+    used = giveCoarseTurns(share);
+    share -= used;
+  } while (used > 0);
+}
+
+// All that are unfinished, as much each as all of them can have. Returns what they used.
+std::uint64_t StepRefinement::giveCoarseTurns(std::uint64_t share) {
+  const std::span<const std::size_t> coarse = step_.plan.coarse();
+  const auto isUnfinished = [&](std::size_t i) {
+    return step_.pairs[i] && step_.pairs[i]->isBegun() && !step_.pairs[i]->isDone();
+  };
+  const auto unfinished = static_cast<std::uint64_t>(std::ranges::count_if(coarse, isUnfinished));
+  if (unfinished == 0) return 0;
+  const std::uint64_t turn =
+      std::clamp<std::uint64_t>(share / unfinished, step_tuning::kFewestCoarse, Scheduler::kTurnOperations);
+  std::uint64_t used = 0;
+  for (const std::size_t i : coarse) {
+    if (used + step_tuning::kFewestCoarse > share || !step_.left.charge(0)) break;
+    if (isUnfinished(i)) used += giveCoarseTurn(i, std::min(turn, share - used));
+  }
+  return used;
+}
+
+std::uint64_t StepRefinement::giveCoarseTurn(std::size_t index, std::uint64_t operations) {
+  Budget turn = Budget::operations(std::min(operations, step_.left.remaining()));
+  const Progress progress = step_.pairs[index]->traversal().refine(turn);
+  step_.left.chargeAnyway(turn.used());
+  turnEnded(index, progress, step_.left);
+  return turn.used();
 }
 
 void StepRefinement::fetchAfter(std::size_t index) const {
@@ -61,6 +103,10 @@ void StepRefinement::beginPair(std::size_t index) {
   TreePair& pair = *step_.pairs[index];
   // Where steps are planned, what is carried over was before.
   if (pair.isSettled() || (!step_.rules.isPlanned() && carriesOver(index))) return;
+  if (pair.isBegun()) {
+    step_.pairs.scheduled()[index] = scheduled(pair);
+    return;
+  }
   if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, remeasuredOf(pair), step_.left,
              step_.scratch))
     return step_.pairs.dismiss(index);

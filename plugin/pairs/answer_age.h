@@ -34,8 +34,12 @@ class AnswerAge {
     return -dot(normal, centers - answer_.centers) > kApproachFraction * size;
   }
   /// Whether the bodies have hardly closed since the traversal that gave the last answer began; and the one at hand.
+  /// Whether bodies that move by this much a step make any answer old by the next.
+  static bool isOutrunBy(float travel, float size) { return travel > kApproachFraction * size; }
   bool isRecent(float size) const { return answer_.approach <= kApproachFraction * size; }
   bool isTraversalRecent(float size) const { return traversal_.approach <= kApproachFraction * size; }
+  /// How far what the traversal at hand has ruled out may have closed in.
+  float sinceTraversal() const { return traversal_.approach; }
 
   // Where contacts only follow the bodies. `moved`: by which these have moved against each other since the last
   // traversal was begun or resumed, at most. `size`: the smaller body's.

@@ -145,13 +145,19 @@ std::uint64_t PairContacts::measuringCost(const Counterpart& counterpart) const 
 std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
   if (counterpart.traversal().done()) return 0;
   const std::uint64_t known = known_.isRetested() ? 0 : kContactCost * known_.pairs().size();
-  return known + kSphereCost * (std::min(counterpart.traversal().front().size(), kMaxFrontPairs) + 1);
+  return known + kSphereCost * (toldFront(counterpart).size() + 1);
+}
+
+std::span<const NodePair> PairContacts::toldFront(const Counterpart& counterpart) {
+  const Traversal& traversal = counterpart.traversal();
+  if (counterpart.isOfLikeSize()) return traversal.coarseFront();
+  return traversal.front().first(std::min(traversal.front().size(), Traversal::kCoarsePairs));
 }
 
 void PairContacts::appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
                                std::vector<Contact>& contacts) {
   const Traversal& traversal = counterpart.traversal();
-  const std::span<const NodePair> front = headOf(traversal.front());
+  const std::span<const NodePair> front = toldFront(counterpart);
   budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
   for (const NodePair& pair : front) {
     Contact contact = counterpart.boundingContact(pair);
@@ -229,20 +235,17 @@ void PairContacts::finish(Counterpart& counterpart, const AnswerPolicy& policy, 
 
 void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                                 ContactScratch& scratch) {
-  const std::span<const NodePair> front = headOf(counterpart.traversal().front());
-  budget.chargeAnyway(kSphereCost * static_cast<std::uint32_t>(front.size()));
+  const std::span<const NodePair> front = toldFront(counterpart);
+  budget.chargeAnyway(kSphereCost * front.size());
   std::vector<Contact>& guards = scratch.guards;
   guards.clear();
   float closingSpeed = 0;
   for (const NodePair& pair : front) guards.push_back(counterpart.boundingContact(pair));
-  // What the traversal has ruled out was apart when it was tested: after some motion only the whole bodies' spheres are
-  // known to hold all of it.
-  const bool isStale = !age_.isTraversalRecent(motion.smallerSize);
-  const bool isCut = front.size() < counterpart.traversal().front().size();
   scratch.wholes.clear();
   budget.chargeAnyway(kSphereCost * counterpart.appendWhole(scratch.wholes));
+  const bool needsAll = needsWholes(counterpart, motion.smallerSize, scratch.wholes);
   for (const Contact& whole : scratch.wholes) {
-    if (!isStale && !isCut && !guards_.had(whole)) continue;
+    if (!needsAll && (counterpart.isOfLikeSize() || !guards_.had(whole))) continue;
     const auto inFront = std::ranges::find(guards, whole.id, &Contact::id);
     if (inFront == guards.end())
       guards.push_back(whole);
@@ -250,11 +253,23 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
       inFront->isWhole = whole.isWhole;
   }
   for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
-  // What was ruled out may close in while the front stands still: a rod that turns about its end.
   age_.approached(closingSpeed * motion.timeStep, motion.greatestSpeed() * motion.timeStep);
   std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, reach); });
   guards_.choose(guards, motion.smallerSize, scratch.contacts.list());
   budget.chargeAnyway(kContactCost * counterpart.appendCoarse(scratch.contacts.list()));
+}
+
+// What the traversal has ruled out was apart when it was tested, and a front that is cut does not hold all there is: of
+// all of both only spheres around wholes are known to. Those of bodies of like size say so little that they are only
+// worth it where nothing says more.
+bool PairContacts::needsWholes(const Counterpart& counterpart, float smallerSize,
+                               std::span<const Contact> wholes) const {
+  const Traversal& traversal = counterpart.traversal();
+  const bool isCut = traversal.front().size() > Traversal::kCoarsePairs;
+  if (!counterpart.isOfLikeSize()) return isCut || !age_.isTraversalRecent(smallerSize);
+  float error = 0;
+  for (const Contact& whole : wholes) error = std::max(error, traversal.pairError(whole.pair));
+  return error <= frontError(counterpart) + age_.sinceTraversal();
 }
 
 // Velocities do not tell everything: the solver also shifts bodies to part others.

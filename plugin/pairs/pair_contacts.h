@@ -38,10 +38,6 @@ struct ContactScratch {
 /// pairs that were in contact last, and the directions of the clusters.
 class PairContacts {
  public:
-  /// Pairs of the front that are looked at for guards, or handed out as they are: the coarsest. Bounds, with
-  /// `KnownPairs::kMost`, the work of a pair that gets no budget.
-  static constexpr std::size_t kMaxFrontPairs = 32;
-
   /// Forgets everything; for a pair that is new.
   void reset();
 
@@ -81,6 +77,10 @@ class PairContacts {
   /// the deepest of it. What measuring will cost is held back from refinement: were all of it left to the end, a pair
   /// with more leaf pairs than a step can measure would never come to it.
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
+  /// How far off what an unfinished traversal tells may be, world length: where the bodies were when it began.
+  static float frontError(const Counterpart& counterpart) {
+    return counterpart.traversal().worstOf(toldFront(counterpart));
+  }
   /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
   float overlooked() const { return overlooked_; }
   /// In steps without `begin` and `finish`, in which contacts only follow the bodies: whether what was last said still
@@ -121,16 +121,16 @@ class PairContacts {
   void appendFound(Counterpart& counterpart, Budget& budget, std::vector<Contact>& contacts);
   void appendUnmeasured(Counterpart& counterpart, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
-  // Breadth-first: the head of the front holds the coarsest pairs, which reach farthest.
-  static std::span<const NodePair> headOf(std::span<const NodePair> front) {
-    return front.first(std::min(front.size(), kMaxFrontPairs));
-  }
+  // Bodies of like size, without wholes to fall back on: a front that holds all of them, however coarse. Else the head,
+  // which holds the coarsest pairs, as it is breadth-first: these reach farthest.
+  static std::span<const NodePair> toldFront(const Counterpart& counterpart);
   static void appendFront(Counterpart& counterpart, bool compensate, float reach, Budget& budget,
                           std::vector<Contact>& contacts);
   bool appendOfMesh(Counterpart& counterpart, const RelativeMotion& motion, const MeshQuestion& question,
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
+  bool needsWholes(const Counterpart& counterpart, float smallerSize, std::span<const Contact> wholes) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
 
   // Comparing two bounding spheres moves one of them.

@@ -50,6 +50,15 @@ void writeCluster(TreePair& pair, int k, std::span<Contact> members, const Answe
   report.manifolds += points > 0 ? 1 : 0;
 }
 
+// Of what the traversal reached, and of what it had ruled out before the bodies came here; but no more than that of
+// whole bodies.
+float errorOf(TreePair& pair) {
+  const float reached = PairContacts::frontError(*pair.counterpart);
+  if (pair.contacts.isKept()) return reached;
+  return std::min(reached + pair.contacts.age().sinceTraversal(),
+                  std::max(reached, pair.traversal().pairError({kRootNode, 0})));
+}
+
 }  // namespace
 
 PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy,
@@ -59,7 +68,7 @@ PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& re
   PairReport report;
   pair.work.wasDone = traversal.done();
   report.isUnresolved = !pair.work.wasDone;
-  report.errorFraction = double(traversal.worstFrontError()) / double(pair.sizes.smaller);
+  report.errorFraction = pair.sizes.fraction(errorOf(pair));
   pair.contacts.finish(*pair.counterpart, policy, pair.motion.relative, pair.sizes.reach, pair.course.ahead, budget,
                        scratch);
   report.onTriangles = pair.contacts.onTriangles();
@@ -78,7 +87,11 @@ PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& re
   pair.age.error = report.errorFraction;
   pair.said.contacts = report.contacts;
   pair.said.manifolds = report.manifolds;
-  if (pair.work.wasDone) pair.age.waited = 0;
+  // On the ground points of the body stand in: nothing waits for more.
+  if (pair.work.wasDone)
+    pair.age.waited = 0;
+  else if (!pair.isOnGround())
+    ++pair.age.waited;
   pair.manifolds.endStandIn();
   pair.manifolds.noteAxes();
   return report;

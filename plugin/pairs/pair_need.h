@@ -11,6 +11,8 @@ struct PairNeed {
   std::uint64_t operations = 0;  ///< what that is expected to take, contacts included
   bool canBeHeld = false;        ///< what it said last may stand for a step more
   bool mayBeCut = false;         ///< it has no answer: nothing is lost if it gets none in this step either
+  bool isUnanswered = false;     ///< nor anything else that still holds: it is looked at coarsely at least
+  bool outrunsAnswers = false;   ///< an answer of this step will not hold in the next
   std::uint64_t operationsIfScarce = ~std::uint64_t{0};  ///< what it is at most where there is not enough for all
 };
 

@@ -20,7 +20,7 @@ bool hasStandIn(const TreePair& pair, bool isTimed) {
   return pair.kind == CounterpartKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
 }
 
-PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
+PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep) {
   pair.treeIsBody0 = asSphereTree(pair.bodies.body0().getCollisionShape()) != nullptr;
   const PairSides sides = pair.sides();
   const SphereTreeShape* const tree = sides.shape();
@@ -29,8 +29,14 @@ PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
   const bool canStandIn =
       isSame && hasStandIn(pair, isTimed) && (!pair.course.isFast || pair.kind == CounterpartKind::terrain);
   PairAge& age = pair.age;
-  if (!isSame || !age.isPlaced) return {kUnknownError * (1 + age.waited), usualOperations, canStandIn, true};
+  if (!isSame || !age.isPlaced)
+    return {.urgency = kUnknownError * (1 + age.waited),
+            .operations = usualOperations,
+            .canBeHeld = canStandIn,
+            .mayBeCut = true,
+            .isUnanswered = !pair.isOnGround()};
   pair.motion.seenNow = PairMotion::placementOf(sides);
+  const float travel = PairMotion::speedInOther(sides) * static_cast<float>(timeStep);
   const RelativeMotion& begun = pair.motion.relative;
   age.moved = static_cast<float>(pair.motion.seenNow.displacementSince(begun.placement));
   const bool isOld = pair.contacts.age().isSilenceOld(age.moved, pair.sizes.smaller);
@@ -41,14 +47,19 @@ PairNeed needOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
   const bool isKept = pair.work.wasDone && pair.contacts.keepsAt(*pair.counterpart, pair.motion.seenNow, begun.reach);
   const std::uint64_t operations = isKept ? pair.contacts.keptCost(*pair.counterpart, pair.motion.seenNow, begun.reach)
                                           : pair.work.expected(usualOperations);
-  return {error * (1 + age.waited), operations, canStandIn || (age.holdsStill && !pair.course.isFast),
-          !age.holdsStill || !pair.work.wasDone, isKept ? PairContacts::kKeptCostIfFew : operations};
+  return {.urgency = error * (1 + age.waited),
+          .operations = operations,
+          .canBeHeld = canStandIn || (age.holdsStill && !pair.course.isFast),
+          .mayBeCut = !age.holdsStill || !pair.work.wasDone,
+          .isUnanswered = !age.holdsStill && !pair.isOnGround(),
+          .outrunsAnswers = AnswerAge::isOutrunBy(travel, pair.sizes.smaller),
+          .operationsIfScarce = isKept ? PairContacts::kKeptCostIfFew : operations};
 }
 
 }  // namespace
 
-void survey(TreePair& pair, std::uint64_t usualOperations, bool isTimed) {
-  pair.work.need = pair.isSettled() ? PairNeed() : needOf(pair, usualOperations, isTimed);
+void survey(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep) {
+  pair.work.need = pair.isSettled() ? PairNeed() : needOf(pair, usualOperations, isTimed, timeStep);
   if (!pair.isSettled()) pair.enter(PairStage::surveyed);
 }
 

@@ -173,6 +173,56 @@ TEST(TreePairTraversal, StoppedAtEveryStep_GivesTheSameBits) {
   EXPECT_EQ(setOf(stepwise.leafPairs()), setOf(whole.leafPairs()));
 }
 
+// Of each node the one above it; the root's is itself.
+std::vector<NodeId> parentsOf(const SphereTree& tree) {
+  std::vector<NodeId> parents(tree.families().size() * kFamilyWidth, kRootNode), waiting{kRootNode};
+  while (!waiting.empty()) {
+    const NodeId node = waiting.back();
+    waiting.pop_back();
+    if (tree.isLeaf(node)) continue;
+    const NodeId first = tree.childFamily(node) * kFamilyWidth;
+    for (NodeId child = first; child < first + tree.childCount(node); ++child) {
+      parents[child] = node;
+      waiting.push_back(child);
+    }
+  }
+  return parents;
+}
+
+// The pair, or one of the nodes above it.
+bool isIn(const PairSet& coarse, const NodePair& pair, const std::vector<NodeId>& aboveA,
+          const std::vector<NodeId>& aboveB) {
+  for (NodeId a = pair.a;; a = aboveA[a]) {
+    for (NodeId b = pair.b;; b = aboveB[b]) {
+      if (coarse.contains({a, b})) return true;
+      if (b == kRootNode) break;
+    }
+    if (a == kRootNode) return false;
+  }
+}
+
+TEST(TreePairTraversal, CoarseFront_HoldsAllTheFrontHolds) {
+  std::size_t longest = 0, older = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const PairCase c = randomCase(seed);
+    const std::vector<NodeId> aboveA = parentsOf(c.treeA), aboveB = parentsOf(c.treeB);
+    TreePairTraversal traversal;
+    traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    while (!traversal.done()) {
+      Budget turn = Budget::operations(80);
+      (void)traversal.refine(turn);
+      const PairSet coarse = setOf(traversal.coarseFront());
+      ASSERT_LE(coarse.size(), Traversal::kCoarsePairs);
+      for (const NodePair& pair : traversal.front()) ASSERT_TRUE(isIn(coarse, pair, aboveA, aboveB));
+      longest = std::max(longest, traversal.front().size());
+      older += traversal.front().size() > Traversal::kCoarsePairs ? 1 : 0;
+    }
+    ASSERT_TRUE(traversal.coarseFront().empty());
+  }
+  EXPECT_GT(older, 10U) << "at most " << longest << " pairs: the test shows nothing";
+}
+
 TEST(TreePairTraversal, ApartBodies_AreDismissedAtTheRoots) {
   PairCase c = randomCase(2);
   c.poseB.translation = c.poseA.translation + Vec3d(100, 0, 0);

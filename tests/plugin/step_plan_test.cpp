@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <vector>
+
+#include "cairn/core/scheduler.h"
+#include "dispatch/step_tuning.h"
 
 namespace cairn::test::step_plan_test {
 namespace {
@@ -66,6 +70,47 @@ TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
   EXPECT_FALSE(plan.decideOnMore({.operations = 40}, EmissionPace()));
   EXPECT_TRUE(plan.decideOnMore({.operations = 60}, EmissionPace()));
   EXPECT_TRUE(plan.held().empty());
+}
+
+// It has nothing to say; `outruns`: nor would an answer last.
+PairNeed unanswered(double urgency, bool outruns) {
+  return {.urgency = urgency,
+          .operations = 400,
+          .canBeHeld = true,
+          .mayBeCut = true,
+          .isUnanswered = true,
+          .outrunsAnswers = outruns};
+}
+
+TEST(StepPlan, HasEachLookedAtCoarselyBeforeAnyGetsAll) {
+  std::vector<PairNeed> needs(20, unanswered(1, false));
+  needs.push_back({.urgency = 2, .operations = 300, .canBeHeld = true});
+  const StepPlan plan = planOf(needs, {.operations = 1000});
+  EXPECT_EQ(plan.coarse().size(), 20U);
+  EXPECT_EQ(double(plan.coarseOperations()),
+            std::floor(bullet::step_tuning::kCoarseShare * double(1000 - 21 * StepPlan::kHoldingCost)));
+  EXPECT_EQ(std::vector<std::size_t>(plan.chosen().begin(), plan.chosen().end()), std::vector<std::size_t>{20});
+  for (const std::size_t i : plan.coarse()) EXPECT_FALSE(plan.sharesTheRest(i));
+}
+
+TEST(StepPlan, FinishesNoneWhoseAnswerWouldNotLast) {
+  const StepPlan plan = planOf({unanswered(3, true), unanswered(1, false), unanswered(2, true)}, {.operations = 900});
+  EXPECT_EQ(plan.coarse().size(), 3U);
+  EXPECT_EQ(plan.coarseOperations(), 3 * Scheduler::kTurnOperations) << "no more than a turn each";
+  EXPECT_EQ(std::vector<std::size_t>(plan.chosen().begin(), plan.chosen().end()), std::vector<std::size_t>{1});
+  EXPECT_TRUE(plan.sharesTheRest(0) && plan.sharesTheRest(2));
+}
+
+TEST(StepPlan, LooksAtTheMostUrgentWhereThereIsTooLittleForEach) {
+  std::vector<PairNeed> needs;
+  for (int i = 0; i < 30; ++i) needs.push_back(unanswered(i, false));
+  needs.push_back({.operations = 400, .canBeHeld = false, .mayBeCut = true, .isUnanswered = true});
+  const StepPlan plan =
+      planOf(needs, {.operations = double(30 * StepPlan::kHoldingCost) + 101 / bullet::step_tuning::kCoarseShare});
+  const std::set<std::size_t> coarse(plan.coarse().begin(), plan.coarse().end());
+  EXPECT_EQ(coarse.size(), 10U) << "ten operations each";
+  EXPECT_TRUE(coarse.contains(30)) << "it cannot be held";
+  for (std::size_t i = 21; i < 30; ++i) EXPECT_TRUE(coarse.contains(i)) << i;
 }
 
 TEST(StepPlan, WeighsUrgencyByImportance) {

@@ -36,6 +36,12 @@ class Traversal {
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
   std::span<const NodePair> front() const { return queue_.pairs().subspan(head_); }
+  /// A front of so many pairs at most is coarse.
+  static constexpr std::size_t kCoarsePairs = 128;
+  /// The front, or where that is no longer coarse, what it was when a call of `refine` last began with a coarse one:
+  /// with the leaf pairs these, too, hold everything that can touch. Bounds what an unfinished answer costs. None where
+  /// it never was coarse.
+  std::span<const NodePair> coarseFront() const;
   /// Fully resolved pairs, in the order they were found.
   std::span<const NodePair> leafPairs() const { return leafPairs_.pairs(); }
 
@@ -57,6 +63,8 @@ class Traversal {
   Traversal& operator=(const Traversal&) = default;
   Traversal& operator=(Traversal&&) = default;
 
+  /// To be called as `refine` begins.
+  void noteFront();
   /// `pairError` may answer differently from now on.
   void forgetErrors();
 
@@ -71,6 +79,7 @@ class Traversal {
     std::size_t begin, end;  // in the queue
     float error;
   };
+  std::size_t coarseBegin_ = 0, coarseEnd_ = 0;  // in the queue
   static constexpr std::size_t kChunk = 8;
   std::vector<Peak> peaks_;
   std::size_t firstPeak_ = 0;  // those before it have been refined
