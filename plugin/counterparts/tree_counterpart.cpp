@@ -33,6 +33,8 @@ void TreeCounterpart::place(const PairPlacement& placement) {
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   reach_ = placement.reach;
   contactDistance_ = placement.contactDistance();
+  const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
+  isOfLikeSize_ = !isMuchLarger(rootA, rootB) && !isMuchLarger(rootB, rootA);
 }
 
 float TreeCounterpart::size(const btCollisionShape& shape) const {
@@ -195,11 +197,6 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
 
 bool TreeCounterpart::isMuchLarger(const Sphere& large, const Sphere& small) const {
   return large.radius > kMuchLarger * small.radius;
-}
-
-bool TreeCounterpart::isOfLikeSize() const {
-  const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
-  return !isMuchLarger(rootA, rootB) && !isMuchLarger(rootB, rootA);
 }
 
 // The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is

@@ -25,7 +25,7 @@ class TreeCounterpart final : public Counterpart {
   /// Where one tree is much larger, its root says little: the larger one is followed down to spheres about as large as
   /// the smaller one's, at most eight families.
   std::uint32_t appendWhole(std::vector<Contact>& contacts) override;
-  bool isOfLikeSize() const override;
+  bool isOfLikeSize() const override { return isOfLikeSize_; }
   void expect(std::span<const Vec3> normals) override;
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
   NodePair leavesOf(const Contact& contact) const override;
@@ -67,6 +67,7 @@ class TreeCounterpart final : public Counterpart {
   float contactDistance_ = 0;
   KernelMemory kernelMemory_;
   TreePairTraversal traversal_;
+  bool isOfLikeSize_ = true;
   std::vector<Contact> wholes_;  // working memory of `appendWhole`
   PlanarNormal planarNormal_;
   std::array<Vec3, kMaxClusters> expected_;

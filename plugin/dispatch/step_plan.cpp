@@ -75,9 +75,12 @@ void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPa
 }
 
 // A turn each, or as much as there is. Where that is too little for all, the most urgent; what cannot be held in any
-// case.
+// case. Where the step ends at a time, a turn each or none: what a look takes besides its operations is most of a
+// shorter one.
 void StepPlan::chooseCoarse(StepMeans& left, const EmissionPace& pace) {
   if (coarse_.empty()) return;
+  const bool isTimed = !std::isinf(left.nanoseconds);
+  const std::uint64_t fewest = isTimed ? Scheduler::kTurnOperations : step_tuning::kFewestCoarse;
   const StepMeans share{left.operations * step_tuning::kCoarseShare, left.nanoseconds * step_tuning::kCoarseShare};
   const auto fits = [&](std::uint64_t operations) {
     const auto pairs = static_cast<double>(coarse_.size());
@@ -85,21 +88,24 @@ void StepPlan::chooseCoarse(StepMeans& left, const EmissionPace& pace) {
            pace.expectedNanoseconds(operations) * pairs <= share.nanoseconds;
   };
   std::uint64_t each = Scheduler::kTurnOperations;
-  while (each > step_tuning::kFewestCoarse && !fits(each)) each /= 2;
+  while (each > fewest && !fits(each)) each /= 2;
   if (!fits(each)) {
     std::ranges::sort(coarse_, [&](std::size_t x, std::size_t y) {
       return needs_[x].canBeHeld != needs_[y].canBeHeld ? needs_[y].canBeHeld : isLessUrgent(y, x);
     });
-    while (!coarse_.empty() && needs_[coarse_.back()].canBeHeld && !fits(each)) {
-      if (sharesTheRest(coarse_.back())) heap_.push_back(coarse_.back());
-      coarse_.pop_back();
-    }
+    while (!coarse_.empty() && needs_[coarse_.back()].canBeHeld && (isTimed || !fits(each))) leaveToOthers();
   }
   // What some do not need goes to the others.
-  const std::uint64_t most = std::isinf(left.nanoseconds) ? Scheduler::kTurnOperations : each;
+  const std::uint64_t most = isTimed ? each : Scheduler::kTurnOperations;
   const double shared = std::clamp(share.operations, 0.0, static_cast<double>(most * coarse_.size()));
   coarseOperations_ = static_cast<std::uint64_t>(shared);
   spend(left, shared, static_cast<double>(coarse_.size()) * pace.expectedNanoseconds(each));
+}
+
+// The last of them is held, if it is not most urgent.
+void StepPlan::leaveToOthers() {
+  if (sharesTheRest(coarse_.back())) heap_.push_back(coarse_.back());
+  coarse_.pop_back();
 }
 
 bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {

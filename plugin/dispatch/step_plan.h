@@ -69,6 +69,7 @@ class StepPlan {
  private:
   bool isLessUrgent(std::size_t x, std::size_t y) const;
   void chooseCoarse(StepMeans& left, const EmissionPace& pace);
+  void leaveToOthers();
   void holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace);
   bool fits(std::size_t pair, const StepMeans& left, const EmissionPace& pace, double share) const;
   void chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::size_t atLeast);

@@ -113,6 +113,22 @@ TEST(StepPlan, LooksAtTheMostUrgentWhereThereIsTooLittleForEach) {
   for (std::size_t i = 21; i < 30; ++i) EXPECT_TRUE(coarse.contains(i)) << i;
 }
 
+// What a look takes besides its operations is most of a short one.
+TEST(StepPlan, LooksAtEachForAWholeTurnOrAtNoneWhereTimeEnds) {
+  const auto looked = [](double share) {
+    StepPlan plan;
+    for (int i = 0; i < 8; ++i) plan.add(unanswered(1, true));
+    const double turns = 8 * EmissionPace().expectedNanoseconds(Scheduler::kTurnOperations);
+    const double holding = 8 * EmissionPace(5).expectedNanoseconds(0);
+    plan.decide({.nanoseconds = holding + share * turns / bullet::step_tuning::kCoarseShare}, EmissionPace(),
+                EmissionPace(5));
+    EXPECT_EQ(plan.coarse().size() + plan.held().size() + plan.chosen().size(), 8U) << "none is forgotten";
+    return plan.coarse().size();
+  };
+  EXPECT_EQ(looked(1.01), 8U);
+  EXPECT_EQ(looked(0.99), 0U);
+}
+
 TEST(StepPlan, WeighsUrgencyByImportance) {
   StepPlan plan;
   for (int i = 0; i < 2; ++i) plan.add({1, 100, true, true});
