@@ -14,9 +14,10 @@ struct Turn {
   std::uint64_t used = 0;
 };
 
-Turn giveTurn(std::span<const ScheduledPair> pairs, std::size_t pair, Budget& budget, TurnListener* listener) {
+Turn giveTurn(std::span<const ScheduledPair> pairs, std::size_t pair, Budget& budget, TurnListener* listener,
+              std::uint64_t operations = Scheduler::kTurnOperations) {
   if (!budget.charge(0)) return {};
-  Budget turn = Budget::operations(std::min<std::uint64_t>(Scheduler::kTurnOperations, budget.remaining()));
+  Budget turn = Budget::operations(std::min(operations, budget.remaining()));
   const Progress progress = pairs[pair].traversal->refine(turn);
   budget.chargeAnyway(turn.used());
   if (listener) listener->turnEnded(pair, progress, budget);
@@ -36,6 +37,24 @@ Progress Scheduler::run(std::span<ScheduledPair> pairs, Priority& priority, Budg
     priority.turnEnded(*pair, turn.progress);
   }
   return Progress::done;
+}
+
+void Scheduler::shareOut(std::span<const ScheduledPair> pairs, std::span<const std::size_t> chosen,
+                         std::uint64_t operations, Budget& budget, TurnListener* listener) {
+  const auto isUnfinished = [&](std::size_t pair) { return !pairs[pair].traversal->done(); };
+  for (std::uint64_t used = kStepOperations; used > 0;) {
+    const auto unfinished = static_cast<std::uint64_t>(std::ranges::count_if(chosen, isUnfinished));
+    if (unfinished == 0) return;
+    const std::uint64_t each = std::clamp<std::uint64_t>(operations / unfinished, kStepOperations, kTurnOperations);
+    used = 0;
+    for (const std::size_t pair : chosen) {
+      if (operations < kStepOperations) return;
+      if (!isUnfinished(pair)) continue;
+      const std::uint64_t taken = giveTurn(pairs, pair, budget, listener, std::min(each, operations)).used;
+      operations -= taken;
+      used += taken;
+    }
+  }
 }
 
 Progress Scheduler::runAlone(std::span<const ScheduledPair> pairs, std::size_t pair, Budget& budget,

@@ -19,6 +19,10 @@ namespace cairn::bullet {
 /// What measuring the contact of a leaf pair is charged: both spheres are moved, and compared once more.
 inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 
+/// How many times larger than the other a sphere around a whole tree may be for their contact to say anything about
+/// where the bodies are.
+inline constexpr float kMostUnlike = 2;
+
 /// What is asked of the source meshes.
 struct MeshQuestion {
   Finest finest;
@@ -76,7 +80,7 @@ class Counterpart {
     contacts.back().isWhole = true;
     return 1;
   }
-  /// Whether the spheres around both wholes are of like size: then no answer is worse, however old.
+  /// Whether both are trees whose spheres around the whole are of like size: what these say is coarser than any front.
   virtual bool isOfLikeSize() const { return false; }
   /// While nothing newer is known: appends contacts of a few points of the body, each true, whatever others would say.
   /// Spheres stand in for all of it, and let it turn in them as it likes. Returns the nodes asked. Default: none.

@@ -15,8 +15,6 @@
 namespace cairn::bullet {
 
 namespace {
-// Ratio of the roots' radii from which the larger one's centre says little about where it is.
-constexpr float kMuchLarger = 2;
 // Families of the larger tree looked at for guards of whole bodies; bounds the work of a pair that gets no budget.
 constexpr int kMaxWholeSplits = 8;
 }  // namespace
@@ -196,7 +194,7 @@ Contact TreeCounterpart::boundingContact(const NodePair& pair) {
 }
 
 bool TreeCounterpart::isMuchLarger(const Sphere& large, const Sphere& small) const {
-  return large.radius > kMuchLarger * small.radius;
+  return large.radius > kMostUnlike * small.radius;
 }
 
 // The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is

@@ -55,8 +55,7 @@ void OpenStep::forget(TreePair& pair) {
 }
 
 double OpenStep::reserve(std::size_t expected) const {
-  // From the root, where many of those known keep their answer or are held.
-  const double newcomers = kNewcomersWeight * static_cast<double>(lastNewcomers_);
+  const auto newcomers = static_cast<double>(lastNewcomers_);
   return std::max(kQuietReserve, newcomers / (newcomers + static_cast<double>(expected) + 1));
 }
 

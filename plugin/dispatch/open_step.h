@@ -31,14 +31,13 @@ class OpenStep {
   /// No longer known: destroyed, or expected and not come.
   void forget(TreePair& pair);
 
-  /// What fraction of a step's budget to keep for pairs that nobody expects, going by those of the step before.
+  /// What fraction of a step's budget to keep for pairs that nobody expects, going by those of the step before: for
+  /// each as much as for one that is known.
   double reserve(std::size_t expected) const;
 
  private:
   // Pairs of this step whose bodies are watched: one that moved tells of a new step.
   static constexpr std::size_t kMaxWitnesses = 8;
-  // What a newcomer takes, in expected pairs.
-  static constexpr double kNewcomersWeight = 3;
   // Kept when the step before had no newcomers.
   static constexpr double kQuietReserve = 1.0 / 64;
 

@@ -74,38 +74,32 @@ void StepPlan::decide(StepMeans left, const EmissionPace& pace, const EmissionPa
   chooseMostUrgent(left, pace, mustServe ? 1 : 0);
 }
 
-// A turn each, or as much as there is. Where that is too little for all, the most urgent; what cannot be held in any
-// case. Where the step ends at a time, a turn each or none: what a look takes besides its operations is most of a
-// shorter one.
+// A turn each, or as much as there is; where that is too little for all, none of those that can be held. Where the step
+// ends at a time, a whole turn: what a look takes besides its operations is most of a shorter one.
 void StepPlan::chooseCoarse(StepMeans& left, const EmissionPace& pace) {
   if (coarse_.empty()) return;
-  const bool isTimed = !std::isinf(left.nanoseconds);
-  const std::uint64_t fewest = isTimed ? Scheduler::kTurnOperations : step_tuning::kFewestCoarse;
   const StepMeans share{left.operations * step_tuning::kCoarseShare, left.nanoseconds * step_tuning::kCoarseShare};
   const auto fits = [&](std::uint64_t operations) {
     const auto pairs = static_cast<double>(coarse_.size());
     return static_cast<double>(operations) * pairs <= share.operations &&
            pace.expectedNanoseconds(operations) * pairs <= share.nanoseconds;
   };
-  std::uint64_t each = Scheduler::kTurnOperations;
-  while (each > fewest && !fits(each)) each /= 2;
-  if (!fits(each)) {
-    std::ranges::sort(coarse_, [&](std::size_t x, std::size_t y) {
-      return needs_[x].canBeHeld != needs_[y].canBeHeld ? needs_[y].canBeHeld : isLessUrgent(y, x);
-    });
-    while (!coarse_.empty() && needs_[coarse_.back()].canBeHeld && (isTimed || !fits(each))) leaveToOthers();
-  }
-  // What some do not need goes to the others.
-  const std::uint64_t most = isTimed ? each : Scheduler::kTurnOperations;
-  const double shared = std::clamp(share.operations, 0.0, static_cast<double>(most * coarse_.size()));
-  coarseOperations_ = static_cast<std::uint64_t>(shared);
-  spend(left, shared, static_cast<double>(coarse_.size()) * pace.expectedNanoseconds(each));
+  const bool isTimed = !std::isinf(left.nanoseconds);
+  if (!fits(isTimed ? Scheduler::kTurnOperations : Scheduler::kStepOperations)) holdCoarse();
+  const double turns = static_cast<double>(Scheduler::kTurnOperations * coarse_.size());
+  const double operations = std::clamp(share.operations, 0.0, turns);
+  coarseOperations_ = static_cast<std::uint64_t>(operations);
+  const double each = coarse_.empty() ? 0 : operations / static_cast<double>(coarse_.size());
+  spend(left, operations,
+        static_cast<double>(coarse_.size()) * pace.expectedNanoseconds(static_cast<std::uint64_t>(each)));
 }
 
-// The last of them is held, if it is not most urgent.
-void StepPlan::leaveToOthers() {
-  if (sharesTheRest(coarse_.back())) heap_.push_back(coarse_.back());
-  coarse_.pop_back();
+void StepPlan::holdCoarse() {
+  std::erase_if(coarse_, [&](std::size_t i) {
+    if (!needs_[i].canBeHeld) return false;
+    if (sharesTheRest(i)) heap_.push_back(i);
+    return true;
+  });
 }
 
 bool StepPlan::decideOnMore(StepMeans left, const EmissionPace& pace) {

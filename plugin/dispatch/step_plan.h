@@ -20,9 +20,9 @@ struct StepMeans {
 };
 
 /// Decides what the pairs of a step get when there is not enough for all. Those that have nothing to say share a part
-/// of it: each is looked at coarsely before any gets all. Of the others the most urgent are brought up to date, as many
-/// as can be expected to be finished; the rest is held: their contacts follow the bodies. See
-/// docs/algorithms/narrow-phase.md.
+/// of it: each is looked at coarsely before any gets all, where that is enough for each. Of the others the most urgent
+/// are brought up to date, as many as can be expected to be finished; the rest is held: their contacts follow the
+/// bodies. See docs/algorithms/narrow-phase.md.
 class StepPlan {
  public:
   /// What holding a pair is charged: as much as moving a sphere.
@@ -50,7 +50,7 @@ class StepPlan {
 
   /// Whether pairs may have to be held.
   bool isScarce() const { return isScarce_; }
-  /// Whether all that can be held are.
+  /// Whether none of those that can be held is chosen.
   bool servesNone() const { return isScarce_ && !servesAny_; }
   /// Those to be looked at coarsely, all of them together with so many operations: some of the chosen are among them.
   std::span<const std::size_t> coarse() const { return coarse_; }
@@ -69,7 +69,7 @@ class StepPlan {
  private:
   bool isLessUrgent(std::size_t x, std::size_t y) const;
   void chooseCoarse(StepMeans& left, const EmissionPace& pace);
-  void leaveToOthers();
+  void holdCoarse();
   void holdAllThatCanBe(StepMeans& left, const EmissionPace& pace, const EmissionPace& holdingPace);
   bool fits(std::size_t pair, const StepMeans& left, const EmissionPace& pace, double share) const;
   void chooseMostUrgent(StepMeans& left, const EmissionPace& pace, std::size_t atLeast);

@@ -54,43 +54,17 @@ void StepRefinement::beginPairs() {
   }
 }
 
-// Only what shares the rest stays scheduled.
+// What is only looked at goes on waiting. Then only what shares the rest stays scheduled.
 void StepRefinement::lookCoarsely() {
-  for (const std::size_t i : step_.plan.coarse()) {
-    if (step_.pairs[i]) beginPair(i);
-    if (step_.pairs[i] && !step_.plan.sharesTheRest(i)) step_.pairs.unschedule(i);
-  }
-  std::uint64_t share = step_.plan.coarseOperations(), used = 0;
-  do {
-    used = giveCoarseTurns(share);
-    share -= used;
-  } while (used > 0);
-}
-
-// All that are unfinished, as much each as all of them can have. Returns what they used.
-std::uint64_t StepRefinement::giveCoarseTurns(std::uint64_t share) {
   const std::span<const std::size_t> coarse = step_.plan.coarse();
-  const auto isUnfinished = [&](std::size_t i) {
-    return step_.pairs[i] && step_.pairs[i]->isBegun() && !step_.pairs[i]->isDone();
-  };
-  const auto unfinished = static_cast<std::uint64_t>(std::ranges::count_if(coarse, isUnfinished));
-  if (unfinished == 0) return 0;
-  const std::uint64_t turn =
-      std::clamp<std::uint64_t>(share / unfinished, step_tuning::kFewestCoarse, Scheduler::kTurnOperations);
-  std::uint64_t used = 0;
   for (const std::size_t i : coarse) {
-    if (used + step_tuning::kFewestCoarse > share || !step_.left.charge(0)) break;
-    if (isUnfinished(i)) used += giveCoarseTurn(i, std::min(turn, share - used));
+    if (!step_.pairs[i]) continue;
+    ++step_.pairs[i]->age.waited;
+    beginPair(i);
   }
-  return used;
-}
-
-std::uint64_t StepRefinement::giveCoarseTurn(std::size_t index, std::uint64_t operations) {
-  Budget turn = Budget::operations(std::min(operations, step_.left.remaining()));
-  const Progress progress = step_.pairs[index]->traversal().refine(turn);
-  step_.left.chargeAnyway(turn.used());
-  turnEnded(index, progress, step_.left);
-  return turn.used();
+  scheduler_.shareOut(step_.pairs.scheduled(), coarse, step_.plan.coarseOperations(), step_.left, this);
+  for (const std::size_t i : coarse)
+    if (!step_.plan.sharesTheRest(i)) step_.pairs.unschedule(i);
 }
 
 void StepRefinement::fetchAfter(std::size_t index) const {

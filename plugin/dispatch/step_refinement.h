@@ -29,8 +29,6 @@ class StepRefinement final : private TurnListener {
   PairNeed needOf(std::size_t index);
   void beginPair(std::size_t index);
   void lookCoarsely();
-  std::uint64_t giveCoarseTurns(std::uint64_t share);
-  std::uint64_t giveCoarseTurn(std::size_t index, std::uint64_t operations);
   bool carriesOver(std::size_t index);
   void finishPair(std::size_t index);
   bool finishResolvedPairs();

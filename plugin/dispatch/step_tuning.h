@@ -11,12 +11,10 @@ namespace cairn::bullet::step_tuning {
 /// Of the operations that a whole pair took, by so much the expectation for others moves towards it: some sixteen pairs
 /// are remembered. Without, plans go by what was guessed at first (`Budget_GoldenHash` changes).
 inline constexpr double kLearning = 1.0 / 16;
-/// Of what a step has, so much goes to pairs that have nothing to say, a level each, before any pair gets all. With
-/// more towers fall asleep late (`Sleep.IsNotOnGuardsThatCarry`: half of them); without, flying bodies err by their
-/// whole size (`CoarseLook.LeavesNoFlyingPairToTheSpheresOfWholeBodies`).
+/// Of what a step has left after holding, so much goes to pairs that have nothing to say, before any pair gets all. At
+/// 0.9 towers fall asleep late (`Sleep.IsNotOnGuardsThatCarry`); at 0 flying bodies err by their whole size
+/// (`CoarseLook.LeavesNoFlyingPairToTheSpheresOfWholeBodies`, `ErrsLessTheMoreItIsGiven`).
 inline constexpr double kCoarseShare = 0.4;
-/// Operations of the shortest look: one node is split.
-inline constexpr std::uint64_t kFewestCoarse = 10;
 
 /// Of so many steps in a row in which there is too little for all, a pair with an answer looks in one at what else came
 /// near; in the others at what it touches.

@@ -33,12 +33,12 @@ class AnswerAge {
   bool haveClosed(const Vec3& centers, const Vec3& normal, float size) const {
     return -dot(normal, centers - answer_.centers) > kApproachFraction * size;
   }
-  /// Whether the bodies have hardly closed since the traversal that gave the last answer began; and the one at hand.
-  /// Whether bodies that move by this much a step make any answer old by the next.
+  /// Whether bodies that move by this much a step, world length, make any answer old by the next.
   static bool isOutrunBy(float travel, float size) { return travel > kApproachFraction * size; }
+  /// Whether the bodies have hardly closed since the traversal that gave the last answer began; and the one at hand.
   bool isRecent(float size) const { return answer_.approach <= kApproachFraction * size; }
   bool isTraversalRecent(float size) const { return traversal_.approach <= kApproachFraction * size; }
-  /// How far what the traversal at hand has ruled out may have closed in.
+  /// How far what the traversal at hand has ruled out may have closed in, world length.
   float sinceTraversal() const { return traversal_.approach; }
 
   // Where contacts only follow the bodies. `moved`: by which these have moved against each other since the last

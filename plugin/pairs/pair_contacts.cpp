@@ -148,6 +148,12 @@ std::uint64_t PairContacts::standInCost(const Counterpart& counterpart) const {
   return known + kSphereCost * (toldFront(counterpart).size() + 1);
 }
 
+float PairContacts::frontError(Counterpart& counterpart) {
+  Traversal& traversal = counterpart.traversal();
+  const bool isOlder = counterpart.isOfLikeSize() && traversal.front().size() > Traversal::kCoarsePairs;
+  return isOlder ? traversal.worstOf(traversal.coarseFront()) : traversal.worstFrontError();
+}
+
 std::span<const NodePair> PairContacts::toldFront(const Counterpart& counterpart) {
   const Traversal& traversal = counterpart.traversal();
   if (counterpart.isOfLikeSize()) return traversal.coarseFront();
@@ -253,6 +259,7 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
       inFront->isWhole = whole.isWhole;
   }
   for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
+  // What was ruled out may close in while the front stands still: a rod that turns about its end.
   age_.approached(closingSpeed * motion.timeStep, motion.greatestSpeed() * motion.timeStep);
   std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, reach); });
   guards_.choose(guards, motion.smallerSize, scratch.contacts.list());
@@ -262,9 +269,8 @@ void PairContacts::appendGuards(Counterpart& counterpart, const RelativeMotion& 
 // What the traversal has ruled out was apart when it was tested, and a front that is cut does not hold all there is: of
 // all of both only spheres around wholes are known to. Those of bodies of like size say so little that they are only
 // worth it where nothing says more.
-bool PairContacts::needsWholes(const Counterpart& counterpart, float smallerSize,
-                               std::span<const Contact> wholes) const {
-  const Traversal& traversal = counterpart.traversal();
+bool PairContacts::needsWholes(Counterpart& counterpart, float smallerSize, std::span<const Contact> wholes) const {
+  Traversal& traversal = counterpart.traversal();
   const bool isCut = traversal.front().size() > Traversal::kCoarsePairs;
   if (!counterpart.isOfLikeSize()) return isCut || !age_.isTraversalRecent(smallerSize);
   float error = 0;

@@ -78,9 +78,7 @@ class PairContacts {
   /// with more leaf pairs than a step can measure would never come to it.
   void measureFound(Counterpart& counterpart, Budget& budget, ContactScratch& scratch);
   /// How far off what an unfinished traversal tells may be, world length: where the bodies were when it began.
-  static float frontError(const Counterpart& counterpart) {
-    return counterpart.traversal().worstOf(toldFront(counterpart));
-  }
+  static float frontError(Counterpart& counterpart);
   /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
   float overlooked() const { return overlooked_; }
   /// In steps without `begin` and `finish`, in which contacts only follow the bodies: whether what was last said still
@@ -130,7 +128,7 @@ class PairContacts {
                     std::vector<Contact>& contacts);
   void appendGuards(Counterpart& counterpart, const RelativeMotion& motion, float reach, Budget& budget,
                     ContactScratch& scratch);
-  bool needsWholes(const Counterpart& counterpart, float smallerSize, std::span<const Contact> wholes) const;
+  bool needsWholes(Counterpart& counterpart, float smallerSize, std::span<const Contact> wholes) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float reach) const;
 
   // Comparing two bounding spheres moves one of them.

@@ -87,11 +87,7 @@ PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& re
   pair.age.error = report.errorFraction;
   pair.said.contacts = report.contacts;
   pair.said.manifolds = report.manifolds;
-  // On the ground points of the body stand in: nothing waits for more.
-  if (pair.work.wasDone)
-    pair.age.waited = 0;
-  else if (!pair.isOnGround())
-    ++pair.age.waited;
+  if (pair.work.wasDone) pair.age.waited = 0;
   pair.manifolds.endStandIn();
   pair.manifolds.noteAxes();
   return report;

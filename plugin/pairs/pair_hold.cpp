@@ -142,12 +142,7 @@ PairReport reportHeld(const TreePair& pair, bool isWhole) {
 }  // namespace
 
 bool isBetterHeld(const TreePair& pair) {
-  if (!pair.isBegun()) return true;
-  if (!pair.saysItsLast() || pair.isDone()) return false;
-  const bool saysSpheres = pair.manifolds.saysStandIn();
-  if (!saysSpheres && pair.contacts.age().isAnsweredWithin(pair.age.untold, pair.sizes.smaller)) return true;
-  const double last = saysSpheres ? standInErrorFraction(pair) : pair.age.error + pair.sizes.fraction(pair.age.untold);
-  return last <= pair.sizes.fraction(PairContacts::frontError(*pair.counterpart));
+  return !pair.isBegun() || (pair.saysItsLast() && !pair.isDone() && !pair.work.need.outrunsAnswers);
 }
 
 ScheduledPair seen(const TreePair& pair) {

@@ -81,7 +81,7 @@ constexpr btScalar kLeastLength = btScalar(1e-18);
 }  // namespace
 
 bool RootSpheres::areAlike() const {
-  return std::max(radiusA, radiusB) <= kMostUnlike * std::min(radiusA, radiusB);
+  return std::max(radiusA, radiusB) <= btScalar(kMostUnlike) * std::min(radiusA, radiusB);
 }
 
 Contact RootSpheres::contact() const {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "contacts/contact.h"
+#include "counterparts/counterpart.h"
 
 struct btCollisionObjectWrapper;
 
@@ -13,9 +14,6 @@ namespace cairn::bullet {
 
 /// The spheres around two whole sphere-trees, margins included; world axes, origin at the first body's.
 struct RootSpheres {
-  /// How many times larger than the other a sphere may be for their contact to say anything about the bodies.
-  static constexpr btScalar kMostUnlike = 2;
-
   btVector3 centerA, centerB;
   btScalar radiusA = 0, radiusB = 0;
   btScalar lengths = 0;  ///< of what the centres were computed from, for rounding

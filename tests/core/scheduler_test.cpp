@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "cairn/core/round_robin.h"
 #include "cairn/core/tree_pair_traversal.h"
@@ -56,14 +57,13 @@ std::uint64_t fullCost(std::uint64_t seed) {
 TEST(Scheduler, Budget_IsNeverExceededAndUsedUpToOneStep) {
   const std::uint64_t full = fullCost(1);
   ASSERT_GT(full, 10000U);
-  constexpr std::uint64_t kDearestStep = kSphereUpdateCost + kFamilyWidth * kOverlapTestCost;
   for (const std::uint64_t operations : {0ULL, 1ULL, 9ULL, 10ULL, 79ULL, 100ULL, 1000ULL, 10000ULL}) {
     Crowd crowd(1);
     RoundRobin priority;
     Budget budget = Budget::operations(operations);
     EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget), Progress::budgetSpent);
     EXPECT_LE(budget.used(), operations);
-    EXPECT_LT(operations - budget.used(), kDearestStep);
+    EXPECT_LT(operations - budget.used(), Scheduler::kStepOperations);
   }
 }
 
@@ -94,6 +94,63 @@ TEST(Scheduler, ManySmallSteps_EndWhereOneBigOneDoes) {
   EXPECT_EQ(used, unlimited.used());
   for (std::size_t k = 0; k < whole.traversals.size(); ++k)
     EXPECT_TRUE(std::ranges::equal(whole.traversals[k].leafPairs(), pieces.traversals[k].leafPairs())) << k;
+}
+
+/// How many turns each pair got.
+struct TurnCount final : TurnListener {
+  explicit TurnCount(std::size_t pairs) : turns(pairs) {}
+  void turnEnded(std::size_t pair, Progress, Budget&) override { ++turns[pair]; }
+  std::vector<int> turns;
+};
+
+TEST(Scheduler, ShareOut_GivesEachThatIsUnfinishedAsMuchAsTheOthers) {
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    for (const std::uint64_t operations : {0ULL, 9ULL, 10ULL, 80ULL, 500ULL, 3000ULL, 30000ULL}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << operations << " operations");
+      Crowd crowd(seed);
+      const std::vector<std::size_t> chosen{0, 2, 3, 7, 8, 11, 14};
+      TurnCount count(crowd.pairs.size());
+      Budget budget = Budget::operations(1000000);
+      Scheduler().shareOut(crowd.pairs, chosen, operations, budget, &count);
+      EXPECT_LE(budget.used(), operations);
+      int most = 0, fewest = std::numeric_limits<int>::max();
+      for (std::size_t k = 0; k < crowd.pairs.size(); ++k) {
+        if (!std::ranges::count(chosen, k)) {
+          EXPECT_EQ(count.turns[k], 0) << k;
+        } else if (!crowd.traversals[k].done()) {
+          most = std::max(most, count.turns[k]);
+          fewest = std::min(fewest, count.turns[k]);
+        }
+      }
+      if (most == 0) continue;  // no turn, or all are done
+      EXPECT_LE(most - fewest, 1);
+      EXPECT_LT(operations - budget.used(), Scheduler::kStepOperations) << "some are unfinished";
+    }
+}
+
+TEST(Scheduler, ShareOut_LeavesToTheOthersWhatOneDoesNotNeed) {
+  Crowd apart(1), together(1);
+  std::vector<std::size_t> all(apart.pairs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::uint64_t needed = 0;
+  for (const std::size_t k : all) {
+    Budget budget = Budget::unlimited();
+    (void)Scheduler().runAlone(apart.pairs, k, budget);
+    needed += budget.used();
+  }
+  Budget budget = Budget::unlimited();
+  Scheduler().shareOut(together.pairs, all, needed + Scheduler::kStepOperations, budget);
+  EXPECT_EQ(budget.used(), needed);
+  for (const std::size_t k : all) EXPECT_TRUE(together.traversals[k].done()) << k;
+}
+
+TEST(Scheduler, ShareOut_EndsWithTheBudget) {
+  Crowd crowd(1);
+  const std::vector<std::size_t> chosen{0, 1, 2, 3, 4, 5};
+  Budget budget = Budget::operations(200);
+  Scheduler().shareOut(crowd.pairs, chosen, 5000, budget);
+  EXPECT_LE(budget.used(), 200U);
+  EXPECT_LT(200 - budget.used(), Scheduler::kStepOperations);
 }
 
 TEST(RoundRobin, NoPairStarves_WhenABudgetServesOnlyOneTurn) {

@@ -101,16 +101,16 @@ TEST(StepPlan, FinishesNoneWhoseAnswerWouldNotLast) {
   EXPECT_TRUE(plan.sharesTheRest(0) && plan.sharesTheRest(2));
 }
 
-TEST(StepPlan, LooksAtTheMostUrgentWhereThereIsTooLittleForEach) {
+TEST(StepPlan, LooksAtEachOrAtNoneThatCanBeHeld) {
   std::vector<PairNeed> needs;
-  for (int i = 0; i < 30; ++i) needs.push_back(unanswered(i, false));
+  for (int i = 0; i < 30; ++i) needs.push_back(unanswered(i, i % 2 == 0));
   needs.push_back({.operations = 400, .canBeHeld = false, .mayBeCut = true, .isUnanswered = true});
-  const StepPlan plan =
-      planOf(needs, {.operations = double(30 * StepPlan::kHoldingCost) + 101 / bullet::step_tuning::kCoarseShare});
-  const std::set<std::size_t> coarse(plan.coarse().begin(), plan.coarse().end());
-  EXPECT_EQ(coarse.size(), 10U) << "ten operations each";
-  EXPECT_TRUE(coarse.contains(30)) << "it cannot be held";
-  for (std::size_t i = 21; i < 30; ++i) EXPECT_TRUE(coarse.contains(i)) << i;
+  const double holding = double(30 * StepPlan::kHoldingCost),
+               enough = 31 * Scheduler::kStepOperations / bullet::step_tuning::kCoarseShare;
+  EXPECT_EQ(planOf(needs, {.operations = holding + enough + 1}).coarse().size(), 31U);
+  const StepPlan none = planOf(needs, {.operations = holding + enough - 1});
+  EXPECT_EQ(std::vector<std::size_t>(none.coarse().begin(), none.coarse().end()), std::vector<std::size_t>{30});
+  EXPECT_EQ(none.held().size() + none.chosen().size(), 30U) << "none is forgotten";
 }
 
 // What a look takes besides its operations is most of a short one.

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "cairn/core/budget.h"
+#include "cairn/core/family.h"
 #include "cairn/core/priority.h"
 
 namespace cairn {
@@ -25,9 +26,18 @@ class Scheduler {
   /// the switch, short enough that a hundred pairs all move within a ten-thousand-operation budget.
   static constexpr std::uint32_t kTurnOperations = 80;
 
+  /// Of the longest single step of a traversal: a node's sphere is moved and its whole family tested.
+  static constexpr std::uint32_t kStepOperations = kSphereUpdateCost + kFamilyWidth * kOverlapTestCost;
+
   /// Refines until every pair is done or the budget is spent. `pairs` need not be sorted; they are sorted by id here.
   /// Precondition: ids unique, traversals started.
   Progress run(std::span<ScheduledPair> pairs, Priority& priority, Budget& budget, TurnListener* listener = nullptr);
+
+  /// Shares so many operations among `chosen`, indices into `pairs`: round by round as much each as all that are
+  /// unfinished can have, a turn at most, so that what some do not need goes to the others. Ends early when the budget
+  /// does. Precondition: their traversals were started.
+  void shareOut(std::span<const ScheduledPair> pairs, std::span<const std::size_t> chosen, std::uint64_t operations,
+                Budget& budget, TurnListener* listener = nullptr);
 
   /// Refines one of `pairs` until it is done or the budget is spent, in turns as well. Precondition: its traversal was
   /// started.

@@ -36,7 +36,9 @@ class Traversal {
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
   std::span<const NodePair> front() const { return queue_.pairs().subspan(head_); }
-  /// A front of so many pairs at most is coarse.
+  /// A front of so many pairs at most is coarse: a step writes what it says within its budget. With 32, errors do not
+  /// fall with the budget (`CoarseLook.ErrsLessTheMoreItIsGiven`); without a bound, steps take more than they have
+  /// (`HeldPairs.ThatCostMoreThanAStepHasStayWithinItOnceAnswered`).
   static constexpr std::size_t kCoarsePairs = 128;
   /// The front, or where that is no longer coarse, what it was when a call of `refine` last began with a coarse one:
   /// with the leaf pairs these, too, hold everything that can touch. Bounds what an unfinished answer costs. None where
