@@ -5,6 +5,7 @@
 #include "options.h"
 #include "outputs.h"
 #include "scenes/command/program.h"
+#include "scenes/world/task_scheduler.h"
 #include "subject.h"
 #include "sweep.h"
 
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
   if (const int* code = std::get_if<int>(&parsed)) return *code;
   scenes::watchForInterrupt();
   const auto& command = std::get<frame_budget::Command>(parsed);
+  scenes::useThreads(command.measurements.front().threads);
   const Status status = command.isSweep ? frame_budget::measureSweep(command.measurements)
                                         : frame_budget::measure(command.measurements.front());
   return status ? scenes::kExitDone : scenes::refuse("frame_budget", status.error());

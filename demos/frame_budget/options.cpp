@@ -155,6 +155,11 @@ void declareNarrowPhase(CLI::App& app, Options& options, RawOptions& raw) {
                  "reported")
       ->check(scenes::refuseNoWholeNumber)
       ->capture_default_str();
+  app.add_option("--threads", options.threads,
+                 "threads that the narrow phase of trees works on; bodies end where they do on one. Its time is the "
+                 "elapsed one then: CPU times are those of one thread")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   scenes::addPriorityOption(app, raw.lists.priorities);
   app.add_flag("--viewer", options.heap.isWatched,
                "somebody stands at the pit and looks at the middle of the heap: priorities that care serve them, and "

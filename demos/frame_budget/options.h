@@ -31,6 +31,7 @@ struct Options {
   std::uint32_t steps = 600;         ///< frames a run in `converge`
   scenes::ConvergeOptions converge;  ///< bodies, frames and seed as in `heap` and `steps`
   std::uint32_t truthEvery = 10;     ///< `converge` judges every so many frames
+  int threads = 1;                   ///< of the narrow phase
   std::string priority = "round-robin";
   std::string unresolved = "guard";
   std::optional<std::filesystem::path> json;

@@ -17,19 +17,15 @@ struct ManifoldWriter::Matching {
   std::array<int, kMaxPoints> choiceOf{-1, -1, -1, -1};
   std::array<btVector3, kMaxPoints> local;  // of the chosen contacts, on body 0
 
-  void join(int choice, int old) {
-    oldOf[static_cast<std::size_t>(choice)] = old;
-    choiceOf[static_cast<std::size_t>(old)] = choice;
+  void join(std::size_t choice, int old) {
+    oldOf[choice] = old;
+    choiceOf[static_cast<std::size_t>(old)] = static_cast<int>(choice);
   }
   bool isOldFree(int old) const { return choiceOf[static_cast<std::size_t>(old)] < 0; }
-  bool isNew(int choice) const { return oldOf[static_cast<std::size_t>(choice)] < 0; }
+  bool isNew(std::size_t choice) const { return oldOf[choice] < 0; }
 };
 
 namespace {
-
-const Contact& chosen(std::span<const Contact> cluster, const ContactChoice& choice, int k) {
-  return cluster[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(k)])];
-}
 
 ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
   if (treeIsBody0) return {p.m_partId0, p.m_index0, p.m_partId1, p.m_index1};
@@ -68,10 +64,10 @@ int dropUntold(btPersistentManifold& manifold, int continued, Anchors& anchors) 
 
 }  // namespace
 
-HeldContacts ManifoldWriter::held(const btPersistentManifold& manifold) const {
+HeldContacts heldBy(const btPersistentManifold& manifold, bool treeIsBody0) {
   HeldContacts ids;
   for (int i = 0; i < manifold.getNumContacts(); ++i)
-    ids.id[static_cast<std::size_t>(ids.count++)] = idOf(manifold.getContactPoint(i), treeIsBody0_);
+    ids.id[static_cast<std::size_t>(ids.count++)] = idOf(manifold.getContactPoint(i), treeIsBody0);
   return ids;
 }
 
@@ -82,12 +78,12 @@ btVector3 ManifoldWriter::localOnBody0(const btPersistentManifold& manifold, con
 
 // The nearest of the old points that may be continued, if it is near enough. One id may stand for several points.
 template <class MayJoin>
-void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold& manifold, int choice,
+void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold& manifold, std::size_t choice,
                                  btScalar nearestSq, const MayJoin& mayJoin) {
   int nearest = -1;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     if (!matching.isOldFree(i) || !mayJoin(i)) continue;
-    const btVector3& local = matching.local[static_cast<std::size_t>(choice)];
+    const btVector3& local = matching.local[choice];
     const btScalar distanceSq = (manifold.getContactPoint(i).m_localPointA - local).length2();
     if (distanceSq >= nearestSq) continue;
     nearest = i;
@@ -98,32 +94,29 @@ void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold&
 
 // By place before name: a face's corners have the names of whichever leaves reported them, several the same one, and
 // the next step others. Inheriting by these, points that lie still would take each other's impulses.
-ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
-                                               const ContactChoice& choice) const {
+ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold,
+                                               std::span<const Contact> chosen) const {
   Matching matching;
-  const HeldContacts old = held(manifold);
+  const HeldContacts old = heldBy(manifold, treeIsBody0_);
   const btScalar near = btScalar(inheritance_) * btScalar(inheritance_);
   const auto join = [&](btScalar nearestSq, bool byId) {
-    for (int k = 0; k < choice.count; ++k) {
-      const ContactId& id = chosen(cluster, choice, k).id;
-      const auto mayJoin = [&](int i) { return !byId || old.id[static_cast<std::size_t>(i)] == id; };
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const auto mayJoin = [&](int i) { return !byId || old.id[static_cast<std::size_t>(i)] == chosen[k].id; };
       if (matching.isNew(k)) joinNearest(matching, manifold, k, nearestSq, mayJoin);
     }
   };
-  for (int k = 0; k < choice.count; ++k)
-    matching.local[static_cast<std::size_t>(k)] = localOnBody0(manifold, chosen(cluster, choice, k));
+  for (std::size_t k = 0; k < chosen.size(); ++k) matching.local[k] = localOnBody0(manifold, chosen[k]);
   join(near, true);
   join(near, false);
   join(SIMD_INFINITY, true);
   return matching;
 }
 
-void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Contact> cluster,
-                           const ContactChoice& choice) {
-  Matching matching = match(manifold, cluster, choice);
+void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Contact> chosen) {
+  Matching matching = match(manifold, chosen);
   bool anyContinues = false;
-  for (int k = 0; k < choice.count; ++k) anyContinues = anyContinues || !matching.isNew(k);
-  if (choice.count > 0 && !anyContinues && manifold.getNumContacts() > 0) {
+  for (std::size_t k = 0; k < chosen.size(); ++k) anyContinues = anyContinues || !matching.isNew(k);
+  if (!chosen.empty() && !anyContinues && manifold.getNumContacts() > 0) {
     // Still in contact, elsewhere: one point lives on without its impulse, or Bullet would report an end and a start.
     manifold.getContactPoint(0).m_appliedImpulse = 0;
     matching.join(0, 0);
@@ -148,7 +141,7 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
     point.m_distance1 = kUntold;
     ++point.m_lifeTime;
   }
-  for (int k = 0; k < choice.count; ++k) add(manifold, chosen(cluster, choice, k));
+  for (const Contact& contact : chosen) add(manifold, contact);
   continued = dropUntold(manifold, continued, anchors);
   for (int i = 0; mayBeAnchored && i < continued; ++i)
     anchors[static_cast<std::size_t>(i)].restore(manifold, manifold.getContactPoint(i));

@@ -23,6 +23,8 @@ struct HeldContacts {
   std::span<const ContactId> span() const { return {id.data(), static_cast<std::size_t>(count)}; }
 };
 
+HeldContacts heldBy(const btPersistentManifold& manifold, bool treeIsBody0);
+
 /// Brings Bullet's manifolds of one pair to the contacts chosen in this step.
 ///
 /// Bullet recognises an old point by its position alone. So each new contact is first given the old point it continues
@@ -40,18 +42,17 @@ class ManifoldWriter {
                  const RelativeMotion& motion)
       : result_(result), origin_(origin), treeIsBody0_(treeIsBody0), inheritance_(inheritance), motion_(motion) {}
 
-  HeldContacts held(const btPersistentManifold& manifold) const;
-  void write(btPersistentManifold& manifold, std::span<const Contact> cluster, const ContactChoice& choice);
+  /// `chosen`: at most as many as a manifold holds.
+  void write(btPersistentManifold& manifold, std::span<const Contact> chosen);
 
  private:
   struct Matching;
 
   btVector3 localOnBody0(const btPersistentManifold& manifold, const Contact& contact) const;
   template <class MayJoin>
-  static void joinNearest(Matching& matching, const btPersistentManifold& manifold, int choice, btScalar nearestSq,
-                          const MayJoin& mayJoin);
-  Matching match(const btPersistentManifold& manifold, std::span<const Contact> cluster,
-                 const ContactChoice& choice) const;
+  static void joinNearest(Matching& matching, const btPersistentManifold& manifold, std::size_t choice,
+                          btScalar nearestSq, const MayJoin& mayJoin);
+  Matching match(const btPersistentManifold& manifold, std::span<const Contact> chosen) const;
   void add(btPersistentManifold& manifold, const Contact& contact);
   static void placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
                          const btVector3& onBody1);

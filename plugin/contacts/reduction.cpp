@@ -2,7 +2,10 @@
 #include "contacts/reduction.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace cairn::bullet {
 
@@ -15,6 +18,12 @@ constexpr float kLengthBonus = 1.1F;
 constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
 constexpr float kDepthBonus = 0.25F;
 constexpr float kLeastPart = 0.01F;
+
+// Up to four contacts of a cluster, as indices into it.
+struct ContactChoice {
+  std::array<std::size_t, kMaxPoints> index{};
+  std::size_t count = 0;
+};
 
 class Chooser {
  public:
@@ -32,19 +41,17 @@ class Chooser {
  private:
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-  const Vec3& chosen(int k) const {
-    return cluster_[static_cast<std::size_t>(choice_.index[static_cast<std::size_t>(k)])].position;
-  }
+  const Vec3& chosen(std::size_t k) const { return cluster_[choice_.index[k]].position; }
 
   // What carries counts in full, what is apart by the speculative distance hardly at all: the far ends of the line a
   // cylinder lies on, not what is in front of it and behind.
   float share(const Contact& c) const {
-    const float lowest = std::max(cluster_[static_cast<std::size_t>(choice_.index[0])].gap, 0.0F);
+    const float lowest = std::max(cluster_[choice_.index[0]].gap, 0.0F);
     return std::clamp(1 - (c.gap - lowest) / reach_, kLeastPart, 1.0F);
   }
 
   bool isApart(const Contact& c) const {
-    for (int k = 0; k < choice_.count; ++k)
+    for (std::size_t k = 0; k < choice_.count; ++k)
       if (lengthSq(c.position - chosen(k)) < separationSq_) return false;
     return true;
   }
@@ -52,16 +59,16 @@ class Chooser {
   // Takes the contact of greatest merit, if any exceeds `threshold`.
   template <class Merit>
   void pick(const Merit& merit, float threshold) {
-    int best = -1;
+    std::optional<std::size_t> best;
     float bestMerit = threshold;
     for (std::size_t i = 0; i < cluster_.size(); ++i) {
       const float m = merit(cluster_[i]);
       if (m > bestMerit && isApart(cluster_[i])) {
-        best = static_cast<int>(i);
+        best = i;
         bestMerit = m;
       }
     }
-    if (best >= 0) choice_.index[static_cast<std::size_t>(choice_.count++)] = best;
+    if (best) choice_.index[choice_.count++] = *best;
   }
 
   void pickFarthest() {
@@ -100,13 +107,23 @@ class Chooser {
   ContactChoice choice_;
 };
 
+std::span<Contact> moveToFront(std::span<Contact> cluster, ContactChoice choice) {
+  for (std::size_t k = 0; k < choice.count; ++k) {
+    const std::size_t from = std::exchange(choice.index[k], k);
+    std::swap(cluster[k], cluster[from]);
+    // What stood there was moved to where this one came from.
+    std::replace(choice.index.begin() + static_cast<std::ptrdiff_t>(k) + 1, choice.index.end(), k, from);
+  }
+  return cluster.first(choice.count);
+}
+
 }  // namespace
 
-ContactChoice chooseContacts(std::span<Contact> cluster, std::span<const ContactId> held, float separation,
-                             float reach) {
+std::span<Contact> chooseContacts(std::span<Contact> cluster, std::span<const ContactId> held, float separation,
+                                  float reach) {
   if (cluster.empty()) return {};
   for (Contact& c : cluster) c.isHeld = std::find(held.begin(), held.end(), c.id) != held.end();
-  return Chooser(cluster, separation, reach).run();
+  return moveToFront(cluster, Chooser(cluster, separation, reach).run());
 }
 
 }  // namespace cairn::bullet

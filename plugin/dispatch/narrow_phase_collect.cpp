@@ -91,7 +91,7 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1) {
   if (!bullet::collect(pair, body0, body1)) return false;
   // While it is in the cache.
-  if (step_.rules.isPlanned()) survey(pair, refinement_.usualOperations(), step_.left.hasDeadline(), step_.timeStep);
+  if (step_.rules.isPlanned()) survey(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
   const std::lock_guard lock(mutex_);
   step_.pairs.add(pair);
   return true;

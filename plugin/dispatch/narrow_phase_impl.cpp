@@ -124,6 +124,7 @@ void NarrowPhase::Impl::endStep() {
 
 void NarrowPhase::Impl::answerCollected() {
   step_.pairs.order();
+  if (!step_.rules.mayBeInterrupted()) return full_.answer();
   refinement_.planStep();
   const auto began = Budget::Clock::now();
   const std::uint64_t operationsBefore = step_.left.used();

@@ -51,6 +51,12 @@ void StepPairs::nameNew() {
   for (const NewPair& fresh : newPairs_) fresh.pair->notes.id = nextName_++;
 }
 
+void StepPairs::fetchAfter(std::size_t index) const {
+  if (const TreePair* pair = after(index, step_tuning::kStatesAhead)) fetch(*pair, PairPart::state);
+  if (const TreePair* pair = after(index, step_tuning::kListsAhead)) fetch(*pair, PairPart::lists);
+  if (const TreePair* pair = after(index, step_tuning::kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
+}
+
 std::size_t StepPairs::waiting() const {
   return static_cast<std::size_t>(std::ranges::count_if(pairs_, [](const TreePair* pair) { return pair != nullptr; }));
 }

@@ -28,6 +28,8 @@ class StepPairs {
   TreePair* after(std::size_t index, std::size_t ahead) const {
     return index + ahead < pairs_.size() ? pairs_[index + ahead] : nullptr;
   }
+  /// Has the machine fetch what those that come after it need as they are begun.
+  void fetchAfter(std::size_t index) const;
   std::size_t waiting() const;
   /// It needs nothing more in this step.
   void dismiss(std::size_t index);

@@ -35,7 +35,7 @@ void StepRefinement::planStep() {
 PairNeed StepRefinement::needOf(std::size_t index) {
   if (!step_.pairs[index] || step_.pairs[index]->isSettled() || carriesOver(index)) return {};
   TreePair& pair = *step_.pairs[index];
-  if (!pair.is(PairStage::surveyed)) survey(pair, usualOperations(), step_.left.hasDeadline(), step_.timeStep);
+  if (!pair.is(PairStage::surveyed)) survey(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
   return pair.work.need;
 }
 
@@ -49,7 +49,7 @@ void StepRefinement::beginPairs() {
     return;
   }
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
-    fetchAfter(i);
+    step_.pairs.fetchAfter(i);
     if (step_.pairs[i]) beginPair(i);
   }
 }
@@ -65,12 +65,6 @@ void StepRefinement::lookCoarsely() {
   scheduler_.shareOut(step_.pairs.scheduled(), coarse, step_.plan.coarseOperations(), step_.left, this);
   for (const std::size_t i : coarse)
     if (!step_.plan.sharesTheRest(i)) step_.pairs.unschedule(i);
-}
-
-void StepRefinement::fetchAfter(std::size_t index) const {
-  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kStatesAhead)) fetch(*pair, PairPart::state);
-  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kListsAhead)) fetch(*pair, PairPart::lists);
-  if (const TreePair* pair = step_.pairs.after(index, step_tuning::kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
 }
 
 void StepRefinement::beginPair(std::size_t index) {
@@ -117,8 +111,7 @@ void StepRefinement::bookTo(TreePair& pair) {
   // In an open step a pair that is done is finished later, from another budget.
   const bool isFinishedLater = step_.rules.end() == StepEnd::open && pair.isDone();
   const std::uint64_t later = isFinishedLater ? pair.work.promised.operations : 0;
-  if (const std::uint64_t whole = charge(pair, step_.left.used() - bookedUntil_ + later); whole > 0)
-    usualOperations_ += step_tuning::kLearning * (static_cast<double>(whole) - usualOperations_);
+  step_.learnUsual(charge(pair, step_.left.used() - bookedUntil_ + later));
   bookedUntil_ = step_.left.used();
 }
 

@@ -12,9 +12,6 @@ class StepRefinement final : private TurnListener {
  public:
   StepRefinement(StepState& step, StepHolding& holding) : step_(step), holding_(holding) {}
 
-  /// What pairs were resolved with lately.
-  std::uint64_t usualOperations() const { return static_cast<std::uint64_t>(usualOperations_); }
-
   /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
   /// not finished.
   void planStep();
@@ -37,14 +34,12 @@ class StepRefinement final : private TurnListener {
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
   Remeasured remeasuredOf(const TreePair& pair) const;
   void bookTo(TreePair& pair);
-  void fetchAfter(std::size_t index) const;
 
   StepState& step_;
   StepHolding& holding_;
   Scheduler scheduler_;
   EmissionPace pace_;
   EmissionPace updatePace_;        // of all that is done for a pair that is not held
-  double usualOperations_ = 300;   // that a pair is resolved with, from its start
   std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
   std::uint32_t updated_ = 0;      // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;

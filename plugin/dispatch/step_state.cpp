@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "dispatch/step_state.h"
 
+#include "dispatch/step_tuning.h"
+
 namespace cairn::bullet {
 
 StepMeans StepState::means() const {
@@ -9,6 +11,10 @@ StepMeans StepState::means() const {
   if (left.remaining() < kUnbounded) means.operations = static_cast<double>(left.remaining());
   means.nanoseconds = left.nanosecondsLeft();
   return means;
+}
+
+void StepState::learnUsual(std::uint64_t operations) {
+  if (operations > 0) usual_ += step_tuning::kLearning * (static_cast<double>(operations) - usual_);
 }
 
 PairReport StepState::count(PairReport report, const ScheduledPair& pair) {

@@ -30,8 +30,15 @@ struct StepState {
   }
   /// What the plan may use.
   StepMeans means() const;
+  /// Operations that pairs were resolved with lately, from their start.
+  std::uint64_t usual() const { return static_cast<std::uint64_t>(usual_); }
+  /// What a whole traversal took; 0: none ended.
+  void learnUsual(std::uint64_t operations);
   /// Adds it to the tally; what was counted. `pair`: where it is seen.
   PairReport count(PairReport report, const ScheduledPair& pair);
+
+ private:
+  double usual_ = 300;
 };
 
 }  // namespace cairn::bullet

@@ -29,6 +29,7 @@ struct AnswerPolicy {
 struct ContactScratch {
   ClusteredContacts contacts;  ///< of the pair at hand
   std::vector<Contact> guards, wholes;
+  std::vector<Contact> chosen;    ///< for Bullet's manifolds, of all pairs since it was last cleared
   std::vector<Contact> retested;  ///< before all but the deepest are dropped
   Strays strays;
   ContactKernel kernel;

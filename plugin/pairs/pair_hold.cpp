@@ -74,8 +74,7 @@ void writeStandIn(TreePair& pair, std::span<Contact> contacts, const HeldStep& s
   if (contacts.empty() && !pair.manifolds.at(pair.manifolds.standIn())) return;
   btPersistentManifold* const m = pair.manifold(step.dispatcher, pair.manifolds.standIn());
   if (!m) return;
-  ManifoldWriter writer = pair.writerOf(step.result);
-  writer.write(*m, contacts, pair.choose(contacts, writer.held(*m)));
+  pair.writerOf(step.result).write(*m, pair.choose(pair.manifolds.standIn(), contacts));
 }
 
 // Where its point stops, if it goes on.

@@ -108,7 +108,9 @@ ManifoldWriter TreePair::writerOf(btManifoldResult& result) const {
   return {result, motion.origin, treeIsBody0, kInheritanceFraction * sizes.smaller, motion.relative};
 }
 
-ContactChoice TreePair::choose(std::span<Contact> members, const HeldContacts& held) const {
+std::span<Contact> TreePair::choose(int manifold, std::span<Contact> members) const {
+  const btPersistentManifold* const m = manifolds.at(manifold);
+  const HeldContacts held = m ? heldBy(*m, treeIsBody0) : HeldContacts();
   return chooseContacts(members, held.span(), kSeparationFactor * sizes.speculative, sizes.speculative);
 }
 

@@ -98,8 +98,9 @@ struct alignas(64) TreePair {
   /// Null only when Bullet's pool is used up and the user forbade it to grow.
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   ManifoldWriter writerOf(btManifoldResult& result) const;
-  /// Of these contacts those that Bullet gets, so far apart that it does not take two for one.
-  ContactChoice choose(std::span<Contact> members, const HeldContacts& held) const;
+  /// Moves to the front, and returns, those of a manifold's contacts that Bullet gets, so far apart that it does not
+  /// take two for one. Precondition: deepest first.
+  std::span<Contact> choose(int manifold, std::span<Contact> members) const;
 };
 
 }  // namespace cairn::bullet

@@ -225,6 +225,7 @@ TYPED_TEST(FrontEnd_Steps, BeginWithANewPairToo) {
   int begins = 0;
   BulletWorld<TypeParam> w;
   w.dispatcher.setPriority(std::make_unique<CountingPriority>(begins));
+  ASSERT_TRUE(w.dispatcher.setBudget({1000000, {}})) << "without one nobody is asked";
   w.world.getDispatchInfo().m_deterministicOverlappingPairs = true;  // the last added come first
   w.add(std::make_shared<btBoxShape>(btVector3(5, 5, 1)), 0, btVector3(0, 0, -1));
   const auto tree = plainTree(ball(0.3, 4));

@@ -32,7 +32,6 @@ class Written {
   /// At these corners, in this order, with these ids, each as deep as its corner's number says.
   void write(const std::vector<std::size_t>& corners, const std::vector<int>& ids) {
     std::vector<Contact> cluster;
-    ContactChoice choice;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       Contact contact;
       contact.position = kCorners[corners[i]];
@@ -40,12 +39,11 @@ class Written {
       contact.gap = -0.001F * static_cast<float>(corners[i] + 1);
       contact.id.treeIndex = ids[i];
       cluster.push_back(contact);
-      choice.index[static_cast<std::size_t>(choice.count++)] = static_cast<int>(i);
     }
     const btCollisionObjectWrapper of0(nullptr, &shape_, &objects_[0], objects_[0].getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper of1(nullptr, &shape_, &objects_[1], objects_[1].getWorldTransform(), -1, -1);
     btManifoldResult result(&of0, &of1);
-    ManifoldWriter(result, btVector3(0, 0, 0), true, kInheritance, motion).write(manifold, cluster, choice);
+    ManifoldWriter(result, btVector3(0, 0, 0), true, kInheritance, motion).write(manifold, cluster);
   }
 
   btManifoldPoint& at(std::size_t corner) {

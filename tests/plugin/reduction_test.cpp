@@ -54,11 +54,14 @@ TEST(Reduction_Choice, HoldsTheDeepestAndMostOfTheArea) {
   std::mt19937_64 engine(12);
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<Contact> patch = randomPatch(engine, 12);
-    const ContactChoice choice = chooseContacts(patch, {}, kSeparation, kReach);
-    ASSERT_EQ(choice.count, kMaxPoints);
-    EXPECT_EQ(choice.index[0], 0) << "the deepest";
+    const std::vector<Contact> before = patch;
+    const std::span<const Contact> choice = chooseContacts(patch, {}, kSeparation, kReach);
+    ASSERT_EQ(choice.size(), std::size_t{kMaxPoints});
+    EXPECT_EQ(choice.data(), patch.data());
+    EXPECT_EQ(choice[0].id, before[0].id) << "the deepest";
+    EXPECT_TRUE(std::ranges::is_permutation(patch, before, {}, &Contact::id, &Contact::id));
     std::vector<Vec3> chosen;
-    for (const int i : choice.index) chosen.push_back(patch[static_cast<std::size_t>(i)].position);
+    for (const Contact& c : choice) chosen.push_back(c.position);
     float best = 0;  // over all quadruples that hold the deepest
     for (std::size_t i = 1; i < patch.size(); ++i)
       for (std::size_t j = i + 1; j < patch.size(); ++j)
@@ -75,20 +78,16 @@ TEST(Reduction_Choice, NeverTakesTwoPointsForOne) {
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<Contact> patch = randomPatch(engine, 10);
     for (Contact& c : patch) c.position = c.position * 0.005F;  // all within about one separation
-    const ContactChoice choice = chooseContacts(patch, {}, kSeparation, kReach);
-    ASSERT_GE(choice.count, 1);
-    for (int i = 0; i < choice.count; ++i)
-      for (int j = 0; j < i; ++j)
-        EXPECT_GE(distance(patch[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])].position,
-                           patch[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(j)])].position),
-                  kSeparation);
+    const std::span<const Contact> choice = chooseContacts(patch, {}, kSeparation, kReach);
+    ASSERT_GE(choice.size(), 1U);
+    for (std::size_t i = 0; i < choice.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(distance(choice[i].position, choice[j].position), kSeparation);
   }
 }
 
-std::set<int> chosenIds(std::span<const Contact> patch, const ContactChoice& choice) {
+std::set<int> idsOf(std::span<const Contact> chosen) {
   std::set<int> ids;
-  for (int i = 0; i < choice.count; ++i)
-    ids.insert(patch[static_cast<std::size_t>(choice.index[static_cast<std::size_t>(i)])].id.treeIndex);
+  for (const Contact& contact : chosen) ids.insert(contact.id.treeIndex);
   return ids;
 }
 
@@ -104,9 +103,8 @@ int changes(std::uint64_t seed, bool remembers) {
     std::sort(patch.begin(), patch.end(), deeper);
     std::vector<ContactId> held;
     for (const int id : last) held.push_back(contactAt({}, 0, id).id);
-    const std::set<int> now = chosenIds(
-        patch, chooseContacts(patch, remembers ? std::span<const ContactId>(held) : std::span<const ContactId>(),
-                              kSeparation, kReach));
+    const std::set<int> now = idsOf(chooseContacts(
+        patch, remembers ? std::span<const ContactId>(held) : std::span<const ContactId>(), kSeparation, kReach));
     count += step > 10 && now != last;  // the first steps settle
     last = now;
   }

@@ -46,7 +46,8 @@ class NarrowPhase {
   void setUnresolved(Unresolved policy);
   /// From the next step on. Pairs go on to triangles in the order of their age, the same ones in every step.
   void setFinest(Finest finest);
-  /// Which pair is refined next; `RoundRobin` until told. See docs/algorithms/priorities.md. Precondition: not null.
+  /// Which pair is refined next; `RoundRobin` until told; not asked without a budget. See
+  /// docs/algorithms/priorities.md. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority);
   /// Who looks at the scene from the next step on, world frame, for priorities that care and for the seen error in the
   /// statistics; nothing (as at first): nobody. Holds for later priorities too. Refuses what `checkViewer` refuses.

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/pair_measure.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cairn::bullet {
+
+namespace {
+
+bool isOfMeshes(const Contact& contact) {
+  return contact.isExact && contact.pair == NodePair{kRootNode, kRootNode};
+}
+
+// What a step that can be interrupted goes on with.
+void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy) {
+  if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfMeshes(chosen))) return;
+  pair.contacts.known().remember(pair.counterpart->leavesOf(chosen));
+}
+
+double errorFractionOf(TreePair& pair, const Contact& chosen) {
+  const float ofPair = pair.traversal().pairError(chosen.pair);
+  const float error = chosen.isExact ? std::min(chosen.exactError, ofPair) : ofPair;
+  return double(error) / double(pair.sizes.smaller);
+}
+
+void choose(TreePair& pair, const AnswerPolicy& policy, ContactScratch& scratch, PairAnswer& answer) {
+  answer.list = &scratch.chosen;
+  answer.first = scratch.chosen.size();
+  for (int k = 0; k < kMaxClusters; ++k) {
+    const std::span<const Contact> chosen = pair.choose(k, scratch.contacts.cluster(k));
+    for (const Contact& contact : chosen) {
+      remember(pair, contact, policy);
+      answer.report.errorFraction = std::max(answer.report.errorFraction, errorFractionOf(pair, contact));
+    }
+    const auto i = static_cast<std::size_t>(k);
+    answer.count[i] = static_cast<std::uint8_t>(chosen.size());
+    answer.exact[i] = static_cast<std::uint8_t>(std::ranges::count_if(chosen, &Contact::isExact));
+    scratch.chosen.insert(scratch.chosen.end(), chosen.begin(), chosen.end());
+  }
+}
+
+// Of what the traversal reached, and of what it had ruled out before the bodies came here; but no more than that of
+// whole bodies.
+float errorOf(TreePair& pair) {
+  const float reached = PairContacts::frontError(*pair.counterpart);
+  if (pair.contacts.isKept()) return reached;
+  return std::min(reached + pair.contacts.age().sinceTraversal(),
+                  std::max(reached, pair.traversal().pairError({kRootNode, 0})));
+}
+
+}  // namespace
+
+PairAnswer measure(TreePair& pair, const AnswerPolicy& policy, Budget& budget, ContactScratch& scratch) {
+  budget.redeem(std::exchange(pair.work.promised, {}));
+  PairAnswer answer;
+  PairReport& report = answer.report;
+  pair.work.wasDone = pair.isDone();
+  report.isUnresolved = !pair.work.wasDone;
+  report.errorFraction = pair.sizes.fraction(errorOf(pair));
+  pair.contacts.finish(*pair.counterpart, policy, pair.motion.relative, pair.sizes.reach, pair.course.ahead, budget,
+                       scratch);
+  report.onTriangles = pair.contacts.onTriangles();
+  choose(pair, policy, scratch, answer);
+  if (policy.mayBeInterrupted) {
+    pair.contacts.expectInterruptions();
+    pair.contacts.known().rememberDeepest(*pair.counterpart, scratch.contacts.list());
+  }
+  report.errorFraction += double(pair.contacts.overlooked() / pair.sizes.smaller);
+  pair.age.answeredAt = pair.motion.relative.placement;
+  pair.age.error = report.errorFraction;
+  if (pair.work.wasDone) pair.age.waited = 0;
+  return answer;
+}
+
+}  // namespace cairn::bullet
