@@ -102,6 +102,9 @@ class Counterpart {
   /// (world length), minus infinity where that is not known. Nothing, and nothing appended, when the leaf pairs have to
   /// be asked, or the budget does not cover triangles that the question asks for. Default: nothing.
   virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
+  /// Operations that the source meshes are expected to take in a step that may be interrupted, 0 where they are not
+  /// asked or answer whatever is left; nothing where that is not known. Default: 0.
+  virtual std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& /*placement*/) const { return 0; }
   /// The leaf pair to be asked first next time, of a contact that was told.
   virtual NodePair leavesOf(const Contact& contact) const { return contact.pair; }
 

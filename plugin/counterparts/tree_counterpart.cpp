@@ -231,6 +231,13 @@ std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question,
   return appendOfKernel(question, contacts);
 }
 
+// What was apart when it was last looked at is not asked.
+std::optional<std::uint64_t> TreeCounterpart::expectedMeshCost(const RelativePlacement& placement) const {
+  const std::optional<std::uint64_t> known = kernelMemory_.expectedCost(placement);
+  if (!known && traversal_.done() && traversal_.leafPairs().empty()) return 0;
+  return known;
+}
+
 // Contacts of meshes know no leaves.
 NodePair TreeCounterpart::leavesOf(const Contact& contact) const {
   if (contact.pair != NodePair{kRootNode, kRootNode}) return contact.pair;

@@ -30,6 +30,7 @@ class TreeCounterpart final : public Counterpart {
   Vec3 flatten(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& strays) override;
   NodePair leavesOf(const Contact& contact) const override;
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& placement) const override;
   float size(const btCollisionShape& shape) const override;
 
  private:

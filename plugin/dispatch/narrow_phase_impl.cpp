@@ -112,6 +112,7 @@ void NarrowPhase::Impl::endStep() {
   endAnswering();
   refinement_.endStep();
   holding_.endStep();
+  step_.endStep();
 
   statistics.operations = step_.left.used();
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
@@ -124,7 +125,7 @@ void NarrowPhase::Impl::endStep() {
 
 void NarrowPhase::Impl::answerCollected() {
   step_.pairs.order();
-  if (!step_.rules.mayBeInterrupted()) return full_.answer();
+  if (!step_.rules.mayBeInterrupted()) return answers_.answerAll();
   refinement_.planStep();
   const auto began = Budget::Clock::now();
   const std::uint64_t operationsBefore = step_.left.used();

@@ -9,7 +9,6 @@
 #include "dispatch/asked_pairs.h"
 #include "dispatch/broken_pairs.h"
 #include "dispatch/create_functions.h"
-#include "dispatch/full_step.h"
 #include "dispatch/open_step_answers.h"
 #include "dispatch/overrun.h"
 #include "dispatch/pair_pool.h"
@@ -68,8 +67,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
 
   StepState step_;
   StepHolding holding_{step_};
-  StepRefinement refinement_{step_, holding_};
-  FullStep full_{step_};
+  StepAnswers answers_{step_};
+  StepRefinement refinement_{step_, holding_, answers_};
   BrokenPairs broken_;
   OpenStepAnswers open_{step_, refinement_, holding_, broken_};
   std::mutex mutex_;  // guards pool and lists of pairs while algorithms run

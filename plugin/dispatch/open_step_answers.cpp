@@ -97,6 +97,7 @@ void OpenStepAnswers::beginStep() {
   dropUnanswered();
   refinement_.endStep();
   holding_.endStep();
+  step_.endStep();
   step_.tally = {};
   left_ = step_.rules.limit();
   step_.tally.statistics.deadlineMicroseconds = left_.microseconds;

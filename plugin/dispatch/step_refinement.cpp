@@ -75,7 +75,7 @@ void StepRefinement::beginPair(std::size_t index) {
     step_.pairs.scheduled()[index] = scheduled(pair);
     return;
   }
-  if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, remeasuredOf(pair), step_.left,
+  if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, step_.remeasuredOf(pair), step_.left,
              step_.scratch))
     return step_.pairs.dismiss(index);
   ++step_.tally.statistics.pairs;
@@ -97,14 +97,6 @@ bool StepRefinement::carriesOver(std::size_t index) {
   step_.count(*carried, seen(pair));
   step_.pairs.dismiss(index);
   return true;
-}
-
-// While budgets leave pairs unresolved, those that have an answer take turns in looking for what else came near.
-Remeasured StepRefinement::remeasuredOf(const TreePair& pair) const {
-  if (step_.plan.isScarce()) return Remeasured::allIfFew;
-  const bool isThrifty =
-      isScarce_ && step_.rules.mayBeInterrupted() && (pair.notes.id + steps_) % step_tuning::kStepsOfThrift != 0;
-  return isThrifty ? Remeasured::touching : Remeasured::all;
 }
 
 void StepRefinement::bookTo(TreePair& pair) {
@@ -172,19 +164,29 @@ Progress StepRefinement::resumePairs() {
 // In an open step Bullet asks for them one by one.
 bool StepRefinement::finishResolvedPairs() {
   if (step_.rules.end() != StepEnd::told) return false;
-  bool hasFinished = false;
-  for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
-    const TreePair* const pair = step_.pairs[i];
-    if (!pair || !pair->isBegun() || !pair->isDone()) continue;
-    finishPair(i);
-    hasFinished = true;
-  }
-  return hasFinished;
+  return finishPairs([](const TreePair& pair) { return pair.isDone(); });
 }
 
 void StepRefinement::finishBegunPairs() {
-  for (std::size_t i = 0; i < step_.pairs.size(); ++i)
-    if (step_.pairs[i] && !isBetterHeld(*step_.pairs[i])) finishPair(i);
+  (void)finishPairs([](const TreePair& pair) { return !isBetterHeld(pair); });
+}
+
+// One by one where a step ends at a time: what each takes is learnt from.
+template <class IsAsked>
+bool StepRefinement::finishPairs(const IsAsked& isAsked) {
+  bool hasAny = false;
+  answers_.clear();
+  for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
+    const TreePair* const pair = step_.pairs[i];
+    if (!pair || !pair->isBegun() || !isAsked(*pair)) continue;
+    hasAny = true;
+    if (step_.left.hasDeadline())
+      finishPair(i);
+    else
+      answers_.add(i);
+  }
+  answers_.answerBegun();
+  return hasAny;
 }
 
 void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began) {
@@ -197,8 +199,6 @@ void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock:
 void StepRefinement::endStep() {
   pace_.endStep();
   updatePace_.endStep();
-  isScarce_ = step_.tally.statistics.unresolvedPairs > 0;
-  ++steps_;
 }
 
 }  // namespace cairn::bullet

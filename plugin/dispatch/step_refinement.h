@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cairn/core/scheduler.h"
+#include "dispatch/step_answers.h"
 #include "dispatch/step_holding.h"
 
 namespace cairn::bullet {
@@ -10,7 +11,8 @@ namespace cairn::bullet {
 /// turns, finishes them.
 class StepRefinement final : private TurnListener {
  public:
-  StepRefinement(StepState& step, StepHolding& holding) : step_(step), holding_(holding) {}
+  StepRefinement(StepState& step, StepHolding& holding, StepAnswers& answers)
+      : step_(step), holding_(holding), answers_(answers) {}
 
   /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
   /// not finished.
@@ -29,22 +31,22 @@ class StepRefinement final : private TurnListener {
   bool carriesOver(std::size_t index);
   void finishPair(std::size_t index);
   bool finishResolvedPairs();
+  template <class IsAsked>
+  bool finishPairs(const IsAsked& isAsked);
   Progress resumePairs();
   Progress serveAlone(std::size_t index);
   void turnEnded(std::size_t index, Progress progress, Budget& budget) override;
-  Remeasured remeasuredOf(const TreePair& pair) const;
   void bookTo(TreePair& pair);
 
   StepState& step_;
   StepHolding& holding_;
+  StepAnswers& answers_;
   Scheduler scheduler_;
   EmissionPace pace_;
   EmissionPace updatePace_;        // of all that is done for a pair that is not held
   std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
   std::uint32_t updated_ = 0;      // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;
-  bool isScarce_ = false;    // the last step left pairs unresolved
-  std::uint64_t steps_ = 0;  // so far
 };
 
 }  // namespace cairn::bullet

@@ -17,6 +17,18 @@ void StepState::learnUsual(std::uint64_t operations) {
   if (operations > 0) usual_ += step_tuning::kLearning * (static_cast<double>(operations) - usual_);
 }
 
+Remeasured StepState::remeasuredOf(const TreePair& pair) const {
+  if (plan.isScarce()) return Remeasured::allIfFew;
+  const bool isThrifty =
+      wasScarce_ && rules.mayBeInterrupted() && (pair.notes.id + steps_) % step_tuning::kStepsOfThrift != 0;
+  return isThrifty ? Remeasured::touching : Remeasured::all;
+}
+
+void StepState::endStep() {
+  wasScarce_ = tally.statistics.unresolvedPairs > 0;
+  ++steps_;
+}
+
 PairReport StepState::count(PairReport report, const ScheduledPair& pair) {
   const auto size = static_cast<double>(pair.size);
   if (const std::optional<Viewer>& viewer = rules.viewer())

@@ -37,8 +37,15 @@ struct StepState {
   /// Adds it to the tally; what was counted. `pair`: where it is seen.
   PairReport count(PairReport report, const ScheduledPair& pair);
 
+  /// How an answer that is kept is measured. While budgets leave pairs unresolved, those that have an answer take turns
+  /// in looking for what else came near.
+  Remeasured remeasuredOf(const TreePair& pair) const;
+  void endStep();
+
  private:
   double usual_ = 300;
+  bool wasScarce_ = false;   // the last step left pairs unresolved
+  std::uint64_t steps_ = 0;  // so far
 };
 
 }  // namespace cairn::bullet

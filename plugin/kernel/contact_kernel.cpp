@@ -36,9 +36,27 @@ bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const Feature
 
 }  // namespace
 
+// New lists are about as long as the last.
+std::optional<std::uint64_t> KernelMemory::expectedCost(const RelativePlacement& placement) const {
+  if (!near_) return tooFew_ > 0 ? std::optional(2 * tooFew_) : std::nullopt;
+  const bool areNear = near_->holdsAt(placement, near_->reach);
+  const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->reach);
+  const std::uint64_t listed = kOverlapTestCost * (lists_.size() + (areListed ? 0 : patches_.size()));
+  return std::max(listed + (areNear ? 0 : findingCost_) + overlapCost_, 2 * tooFew_);
+}
+
 std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfaces, const ContactLimits& limits,
                                                         KernelMemory& memory, const RelativePlacement& placement,
                                                         Budget& budget) {
+  const std::uint64_t before = budget.used();
+  const std::optional<Answer> found = answer(surfaces, limits, memory, placement, budget);
+  memory.tooFew_ = found ? 0 : budget.used() - before;
+  return found;
+}
+
+std::optional<ContactKernel::Answer> ContactKernel::answer(const SurfacePair& surfaces, const ContactLimits& limits,
+                                                           KernelMemory& memory, const RelativePlacement& placement,
+                                                           Budget& budget) {
   ContactLimits shallow = limits;
   shallow.trustedDepth = shallowDepth(limits);
   if (!list(surfaces, shallow, memory, placement, budget)) return {};
@@ -46,6 +64,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfa
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
+  const std::uint64_t before = budget.used();
   const float moved = memory.features_->movedBy(placement) + limits.rounding();
   FeatureContacts(surfaces, placed_, shallow).append(memory.lists_, moved, contacts_);
   appendCrossings(surfaces, placed_, memory.lists_, moved, crossings_);
@@ -55,6 +74,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfa
     return staysInside(surfaces, limits, contact, other);
   });
   deepOverlap_.append(surfaces, limits, regions, contacts_);
+  memory.overlapCost_ = budget.used() - before;
   if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
   return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
 }
@@ -96,7 +116,9 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
     memory.near_.reset();
     const float skin = skinOr0(tuning::kPatchSkin * limits.size, moved);
     lister_.setSkin(skin);
+    const std::uint64_t before = budget.used();
     if (!lister_.findNear(memory.patches_, budget)) return false;
+    memory.findingCost_ = budget.used() - before;
     memory.apart_ = lister_.apart();
     memory.near_ = {placement, limits.reach, skin};
   }

@@ -29,7 +29,11 @@ class KernelMemory {
     near_.reset();
     features_.reset();
     lastAt_ = {};
+    tooFew_ = 0;
   }
+  /// Operations that contacts are expected to take where the bodies stand so; nothing where they were never found.
+  /// More than what did not do before.
+  std::optional<std::uint64_t> expectedCost(const RelativePlacement& placement) const;
 
  private:
   friend class ContactKernel;
@@ -50,6 +54,8 @@ class KernelMemory {
   std::vector<PatchPair> patches_;
   FeatureLists lists_;
   float apart_ = 0;  // of what is not listed, where the patches were
+  // Operations: to find the patches, and what overlaps, last time; and what was too few.
+  std::uint64_t findingCost_ = 0, overlapCost_ = 0, tooFew_ = 0;
   RelativePlacement lastAt_;
 };
 
@@ -71,6 +77,8 @@ class ContactKernel {
                             float surfaceMargin, Budget& budget);
 
  private:
+  std::optional<Answer> answer(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
+                               const RelativePlacement& placement, Budget& budget);
   bool list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
             const RelativePlacement& placement, Budget& budget);
   bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,

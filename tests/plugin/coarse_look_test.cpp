@@ -127,7 +127,7 @@ TEST(CoarseLook, ErrsLessTheMoreItIsGiven) {
 TEST(CoarseLook, IsSilentAboutNothingDeeperThanItsError) {
   std::mt19937_64 engine(kSeed);
   int deep = 0;
-  for (int run = 0; run < 60; ++run)
+  for (int run = 0; run < 120; ++run)
     for (const std::int64_t operations : {150, 600, 2000, 5000}) {
       const std::vector<Flight> flown = flights(engine, 2);
       Flock flock(2);

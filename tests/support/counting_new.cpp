@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Zlib
 #include "counting_new.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
-std::size_t gAllocations = 0;
+std::atomic<std::size_t> gAllocations{0};
 }  // namespace
 
 std::size_t cairn::test::allocations() {
@@ -16,7 +17,7 @@ std::size_t cairn::test::allocations() {
 
 namespace {
 void* allocate(std::size_t size, std::size_t alignment) {
-  ++gAllocations;
+  gAllocations.fetch_add(1, std::memory_order_relaxed);
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
   if (void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded)) return memory;
   throw std::bad_alloc();

@@ -35,8 +35,7 @@ btScalar TbbScheduler::parallelSum(int begin, int end, int grain, const btIParal
   return arena_.execute([&] {
     return tbb::parallel_deterministic_reduce(
         Range(begin, end, static_cast<std::size_t>(grain)), btScalar(0),
-        [&](const Range& part, btScalar sum) { return sum + body.sumLoop(part.begin(), part.end()); },
-        std::plus<>());
+        [&](const Range& part, btScalar sum) { return sum + body.sumLoop(part.begin(), part.end()); }, std::plus<>());
   });
 }
 

@@ -6,8 +6,8 @@
 
 namespace cairn::scenes {
 
-/// Bullet's task scheduler on oneTBB. Bullet's own is for an older TBB, and Debian builds Bullet without any. Sphere-trees
-/// need no more than this to be worked on by several threads; Bullet's own parts of a world stay on one.
+/// Bullet's task scheduler on oneTBB. Bullet's own is for an older TBB, and Debian builds Bullet without any.
+/// Sphere-trees need no more than this to be worked on by several threads; Bullet's own parts of a world stay on one.
 class TbbScheduler final : public btITaskScheduler {
  public:
   /// Precondition: at least one thread.
