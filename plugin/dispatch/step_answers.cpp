@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "pairs/pair_begin.h"
-#include "pairs/pair_carry.h"
 #include "pairs/pair_hold.h"
 #include "pairs/pair_write.h"
 
@@ -82,36 +81,40 @@ void StepAnswers::run(std::size_t first, std::size_t last) {
 
 void StepAnswers::runTogether(std::span<Work> works) {
   workers_.forget();
-  for (Work& work : works) prepare(work);
-  workers_.forEach(0, works.size(), [this, works](ContactScratch& scratch, std::size_t i) {
-    if (works[i].course == Course::asked) measure(works[i], scratch);
-  });
-  for (const Work& work : works) write(work);
+  for (const Work& work : works)
+    if (TreePair* const pair = step_.pairs[work.pair]; pair && pair->isBegun()) withdrawPromise(*pair, step_.left);
+  workers_.forEach(0, works.size(), [&](ContactScratch& scratch, std::size_t i) { work(works[i], scratch); });
+  for (Work& work : works) write(work);
 }
 
-// What may call the user's code.
-void StepAnswers::prepare(Work& work) {
-  step_.pairs.fetchAfter(work.pair);
-  TreePair* const pair = step_.pairs[work.pair];
+// That is for the calling thread.
+bool StepAnswers::asksForUsersCode(const TreePair& pair) const {
+  const PairSides sides = PairSides::of(pair.bodies.body0(), pair.bodies.body1());
+  const SphereTreeShape* const tree = sides.shape();
+  const bool forgets = pair.subject.isKnown() && !(tree && pair.subject.is(*tree, sides.otherShape()));
+  return forgets || !mayBeAskedByMany(sides.otherShape());
+}
+
+// What is not begun is so from the beginning, without a budget.
+void StepAnswers::work(Work& work, ContactScratch& scratch) const {
+  if (workers_.count() == 1) step_.pairs.fetchAfter(work.pair);
+  const TreePair* const pair = step_.pairs[work.pair];
   if (!pair || pair->isSettled()) return;
   if (!pair->isBegun() && step_.rules.carriesPairsOver())
-    if (const std::optional<PairReport> carried = carryOver(*pair)) {
+    if (const std::optional<StandsStill> still = standsStill(*pair)) {
       work.course = Course::carried;
-      work.carried = *carried;
+      work.still = *still;
       return;
     }
-  const PairSides sides = PairSides::of(pair->bodies.body0(), pair->bodies.body1());
-  if (!pair->isBegun() && !pair->adopt(sides)) return step_.pairs.dismiss(work.pair);
-  withdrawPromise(*pair, step_.left);
-  work.course = Course::asked;
-  if (!mayBeAskedByMany(sides.otherShape())) measure(work, workers_.own());
+  if (!asksForUsersCode(*pair)) measure(work, scratch);
 }
 
 void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
   TreePair& pair = *step_.pairs[work.pair];
   Budget budget = Budget::operations(work.share);
   if (!pair.isBegun()) {
-    begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, Remeasured::all, budget, scratch);
+    if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, Remeasured::all, budget, scratch))
+      return;
     pair.traversal().refine(budget);
   }
   AnswerPolicy policy = step_.rules.answerPolicy();
@@ -122,20 +125,24 @@ void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
 }
 
 // Callbacks may have destroyed pairs meanwhile. Those begun before are counted already.
-void StepAnswers::write(const Work& work) {
+void StepAnswers::write(Work& work) {
+  if (!step_.pairs[work.pair] || step_.pairs[work.pair]->isSettled()) return;
+  if (work.course == Course::asked) measure(work, workers_.own());
   TreePair* const pair = step_.pairs[work.pair];
-  if (!pair || work.course == Course::none) return;
-  if (!step_.rules.mayBeInterrupted()) ++step_.tally.statistics.pairs;
-  const ScheduledPair before = seen(*pair);
-  if (work.course == Course::carried) {
-    step_.count(work.carried, before);
-  } else {
-    step_.left.chargeAnyway(work.operations);
-    step_.learnUsual(charge(*pair, work.operations));
-    btManifoldResult result(&pair->bodies.body0(), &pair->bodies.body1());
-    step_.count(bullet::write(*pair, work.answer, step_.rules.answerPolicy(), step_.dispatcher, result), before);
+  if (pair && work.course != Course::asked) {
+    if (!step_.rules.mayBeInterrupted()) ++step_.tally.statistics.pairs;
+    const ScheduledPair before = seen(*pair);
+    step_.count(tell(*pair, work), before);
   }
   step_.pairs.dismiss(work.pair);
+}
+
+PairReport StepAnswers::tell(TreePair& pair, const Work& work) {
+  if (work.course == Course::carried) return carryOver(pair, work.still);
+  step_.left.chargeAnyway(work.operations);
+  step_.learnUsual(charge(pair, work.operations));
+  btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
+  return bullet::write(pair, work.answer, step_.rules.answerPolicy(), step_.dispatcher, result);
 }
 
 }  // namespace cairn::bullet

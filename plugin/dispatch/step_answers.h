@@ -8,6 +8,7 @@
 
 #include "dispatch/step_state.h"
 #include "dispatch/workers.h"
+#include "pairs/pair_carry.h"
 #include "pairs/pair_measure.h"
 
 namespace cairn::bullet {
@@ -30,15 +31,15 @@ class StepAnswers {
   void answerBegun();
 
  private:
-  enum class Course : std::uint8_t { none, asked, carried, measured };
+  enum class Course : std::uint8_t { asked, carried, measured };
 
   struct Work {
     std::size_t pair = 0;
-    Course course = Course::none;
+    Course course = Course::asked;
     bool asksMeshes = true;                    // they are in its share
     std::uint64_t share = Budget::kUnlimited;  // operations it may use
     std::uint64_t operations = 0;              // it used
-    PairReport carried;
+    StandsStill still{};                       // of what is carried over
     PairAnswer answer;
   };
 
@@ -46,9 +47,11 @@ class StepAnswers {
   std::optional<std::uint64_t> meshCostOf(const Work& work) const;
   void run(std::size_t first, std::size_t last);
   void runTogether(std::span<Work> works);
-  void prepare(Work& work);
+  bool asksForUsersCode(const TreePair& pair) const;
+  void work(Work& work, ContactScratch& scratch) const;
   void measure(Work& work, ContactScratch& scratch) const;
-  void write(const Work& work);
+  void write(Work& work);
+  PairReport tell(TreePair& pair, const Work& work);
 
   StepState& step_;
   Workers workers_;

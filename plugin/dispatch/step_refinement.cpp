@@ -91,10 +91,10 @@ void StepRefinement::beginPair(std::size_t index) {
 bool StepRefinement::carriesOver(std::size_t index) {
   if (!step_.rules.carriesPairsOver()) return false;
   TreePair& pair = *step_.pairs[index];
-  const std::optional<PairReport> carried = carryOver(pair);
-  if (!carried) return false;
+  const std::optional<StandsStill> still = standsStill(pair);
+  if (!still) return false;
   ++step_.tally.statistics.pairs;
-  step_.count(*carried, seen(pair));
+  step_.count(carryOver(pair, *still), seen(pair));
   step_.pairs.dismiss(index);
   return true;
 }

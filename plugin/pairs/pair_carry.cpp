@@ -15,10 +15,7 @@ bool isAskedAbout(const btCollisionObject& body) {
   return (body.getCollisionFlags() & kOwnSay) != 0;
 }
 
-struct StandsStill {
-  RelativePlacement placement;
-  float moved;  // against each other, since it was answered
-};
+}  // namespace
 
 std::optional<StandsStill> standsStill(const TreePair& pair) {
   if (!pair.contacts.isOfTriangles()) return {};
@@ -37,12 +34,8 @@ std::optional<StandsStill> standsStill(const TreePair& pair) {
   return StandsStill{now, moved};
 }
 
-}  // namespace
-
-std::optional<PairReport> carryOver(TreePair& pair) {
-  const std::optional<StandsStill> still = standsStill(pair);
-  if (!still) return {};
-  pair.motion.seenAt = still->placement;
+PairReport carryOver(TreePair& pair, const StandsStill& still) {
+  pair.motion.seenAt = still.placement;
   pair.motion.follow(pair.sides(), pair.sizes);
   pair.manifolds.follow(pair.breakingThreshold(), false);
   pair.surviveRefresh();
@@ -51,7 +44,7 @@ std::optional<PairReport> carryOver(TreePair& pair) {
   PairReport report;
   report.contacts = report.exactContacts = pair.said.contacts;
   report.manifolds = pair.said.manifolds;
-  report.errorFraction = pair.age.error + pair.sizes.fraction(still->moved);
+  report.errorFraction = pair.age.error + pair.sizes.fraction(still.moved);
   return report;
 }
 

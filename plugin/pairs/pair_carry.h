@@ -8,9 +8,16 @@
 
 namespace cairn::bullet {
 
-/// For a pair that triangles answered: where the bodies have hardly moved against each other since
-/// (`tuning::kCarried`), the manifolds' points follow them as they are. Nothing where that does not do. Precondition:
-/// the bodies are copied where they are.
-std::optional<PairReport> carryOver(TreePair& pair);
+/// How the bodies of a pair stand that have hardly moved against each other since it was answered.
+struct StandsStill {
+  RelativePlacement placement;
+  float moved;  ///< world length, since then
+};
+
+/// For a pair that triangles answered: whether what it said does as it is (`tuning::kCarried`). Precondition: the
+/// bodies are copied where they are.
+std::optional<StandsStill> standsStill(const TreePair& pair);
+/// The manifolds' points follow the bodies as they are. May call users' callbacks.
+PairReport carryOver(TreePair& pair, const StandsStill& still);
 
 }  // namespace cairn::bullet
