@@ -34,6 +34,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
   ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
   ./cairn.sh bench interrupted [TREE] what certified error traversals cut short are left with, in turn, worst first, in the best order there is
+  ./cairn.sh bench budgets [OPTIONS] what budgets of operations cost in accuracy and save in time, policy by policy, and what
+                             several threads save, as tables and a figure (--help lists the options)
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -196,6 +198,17 @@ bench_builder() {
   tests/bench/builder.sh "$@"
 }
 
+bench_budgets() {
+  case " $* " in *' --help '* | *' -h '*) python3 tests/bench/budgets/run.py --help; return ;; esac
+  need "${everything[@]}" accuracy
+  configure_and_build release --target cairn frame_budget make_rock > /dev/null
+  local mesh
+  mkdir -p out/bench
+  fetch_mesh out/bench > /dev/null
+  case " $* " in *' --tree '* | *' --mesh '*) ;; *) set -- --mesh "$mesh" "$@" ;; esac
+  python3 tests/bench/budgets/run.py "$@"
+}
+
 # A micro-benchmark by its name, with its options.
 bench_program() {
   need "${everything[@]}" tests
@@ -207,6 +220,7 @@ bench() {
   case ${1:-} in
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
+    budgets) bench_budgets "${@:2}"; return ;;
     effects | fits | interrupted | kernel | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
   esac
   build release

@@ -12,7 +12,10 @@ namespace cairn::scenes {
 namespace tbb = oneapi::tbb;
 using Range = tbb::blocked_range<int>;
 
-TbbScheduler::TbbScheduler(int threads) : btITaskScheduler("oneTBB"), arena_(threads) {}
+TbbScheduler::TbbScheduler(int threads) : btITaskScheduler("oneTBB") {
+  setNumThreads(threads);
+}
+TbbScheduler::~TbbScheduler() = default;
 
 int TbbScheduler::getMaxNumThreads() const {
   return tbb::info::default_concurrency();
@@ -20,6 +23,8 @@ int TbbScheduler::getMaxNumThreads() const {
 
 void TbbScheduler::setNumThreads(int threads) {
   arena_.terminate();
+  most_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                static_cast<std::size_t>(threads));
   arena_.initialize(threads);
 }
 

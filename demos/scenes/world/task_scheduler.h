@@ -2,7 +2,10 @@
 #pragma once
 
 #include <LinearMath/btThreads.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include <memory>
 
 namespace cairn::scenes {
 
@@ -12,6 +15,7 @@ class TbbScheduler final : public btITaskScheduler {
  public:
   /// Precondition: at least one thread.
   explicit TbbScheduler(int threads);
+  ~TbbScheduler() override;
 
   int getMaxNumThreads() const override;
   int getNumThreads() const override { return arena_.max_concurrency(); }
@@ -20,7 +24,8 @@ class TbbScheduler final : public btITaskScheduler {
   btScalar parallelSum(int begin, int end, int grain, const btIParallelSumBody& body) override;
 
  private:
-  mutable oneapi::tbb::task_arena arena_;
+  std::unique_ptr<oneapi::tbb::global_control> most_;  // also more than the machine has
+  oneapi::tbb::task_arena arena_;
 };
 
 /// Has this program's worlds work on so many threads from now on.
