@@ -231,11 +231,10 @@ std::optional<float> TreeCounterpart::appendOfMesh(const MeshQuestion& question,
   return appendOfKernel(question, contacts);
 }
 
-// What was apart when it was last looked at is not asked.
+// Of what has no leaves near each other nothing is asked.
 std::optional<std::uint64_t> TreeCounterpart::expectedMeshCost(const RelativePlacement& placement) const {
-  const std::optional<std::uint64_t> known = kernelMemory_.expectedCost(placement);
-  if (!known && traversal_.done() && traversal_.leafPairs().empty()) return 0;
-  return known;
+  if (traversal_.done() && traversal_.leafPairs().empty()) return 0;
+  return kernelMemory_.expectedCost(placement);
 }
 
 // Contacts of meshes know no leaves.

@@ -12,6 +12,7 @@
 #include "dispatch/open_step_answers.h"
 #include "dispatch/overrun.h"
 #include "dispatch/pair_pool.h"
+#include "dispatch/step_answers.h"
 #include "dispatch/step_refinement.h"
 #include "dispatch/thread_cpu_clock.h"
 #include "dispatch/world_hook.h"

@@ -4,7 +4,6 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "pairs/pair_begin.h"
@@ -15,59 +14,81 @@ namespace cairn::bullet {
 
 namespace {
 
-// GImpact counts who looks at its triangles, for one thread.
+// GImpact counts who looks at its triangles, for one thread; and users' own shapes may keep what they find.
 bool mayBeAskedByMany(const btCollisionShape& shape) {
-  return shape.getShapeType() != GIMPACT_SHAPE_PROXYTYPE;
+  switch (shape.getShapeType()) {
+    case GIMPACT_SHAPE_PROXYTYPE:
+    case CUSTOM_CONVEX_SHAPE_TYPE:
+    case CUSTOM_POLYHEDRAL_SHAPE_TYPE:
+    case CUSTOM_CONCAVE_SHAPE_TYPE:
+      return false;
+    default:
+      return true;
+  }
 }
 
 }  // namespace
 
+void StepAnswers::takeRules() {
+  policy_ = step_.rules.answerPolicy();
+  areNew_ = !policy_.mayBeInterrupted;
+}
+
 void StepAnswers::answerAll() {
+  takeRules();
   clear();
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) add(i);
   run(0, works_.size());
 }
 
 // First all that what meshes are expected to take is enough for. Then, one after the other, those for whom it is not
-// known, or may yet do: what is expected is a guess. Last those for whom it is too much.
+// known, or may yet do: what is expected is a guess. Last all others: where nothing is left, meshes may take what was
+// promised to leaves.
 void StepAnswers::answerBegun() {
+  if (works_.empty()) return;
+  takeRules();
   for (Work& work : works_) work.share = step_.pairs[work.pair]->work.promised.operations;
   const std::size_t late = shareOut();
   run(0, late);
   std::size_t last = late;
   for (std::size_t i = late; i < works_.size(); ++i) {
-    if (!step_.pairs[works_[i].pair] || meshCostOf(works_[i]).value_or(0) > 2 * step_.left.remaining()) continue;
+    if (!step_.pairs[works_[i].pair]) continue;
+    const std::uint64_t left = step_.left.remaining();
+    const std::optional<std::uint64_t> ofMeshes = meshCostOf(works_[i]);
+    works_[i].asksMeshes = !ofMeshes;
+    if (left == 0 || ofMeshes.value_or(0) > 2 * left) continue;
     std::swap(works_[i], works_[last]);
     works_[last].asksMeshes = true;
-    works_[last].share += step_.left.remaining();
+    works_[last].share += left;
     run(last, last + 1);
     ++last;
   }
   run(last, works_.size());
 }
 
-// Puts those that get nothing for meshes last, and returns the first of them. What is left may serve any: something new
-// may have come near.
+// Puts those that get nothing for meshes last. Where meshes tell, leaves do not: they take what was promised to these,
+// and more from what is left. The rest of that may serve any: something new may have come near.
 std::size_t StepAnswers::shareOut() {
   std::uint64_t left = step_.left.remaining();
+  std::size_t asking = 0;
   for (Work& work : works_) {
     const std::optional<std::uint64_t> ofMeshes = meshCostOf(work);
-    const std::uint64_t extra = ofMeshes.value_or(0) - std::min(ofMeshes.value_or(0), work.share);
-    work.asksMeshes = ofMeshes && extra <= left;
+    const std::uint64_t more = ofMeshes.value_or(0) - std::min(ofMeshes.value_or(0), work.share);
+    work.asksMeshes = ofMeshes && more <= left;
     if (!work.asksMeshes) continue;
-    work.share += extra;
-    left -= extra;
+    ++asking;
+    work.share += more;
+    left -= more;
   }
-  const std::size_t late =
-      works_.size() - std::ranges::stable_partition(works_, std::identity(), &Work::asksMeshes).size();
-  for (std::size_t i = 0; i < late; ++i) works_[i].share += left / late;
-  return late;
+  std::ranges::sort(works_, {}, [](const Work& work) { return std::pair(!work.asksMeshes, work.pair); });
+  for (std::size_t i = 0; i < asking; ++i) works_[i].share += left / asking;
+  return asking;
 }
 
 // Nothing where that is not known.
 std::optional<std::uint64_t> StepAnswers::meshCostOf(const Work& work) const {
   const TreePair& pair = *step_.pairs[work.pair];
-  if (!step_.rules.asksTriangles() || !pair.isDone()) return 0;
+  if (policy_.finest != Finest::triangles || !pair.isDone()) return 0;
   return pair.counterpart->expectedMeshCost(pair.motion.relative.placement);
 }
 
@@ -83,66 +104,70 @@ void StepAnswers::runTogether(std::span<Work> works) {
   workers_.forget();
   for (const Work& work : works)
     if (TreePair* const pair = step_.pairs[work.pair]; pair && pair->isBegun()) withdrawPromise(*pair, step_.left);
-  workers_.forEach(0, works.size(), [&](ContactScratch& scratch, std::size_t i) { work(works[i], scratch); });
+  workers_.forEach(works.size(), [&](ContactScratch& scratch, std::size_t i) { work(works[i], scratch); });
   for (Work& work : works) write(work);
 }
 
 // That is for the calling thread.
 bool StepAnswers::asksForUsersCode(const TreePair& pair) const {
   const PairSides sides = PairSides::of(pair.bodies.body0(), pair.bodies.body1());
+  if (!mayBeAskedByMany(sides.otherShape())) return true;
   const SphereTreeShape* const tree = sides.shape();
-  const bool forgets = pair.subject.isKnown() && !(tree && pair.subject.is(*tree, sides.otherShape()));
-  return forgets || !mayBeAskedByMany(sides.otherShape());
+  return pair.subject.isKnown() && !(tree && pair.subject.is(*tree, sides.otherShape()));  // which is forgotten
 }
 
-// What is not begun is so from the beginning, without a budget.
 void StepAnswers::work(Work& work, ContactScratch& scratch) const {
   if (workers_.count() == 1) step_.pairs.fetchAfter(work.pair);
   const TreePair* const pair = step_.pairs[work.pair];
-  if (!pair || pair->isSettled()) return;
-  if (!pair->isBegun() && step_.rules.carriesPairsOver())
-    if (const std::optional<StandsStill> still = standsStill(*pair)) {
-      work.course = Course::carried;
+  if (pair && !pair->isSettled() && !asksForUsersCode(*pair)) measure(work, scratch);
+}
+
+// What is not begun is so from the beginning, without a budget.
+void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
+  TreePair& pair = *step_.pairs[work.pair];
+  if (areNew_ && policy_.finest == Finest::triangles)
+    if (const std::optional<StandsStill> still = standsStill(pair)) {
+      work.outcome = Outcome::carried;
       work.still = *still;
       return;
     }
-  if (!asksForUsersCode(*pair)) measure(work, scratch);
-}
-
-void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
-  TreePair& pair = *step_.pairs[work.pair];
   Budget budget = Budget::operations(work.share);
-  if (!pair.isBegun()) {
+  if (areNew_) {
     if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, Remeasured::all, budget, scratch))
       return;
     pair.traversal().refine(budget);
   }
-  AnswerPolicy policy = step_.rules.answerPolicy();
+  AnswerPolicy policy = policy_;
   if (!work.asksMeshes) policy.finest = Finest::leaves;
   work.answer = bullet::measure(pair, policy, budget, scratch);
   work.operations = budget.used();
-  work.course = Course::measured;
+  work.outcome = Outcome::measured;
 }
 
 // Callbacks may have destroyed pairs meanwhile. Those begun before are counted already.
 void StepAnswers::write(Work& work) {
-  if (!step_.pairs[work.pair] || step_.pairs[work.pair]->isSettled()) return;
-  if (work.course == Course::asked) measure(work, workers_.own());
   TreePair* const pair = step_.pairs[work.pair];
-  if (pair && work.course != Course::asked) {
-    if (!step_.rules.mayBeInterrupted()) ++step_.tally.statistics.pairs;
-    const ScheduledPair before = seen(*pair);
-    step_.count(tell(*pair, work), before);
+  if (!pair || pair->isSettled()) return;
+  if (work.outcome == Outcome::none) measure(work, workers_.own());
+  if (work.outcome != Outcome::none) {
+    if (areNew_) ++step_.tally.statistics.pairs;
+    const Told told = tell(*pair, work);
+    step_.count(told.report, told.seen);
   }
   step_.pairs.dismiss(work.pair);
 }
 
-PairReport StepAnswers::tell(TreePair& pair, const Work& work) {
-  if (work.course == Course::carried) return carryOver(pair, work.still);
+// Its own callbacks may destroy a pair that is written.
+StepAnswers::Told StepAnswers::tell(TreePair& pair, const Work& work) {
+  if (work.outcome == Outcome::carried) {
+    const PairReport report = carryOver(pair, work.still);
+    return {report, seen(pair)};
+  }
   step_.left.chargeAnyway(work.operations);
   step_.learnUsual(charge(pair, work.operations));
+  const ScheduledPair before = seen(pair);
   btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
-  return bullet::write(pair, work.answer, step_.rules.answerPolicy(), step_.dispatcher, result);
+  return {bullet::write(pair, work.answer, policy_, step_.dispatcher, result), before};
 }
 
 }  // namespace cairn::bullet

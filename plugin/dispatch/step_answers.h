@@ -31,11 +31,11 @@ class StepAnswers {
   void answerBegun();
 
  private:
-  enum class Course : std::uint8_t { asked, carried, measured };
+  enum class Outcome : std::uint8_t { none, carried, measured };
 
   struct Work {
     std::size_t pair = 0;
-    Course course = Course::asked;
+    Outcome outcome = Outcome::none;
     bool asksMeshes = true;                    // they are in its share
     std::uint64_t share = Budget::kUnlimited;  // operations it may use
     std::uint64_t operations = 0;              // it used
@@ -43,6 +43,13 @@ class StepAnswers {
     PairAnswer answer;
   };
 
+  // What a pair told, and how it is seen.
+  struct Told {
+    PairReport report;
+    ScheduledPair seen;
+  };
+
+  void takeRules();
   std::size_t shareOut();
   std::optional<std::uint64_t> meshCostOf(const Work& work) const;
   void run(std::size_t first, std::size_t last);
@@ -51,11 +58,13 @@ class StepAnswers {
   void work(Work& work, ContactScratch& scratch) const;
   void measure(Work& work, ContactScratch& scratch) const;
   void write(Work& work);
-  PairReport tell(TreePair& pair, const Work& work);
+  Told tell(TreePair& pair, const Work& work);
 
   StepState& step_;
   Workers workers_;
   std::vector<Work> works_;
+  AnswerPolicy policy_;  // of the step at hand: callbacks may ask for others
+  bool areNew_ = true;   // the pairs: nothing was done for them in this step before
 };
 
 }  // namespace cairn::bullet

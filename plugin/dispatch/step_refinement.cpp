@@ -8,7 +8,6 @@
 #include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_carry.h"
-#include "pairs/pair_fetch.h"
 #include "pairs/pair_finish.h"
 #include "pairs/pair_hold.h"
 #include "pairs/pair_survey.h"
@@ -94,7 +93,8 @@ bool StepRefinement::carriesOver(std::size_t index) {
   const std::optional<StandsStill> still = standsStill(pair);
   if (!still) return false;
   ++step_.tally.statistics.pairs;
-  step_.count(carryOver(pair, *still), seen(pair));
+  const PairReport carried = carryOver(pair, *still);
+  step_.count(carried, seen(pair));
   step_.pairs.dismiss(index);
   return true;
 }
@@ -186,6 +186,7 @@ bool StepRefinement::finishPairs(const IsAsked& isAsked) {
       answers_.add(i);
   }
   answers_.answerBegun();
+  bookedUntil_ = step_.left.used();
   return hasAny;
 }
 

@@ -23,10 +23,10 @@ class Workers {
   void forget();
   /// The calling thread's, while no loop runs.
   ContactScratch& own() { return *scratch_.front(); }
-  /// Calls `work(scratch, i)` once for each `i` from `first` up to `last`, in any order, on several threads at a time;
-  /// nobody else has the scratch meanwhile. Returns when all have returned. What one writes no other may read.
+  /// Calls `work(scratch, i)` once for each `i` below `all`, in any order, on several threads at a time; nobody else
+  /// has the scratch meanwhile. Returns when all have returned. What one writes no other may read.
   template <class Work>
-  void forEach(std::size_t first, std::size_t last, const Work& work);
+  void forEach(std::size_t all, const Work& work);
 
  private:
   template <class Work>
@@ -41,8 +41,7 @@ class Workers {
 template <class Work>
 class Workers::Body final : public btIParallelForBody {
  public:
-  Body(const Workers& workers, std::size_t first, std::size_t last, const Work& work)
-      : workers_(workers), work_(work), last_(last), next_(first) {}
+  Body(const Workers& workers, std::size_t all, const Work& work) : workers_(workers), work_(work), all_(all) {}
 
   void forLoop(int begin, int end) const override {
     for (int worker = begin; worker < end; ++worker) workOn(*workers_.scratch_[static_cast<std::size_t>(worker)]);
@@ -50,19 +49,19 @@ class Workers::Body final : public btIParallelForBody {
 
  private:
   void workOn(ContactScratch& scratch) const {
-    for (std::size_t i = next_++; i < last_; i = next_++) work_(scratch, i);
+    for (std::size_t i = next_++; i < all_; i = next_++) work_(scratch, i);
   }
 
   const Workers& workers_;
   const Work& work_;
-  const std::size_t last_;
-  mutable std::atomic<std::size_t> next_;
+  const std::size_t all_;
+  mutable std::atomic<std::size_t> next_{0};
 };
 
 template <class Work>
-void Workers::forEach(std::size_t first, std::size_t last, const Work& work) {
-  const Body<Work> body(*this, first, last, work);
-  if (count_ > 1)
+void Workers::forEach(std::size_t all, const Work& work) {
+  const Body<Work> body(*this, all, work);
+  if (count_ > 1 && all > 1)
     btGetTaskScheduler()->parallelFor(0, static_cast<int>(count_), 1, body);
   else
     body.forLoop(0, 1);

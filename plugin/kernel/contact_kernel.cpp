@@ -38,11 +38,11 @@ bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const Feature
 
 // New lists are about as long as the last.
 std::optional<std::uint64_t> KernelMemory::expectedCost(const RelativePlacement& placement) const {
-  if (!near_) return tooFew_ > 0 ? std::optional(2 * tooFew_) : std::nullopt;
+  if (!near_) return tooFew_ > 0 ? std::optional(tooFew_) : std::nullopt;
   const bool areNear = near_->holdsAt(placement, near_->reach);
   const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->reach);
   const std::uint64_t listed = kOverlapTestCost * (lists_.size() + (areListed ? 0 : patches_.size()));
-  return std::max(listed + (areNear ? 0 : findingCost_) + overlapCost_, 2 * tooFew_);
+  return std::max(listed + (areNear ? overlapCost_ : findingCost_), tooFew_);
 }
 
 std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfaces, const ContactLimits& limits,

@@ -29,10 +29,10 @@ class KernelMemory {
     near_.reset();
     features_.reset();
     lastAt_ = {};
-    tooFew_ = 0;
+    findingCost_ = overlapCost_ = tooFew_ = 0;
   }
   /// Operations that contacts are expected to take where the bodies stand so; nothing where they were never found.
-  /// More than what did not do before.
+  /// What did not do before is a guess at it.
   std::optional<std::uint64_t> expectedCost(const RelativePlacement& placement) const;
 
  private:

@@ -25,7 +25,7 @@ struct AnswerPolicy {
   bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
 };
 
-/// Working memory that all pairs of a narrow phase share, one after the other.
+/// Working memory that the pairs a thread works on share, one after the other.
 struct ContactScratch {
   ClusteredContacts contacts;  ///< of the pair at hand
   std::vector<Contact> guards, wholes;

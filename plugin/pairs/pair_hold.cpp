@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "contacts/reduction.h"
 #include "pairs/coarse_ground.h"
 
 namespace cairn::bullet {

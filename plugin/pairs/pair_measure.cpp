@@ -67,8 +67,6 @@ PairAnswer measure(TreePair& pair, const AnswerPolicy& policy, Budget& budget, C
     pair.contacts.known().rememberDeepest(*pair.counterpart, scratch.contacts.list());
   }
   report.errorFraction += double(pair.contacts.overlooked() / pair.sizes.smaller);
-  pair.age.answeredAt = pair.motion.relative.placement;
-  pair.age.error = report.errorFraction;
   if (pair.work.wasDone) pair.age.waited = 0;
   return answer;
 }

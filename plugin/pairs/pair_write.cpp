@@ -26,6 +26,8 @@ PairReport write(TreePair& pair, const PairAnswer& answer, const AnswerPolicy& p
   }
   if (policy.mayBeInterrupted) pair.surviveRefresh();
   pair.holdGuards();
+  pair.age.answeredAt = pair.motion.relative.placement;
+  pair.age.error = report.errorFraction;
   pair.said.contacts = report.contacts;
   pair.said.manifolds = report.manifolds;
   pair.manifolds.endStandIn();

@@ -35,8 +35,8 @@ enum class PairStage : std::uint8_t {
 
 /// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: all that
 /// is known of them from step to step. What is done with it stands in files of their own: pair_settle.h,
-/// pair_collect.h, pair_survey.h, pair_carry.h, pair_begin.h, pair_finish.h, pair_hold.h. What tells whether anything
-/// has to be done in a step comes first: of most pairs of a heap nothing else is looked at.
+/// pair_collect.h, pair_survey.h, pair_carry.h, pair_begin.h, pair_measure.h, pair_write.h, pair_hold.h. What tells
+/// whether anything has to be done in a step comes first: of most pairs of a heap nothing else is looked at.
 struct alignas(64) TreePair {
   /// How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
   static constexpr float kMostFollowed = 0.04F;

@@ -44,7 +44,7 @@ class NarrowPhase {
   /// A frame of `steps` steps begins; `stepFrame` calls this.
   void beginFrame(int steps);
   void setUnresolved(Unresolved policy);
-  /// From the next step on. Pairs go on to triangles in the order of their age, the same ones in every step.
+  /// From the next step on. Which pairs go on to triangles within a budget: see docs/budgets.md.
   void setFinest(Finest finest);
   /// Which pair is refined next; `RoundRobin` until told; not asked without a budget. See
   /// docs/algorithms/priorities.md. Precondition: not null.
