@@ -23,6 +23,7 @@ struct HeldContacts {
   std::span<const ContactId> span() const { return {id.data(), static_cast<std::size_t>(count)}; }
 };
 
+/// The ids of a manifold's points, the tree's first. `treeIsBody0`: in the order of its bodies.
 HeldContacts heldBy(const btPersistentManifold& manifold, bool treeIsBody0);
 
 /// Brings Bullet's manifolds of one pair to the contacts chosen in this step.

@@ -10,8 +10,8 @@ namespace cairn::bullet {
 
 /// How the bodies of a pair stand that have hardly moved against each other since it was answered.
 struct StandsStill {
-  RelativePlacement placement;
-  float moved;  ///< world length, since then
+  RelativePlacement placement;  ///< now
+  float moved;                  ///< world length, since then
 };
 
 /// For a pair that triangles answered: whether what it said does as it is (`tuning::kCarried`). Precondition: the

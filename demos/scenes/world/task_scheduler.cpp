@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace cairn::scenes {
@@ -24,7 +25,7 @@ int TbbScheduler::getMaxNumThreads() const {
 void TbbScheduler::setNumThreads(int threads) {
   arena_.terminate();
   most_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                static_cast<std::size_t>(threads));
+                                                static_cast<std::size_t>(std::max(threads, getMaxNumThreads())));
   arena_.initialize(threads);
 }
 
@@ -45,7 +46,7 @@ btScalar TbbScheduler::parallelSum(int begin, int end, int grain, const btIParal
 }
 
 void useThreads(int threads) {
-  static TbbScheduler scheduler(threads);
+  static TbbScheduler scheduler(1);
   scheduler.setNumThreads(threads);
   btSetTaskScheduler(&scheduler);
 }

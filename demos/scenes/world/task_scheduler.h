@@ -24,7 +24,7 @@ class TbbScheduler final : public btITaskScheduler {
   btScalar parallelSum(int begin, int end, int grain, const btIParallelSumBody& body) override;
 
  private:
-  std::unique_ptr<oneapi::tbb::global_control> most_;  // also more than the machine has
+  std::unique_ptr<oneapi::tbb::global_control> most_;  // of the process: also more than the machine has, never fewer
   oneapi::tbb::task_arena arena_;
 };
 

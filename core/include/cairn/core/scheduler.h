@@ -26,7 +26,8 @@ class Scheduler {
   /// the switch, short enough that a hundred pairs all move within a ten-thousand-operation budget.
   static constexpr std::uint32_t kTurnOperations = 80;
 
-  /// Of the longest single step of a traversal: a node's sphere is moved and its whole family tested.
+  /// Operations of the longest single step of a traversal: a node's sphere is moved and its whole family tested. A turn
+  /// of fewer may do nothing (`Scheduler.ShareOut_GivesEachThatIsUnfinishedAsMuchAsTheOthers`).
   static constexpr std::uint32_t kStepOperations = kSphereUpdateCost + kFamilyWidth * kOverlapTestCost;
 
   /// Refines until every pair is done or the budget is spent. `pairs` need not be sorted; they are sorted by id here.
