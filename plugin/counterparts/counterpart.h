@@ -19,8 +19,9 @@ namespace cairn::bullet {
 /// What measuring the contact of a leaf pair is charged: both spheres are moved, and compared once more.
 inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 
-/// How many times larger than the other a sphere around a whole tree may be for their contact to say anything about
-/// where the bodies are.
+/// How many times larger than the other, by radius, a sphere around a whole tree may be for their contact to say
+/// anything about where the bodies are: beyond, the small body may be anywhere in it
+/// (`Guards_OnAWideTree.HoldASmallBodyAnywhereWithBoundedWork` fails without a bound).
 inline constexpr float kMostUnlike = 2;
 
 /// What is asked of the source meshes.
