@@ -8,6 +8,7 @@
 #include "continuous/side_by_side.h"
 #include "continuous/sweep.h"
 #include "placement/bullet_math.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -54,7 +55,7 @@ struct Sweep::Approach {
       const Vec3 atStart = start(n), atEnd = end(n);
       return dot(n, atStart) < dot(n, atEnd) ? atStart : atEnd;
     };
-    return SideBySide(normalized(node.way))
+    return SideBySide(unitVector(node.way))
         .direction(start(normal), sweep.target_->margin() + sweep.margin_, nearer)
         .has_value();
   }
@@ -75,7 +76,7 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
   const std::size_t ofOther = normals_.all().size();
   approach.segment.tree.appendFaces(approach.nodes.a, normals_);
   if (normals_.all().empty()) return ofOther;
-  const Vec3 along = normalized(way), line = normals_.all().front(), beside = line - along * dot(along, line);
+  const Vec3 along = unitVector(way), line = normals_.all().front(), beside = line - along * dot(along, line);
   if (const float norm = length(beside); norm > kLeastBeside) normals_.add(beside / norm, false);
   return ofOther;
 }

@@ -118,7 +118,7 @@ void ConvexContacts::tellWayOut() {
   contacts_.clear();
   const Vec3 out = surface_->toPair * nearestOnSurface(surface_->fromPair(middleOfBody_));
   if (out == middleOfBody_) return;
-  const Vec3 outward = normalized(out - middleOfBody_);
+  const Vec3 outward = unitVector(out - middleOfBody_);
   facing_.look(-outward, limits_.size, [&](const Vec3& direction) { return body_->support(direction); });
   std::uint32_t corner = 1;
   for (const Vec3& onBody : facing_.corners()) {
@@ -249,7 +249,7 @@ void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, 
   const float fall = -dot(falls.normal, way), rise = dot(rises.normal, way);
   const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
   if (between == Vec3()) return;
-  nearest.normal = normalized(between);
+  nearest.normal = unitVector(between);
   if (nearest.distance < 0) nearest.distance /= length(between);
   nearest.point = place - nearest.normal * nearest.distance;
 }

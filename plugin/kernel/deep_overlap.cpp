@@ -6,6 +6,7 @@
 
 #include "kernel/contact_tuning.h"
 #include "kernel/explained.h"
+#include "placement/unit_vector.h"
 
 namespace cairn::bullet {
 
@@ -39,7 +40,7 @@ bool isWrapped(const OverlapRegion& region) {
 Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
   const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
   const Vec3 way = isWrapped(region) ? bodies : -region.area;
-  return way != Vec3() ? normalized(way) : way;
+  return unitVector(way);
 }
 
 }  // namespace

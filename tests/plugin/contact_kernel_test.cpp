@@ -268,6 +268,29 @@ TEST(ContactKernel, TellsMinimaAndNothingElse) {
   EXPECT_GT(deeper, 20U);
 }
 
+// Of bodies wrapped around each other the line of their middles says where to; it may be too short to be squared.
+TEST(ContactKernel, TellsDirectionsOfMiddlesThatAllButCoincide) {
+  std::size_t deep = 0;
+  for (const Bodies& bodies : manyBodies()) {
+    std::mt19937_64 engine(kSeed + 5);
+    ContactKernel kernel;
+    for (int trial = 0; trial < 45; ++trial) {
+      const Vec3d middle = randomPoint(engine) * std::pow(10.0, -trial);
+      const PlacedTree a(*bodies.a, Pose{randomRotation(engine), middle, 1}), b(*bodies.b, Pose());
+      KernelMemory memory;
+      Budget unlimited = Budget::unlimited();
+      const auto answer = kernel.run(SurfacePair::of(a, b), limitsOf(), memory, {}, unlimited);
+      ASSERT_TRUE(answer.has_value());
+      for (const FeatureContact& c : answer->contacts) {
+        deep += isDeep(c.kind);
+        EXPECT_NEAR(length(c.normal), 1, 1e-5) << "seed " << kSeed + 5 << ", trial " << trial;
+        EXPECT_TRUE(isFinite(c.position) && std::isfinite(c.separation)) << "seed " << kSeed + 5;
+      }
+    }
+  }
+  EXPECT_GT(deep, 100U);
+}
+
 // Bodies that creep are not listed anew in each step; features, which have the narrower skin, more often than patches.
 TEST(ContactKernel, ListsLastForSomeSteps) {
   const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
