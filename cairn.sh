@@ -36,6 +36,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench interrupted [TREE] what certified error traversals cut short are left with, in turn, worst first, in the best order there is
   ./cairn.sh bench budgets [OPTIONS] what budgets of operations cost in accuracy and save in time, policy by policy, and what
                              several threads save, as tables and a figure (--help lists the options)
+  ./cairn.sh bench worlds [OPTIONS] what thousands of bodies that lie still cost beside a hundred that move, time and bytes
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
@@ -221,7 +222,7 @@ bench() {
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
     budgets) bench_budgets "${@:2}"; return ;;
-    effects | fits | interrupted | kernel | matrix | memory | still | terrain | textbook | traversal) bench_program "$@"; return ;;
+    effects | fits | interrupted | kernel | matrix | memory | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
   esac
   build release
   local mesh

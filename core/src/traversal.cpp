@@ -56,4 +56,15 @@ void Traversal::abandon() {
   forgetErrors();
 }
 
+void Traversal::shrinkToFit() {
+  if (done()) {  // what has been refined is never looked at again
+    queue_.clear();
+    head_ = coarseBegin_ = coarseEnd_ = 0;
+    forgetErrors();
+  }
+  queue_.shrinkToFit();
+  leafPairs_.shrinkToFit();
+  peaks_.shrink_to_fit();
+}
+
 }  // namespace cairn

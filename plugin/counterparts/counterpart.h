@@ -58,6 +58,8 @@ class Counterpart {
   virtual bool resume() = 0;
   virtual Traversal& traversal() = 0;
   const Traversal& traversal() const { return const_cast<Counterpart*>(this)->traversal(); }
+  /// Frees memory that is not in use, for a pair that rests; nothing else changes.
+  virtual void shrinkToFit() { traversal().shrinkToFit(); }
 
   /// Appends the contacts of resolved pairs, measured between the extreme points of the leaves' regions (scheme S), if
   /// their gap is below the placement's reach.

@@ -24,6 +24,11 @@ void TreeCounterpart::reset() {
   kernelMemory_.forget();
 }
 
+void TreeCounterpart::shrinkToFit() {
+  traversal_.shrinkToFit();
+  kernelMemory_.shrinkToFit();
+}
+
 void TreeCounterpart::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
   a_ = placement.tree;

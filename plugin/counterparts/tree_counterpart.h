@@ -18,6 +18,7 @@ class TreeCounterpart final : public Counterpart {
   void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
+  void shrinkToFit() override;
   bool keepsAnswer() const override { return true; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   void appendContacts(std::span<const NodePair> pairs, std::span<float> gaps, std::vector<Contact>& contacts) override;

@@ -70,6 +70,7 @@ bool NarrowPhase::Impl::isWorlds(btOverlappingPairCache& pairs) {
 void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                 btManifoldResult& result, bool mayDefer) {
+  pair.rest = PairRest::asked;
   // A result of another class belongs to who wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   const bool isOfCompound = body0.m_parent || body1.m_parent;

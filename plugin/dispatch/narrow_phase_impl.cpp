@@ -113,6 +113,7 @@ void NarrowPhase::Impl::endStep() {
   refinement_.endStep();
   holding_.endStep();
   step_.endStep();
+  pool_.endStep();
 
   statistics.operations = step_.left.used();
   const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;

@@ -31,4 +31,12 @@ std::size_t PairPool::reserve(const PairCounts& pairs) {
   return all_.size();
 }
 
+void PairPool::endStep() {
+  for (std::size_t looks = all_.size() / step_tuning::kStepsToLookAtAll + 1; looks > 0 && !all_.empty(); --looks) {
+    lookedAt_ = lookedAt_ + 1 < all_.size() ? lookedAt_ + 1 : 0;
+    TreePair& pair = *all_[lookedAt_];
+    if (pair.subject.isKnown()) pair.lookAtRest();  // idle ones keep what they were given ahead
+  }
+}
+
 }  // namespace cairn::bullet

@@ -21,10 +21,13 @@ class PairPool {
   void giveBack(TreePair& pair);
   /// Makes as many idle pairs of each kind as these, if there are fewer. Returns how many there are in all.
   std::size_t reserve(const PairCounts& pairs);
+  /// Once a step: looks at some pairs, others in each, so that those that rest give memory back.
+  void endStep();
 
  private:
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
+  std::size_t lookedAt_ = 0;  // up to here
 };
 
 }  // namespace cairn::bullet

@@ -34,6 +34,10 @@ inline constexpr double kHoldPace = 5;
 /// Pairs that are held between two looks at the clock: more end a step later, fewer spend it on looking.
 inline constexpr std::size_t kHeldBetweenLooks = 8;
 
+/// Steps in which each pair is looked at once, whether it rests: memory is given back after four seconds at least, and
+/// a world of 10,000 bodies at rest spends a fiftieth of a microsecond a body on it.
+inline constexpr std::size_t kStepsToLookAtAll = 256;
+
 // How many pairs ahead what one needs is fetched: about as many as are worked on while memory answers. Time alone.
 
 /// In Bullet's pass: what tells whether anything has to be done, and what is copied.

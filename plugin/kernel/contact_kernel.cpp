@@ -41,7 +41,7 @@ std::optional<std::uint64_t> KernelMemory::expectedCost(const RelativePlacement&
   if (!near_) return tooFew_ > 0 ? std::optional(tooFew_) : std::nullopt;
   const bool areNear = near_->holdsAt(placement, near_->reach);
   const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->reach);
-  const std::uint64_t listed = kOverlapTestCost * (lists_.size() + (areListed ? 0 : patches_.size()));
+  const std::uint64_t listed = kOverlapTestCost * (listed_ + (areListed ? 0 : patches_.size()));
   return std::max(listed + (areNear ? overlapCost_ : findingCost_), tooFew_);
 }
 
@@ -59,15 +59,15 @@ std::optional<ContactKernel::Answer> ContactKernel::answer(const SurfacePair& su
                                                            Budget& budget) {
   ContactLimits shallow = limits;
   shallow.trustedDepth = shallowDepth(limits);
-  if (!list(surfaces, shallow, memory, placement, budget)) return {};
-  if (!budget.charge(kOverlapTestCost * memory.lists_.size())) return {};
+  const std::optional<FeatureSpans> lists = list(surfaces, shallow, memory, placement, budget);
+  if (!lists || !budget.charge(kOverlapTestCost * memory.listed_)) return {};
   contacts_.clear();
   crossings_.clear();
   placed_.begin(surfaces);
   const std::uint64_t before = budget.used();
   const float moved = memory.features_->movedBy(placement) + limits.rounding();
-  FeatureContacts(surfaces, placed_, shallow).append(memory.lists_, moved, contacts_);
-  appendCrossings(surfaces, placed_, memory.lists_, moved, crossings_);
+  FeatureContacts(surfaces, placed_, shallow).append(*lists, moved, contacts_);
+  appendCrossings(surfaces, placed_, *lists, moved, crossings_);
   const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
   if (!appendDeeper(surfaces, limits, regions, budget)) return {};
   dropDeeper(contacts_, shallow_, limits, [&](const FeatureContact& contact, const FeatureContact& other) {
@@ -103,13 +103,14 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
 }
 
 // Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step. What
-// lies still need not be listed anew for less than it may be carried over for.
-bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
-                         const RelativePlacement& placement, Budget& budget) {
+// lies still need not be listed anew for less than it may be carried over for. Without a skin nothing is kept.
+std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limits,
+                                                KernelMemory& memory, const RelativePlacement& placement,
+                                                Budget& budget) {
   const auto moved = static_cast<float>(placement.displacementSince(memory.lastAt_));
   memory.lastAt_ = placement;
   const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.reach);
-  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return true;
+  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return memory.kept_.spans();
   memory.features_.reset();
   lister_.begin(surfaces, limits);
   if (!areNear) {
@@ -117,7 +118,7 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
     const float skin = skinOr0(tuning::kPatchSkin * limits.size, moved);
     lister_.setSkin(skin);
     const std::uint64_t before = budget.used();
-    if (!lister_.findNear(memory.patches_, budget)) return false;
+    if (!lister_.findNear(memory.patches_, budget)) return {};
     memory.findingCost_ = budget.used() - before;
     memory.apart_ = lister_.apart();
     memory.near_ = {placement, limits.reach, skin};
@@ -126,9 +127,11 @@ bool ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limit
   const float least = tuning::kCarried * limits.contactDistance;
   const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, least), left), moved);
   lister_.setSkin(skin);
-  if (!lister_.list(memory.patches_, sincePatches, Asked::all, memory.lists_, budget)) return false;
+  if (!lister_.list(memory.patches_, sincePatches, Asked::all, lists_, budget)) return {};
   memory.features_ = {placement, limits.reach, skin};
-  return true;
+  memory.listed_ = lists_.size();
+  if (skin > 0) memory.kept_.keep(lists_);
+  return lists_;
 }
 
 // Whether what a contact says to be inside the other body, margins and all, is so once A has moved out along `other`,

@@ -31,6 +31,13 @@ class KernelMemory {
     lastAt_ = {};
     findingCost_ = overlapCost_ = tooFew_ = 0;
   }
+  /// Frees memory that is not in use; nothing else changes.
+  void shrinkToFit() {
+    if (!near_) patches_.clear();
+    if (!features_ || features_->skin <= 0) kept_ = {};
+    patches_.shrink_to_fit();
+    kept_.shrinkToFit();
+  }
   /// Operations that contacts are expected to take where the bodies stand so; nothing where they were never found.
   /// What did not do before is a guess at it.
   std::optional<std::uint64_t> expectedCost(const RelativePlacement& placement) const;
@@ -52,8 +59,9 @@ class KernelMemory {
 
   std::optional<Listed> near_, features_;
   std::vector<PatchPair> patches_;
-  FeatureLists lists_;
-  float apart_ = 0;  // of what is not listed, where the patches were
+  KeptFeatures kept_;       // where `features_` says so
+  std::size_t listed_ = 0;  // features, last time
+  float apart_ = 0;         // of what is not listed, where the patches were
   // Operations: to find the patches, and what overlaps, last time; and what was too few.
   std::uint64_t findingCost_ = 0, overlapCost_ = 0, tooFew_ = 0;
   RelativePlacement lastAt_;
@@ -79,8 +87,8 @@ class ContactKernel {
  private:
   std::optional<Answer> answer(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                                const RelativePlacement& placement, Budget& budget);
-  bool list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
-            const RelativePlacement& placement, Budget& budget);
+  std::optional<FeatureSpans> list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
+                                   const RelativePlacement& placement, Budget& budget);
   bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
                     Budget& budget);
   bool staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
@@ -92,7 +100,7 @@ class ContactKernel {
   std::vector<Crossing> crossings_;
   OverlapRegions regions_;
   OverlapPatches overlapPatches_;
-  FeatureLists deepLists_;
+  FeatureLists lists_, deepLists_;
   DeepOverlap deepOverlap_;
   ConvexContacts convexContacts_;
   SurfaceRay ray_;

@@ -21,12 +21,12 @@ void append(const PlacedSurface& edged, PlacedVertices& placed, const PlacedSurf
 
 }  // namespace
 
-void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists, float moved,
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureSpans& lists, float moved,
                      std::vector<Crossing>& crossings) {
-  FeatureLists::forEachAt(moved, lists.edgesThroughFaces, [&](std::uint32_t edge, std::uint32_t face) {
+  FeatureSpans::forEachAt(moved, lists.edgesThroughFaces, [&](std::uint32_t edge, std::uint32_t face) {
     append(surfaces.a, placed.aInB, surfaces.b, edge, face, true, crossings);
   });
-  FeatureLists::forEachAt(moved, lists.facesThroughEdges, [&](std::uint32_t face, std::uint32_t edge) {
+  FeatureSpans::forEachAt(moved, lists.facesThroughEdges, [&](std::uint32_t face, std::uint32_t edge) {
     append(surfaces.b, placed.bInA, surfaces.a, edge, face, false, crossings);
   });
 }

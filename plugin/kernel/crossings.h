@@ -21,7 +21,7 @@ struct Crossing {
 };
 
 /// Appends all crossings among what is listed. `moved`: as far as bodies may have moved, a world length, since.
-void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureLists& lists, float moved,
+void appendCrossings(const SurfacePair& surfaces, PlacedPair& placed, const FeatureSpans& lists, float moved,
                      std::vector<Crossing>& crossings);
 
 }  // namespace cairn::bullet

@@ -52,14 +52,14 @@ bool isWithin(float along, float length, float beside) {
 
 }  // namespace
 
-void FeatureContacts::append(const FeatureLists& lists, float moved, std::vector<FeatureContact>& contacts) const {
-  FeatureLists::forEachAt(moved, lists.verticesOnFaces, [&](std::uint32_t vertex, std::uint32_t face) {
+void FeatureContacts::append(const FeatureSpans& lists, float moved, std::vector<FeatureContact>& contacts) const {
+  FeatureSpans::forEachAt(moved, lists.verticesOnFaces, [&](std::uint32_t vertex, std::uint32_t face) {
     appendVertexFace(surfaces_.a, surfaces_.b, vertex, face, contacts);
   });
-  FeatureLists::forEachAt(moved, lists.facesOnVertices, [&](std::uint32_t face, std::uint32_t vertex) {
+  FeatureSpans::forEachAt(moved, lists.facesOnVertices, [&](std::uint32_t face, std::uint32_t vertex) {
     appendVertexFace(surfaces_.b, surfaces_.a, vertex, face, contacts);
   });
-  FeatureLists::forEachAt(moved, lists.edgesOnEdges,
+  FeatureSpans::forEachAt(moved, lists.edgesOnEdges,
                           [&](std::uint32_t ofA, std::uint32_t ofB) { appendEdgeEdge(ofA, ofB, contacts); });
 }
 

@@ -45,7 +45,7 @@ class FeatureContacts {
       : surfaces_(surfaces), placed_(placed), limits_(limits) {}
 
   /// `moved`: as far as bodies may have moved, a world length, since these were listed.
-  void append(const FeatureLists& lists, float moved, std::vector<FeatureContact>& contacts) const;
+  void append(const FeatureSpans& lists, float moved, std::vector<FeatureContact>& contacts) const;
 
  private:
   void appendVertexFace(const PlacedSurface& pointed, const PlacedSurface& faced, std::uint32_t vertex,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cairn::bullet {
@@ -34,17 +36,72 @@ struct FeatureLists {
     for (List* list : {&verticesOnFaces, &facesOnVertices, &edgesOnEdges, &edgesThroughFaces, &facesThroughEdges})
       list->clear();
   }
-  /// Calls `ask(a, b)` for each pair that may touch once bodies have moved so far, a world length, since they were
-  /// listed.
-  template <class Ask>
-  static void forEachAt(float moved, const List& list, const Ask& ask) {
-    for (const FeaturePair& pair : list)
-      if (pair.margin <= moved) ask(pair.a, pair.b);
-  }
   std::size_t size() const {
     return verticesOnFaces.size() + facesOnVertices.size() + edgesOnEdges.size() + edgesThroughFaces.size() +
            facesThroughEdges.size();
   }
+};
+
+/// The same lists, wherever they stand. Valid as long as these.
+struct FeatureSpans {
+  using List = std::span<const FeaturePair>;
+
+  List verticesOnFaces, facesOnVertices, edgesOnEdges, edgesThroughFaces, facesThroughEdges;
+
+  FeatureSpans() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): what takes spans takes lists
+  FeatureSpans(const FeatureLists& lists)
+      : verticesOnFaces(lists.verticesOnFaces),
+        facesOnVertices(lists.facesOnVertices),
+        edgesOnEdges(lists.edgesOnEdges),
+        edgesThroughFaces(lists.edgesThroughFaces),
+        facesThroughEdges(lists.facesThroughEdges) {}
+
+  std::array<List*, 5> all() {
+    return {&verticesOnFaces, &facesOnVertices, &edgesOnEdges, &edgesThroughFaces, &facesThroughEdges};
+  }
+  /// Calls `ask(a, b)` for each pair that may touch once bodies have moved so far, a world length, since they were
+  /// listed.
+  template <class Ask>
+  static void forEachAt(float moved, List list, const Ask& ask) {
+    for (const FeaturePair& pair : list)
+      if (pair.margin <= moved) ask(pair.a, pair.b);
+  }
+};
+
+/// Lists that are kept from step to step, in one block hardly larger than they are.
+class KeptFeatures {
+ public:
+  void keep(FeatureSpans lists) {
+    std::size_t size = 0;
+    for (const auto* list : lists.all()) size += list->size();
+    // Lists that vary by a few allocate nothing; long ones of a fast step do not stay for ever.
+    if (size > pairs_.capacity() || kMostRoom * size < pairs_.capacity()) {
+      pairs_ = {};
+      pairs_.reserve(size + size / 4);
+    }
+    pairs_.clear();
+    for (std::size_t i = 0; const auto* list : lists.all()) {
+      pairs_.insert(pairs_.end(), list->begin(), list->end());
+      ends_[i++] = static_cast<std::uint32_t>(pairs_.size());
+    }
+  }
+  FeatureSpans spans() const {
+    FeatureSpans lists;
+    std::uint32_t from = 0;
+    for (std::size_t i = 0; auto* list : lists.all()) {
+      *list = FeatureSpans::List(pairs_).subspan(from, ends_[i] - from);
+      from = ends_[i++];
+    }
+    return lists;
+  }
+  void shrinkToFit() { pairs_.shrink_to_fit(); }
+
+ private:
+  static constexpr std::size_t kMostRoom = 8;  // times what is used
+
+  std::vector<FeaturePair> pairs_;
+  std::array<std::uint32_t, 5> ends_{};  // of each list
 };
 
 }  // namespace cairn::bullet

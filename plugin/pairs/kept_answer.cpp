@@ -132,4 +132,11 @@ void KeptAnswer::makeRoom(std::size_t count) {
   near_.reserve(count + count / 2);
 }
 
+void KeptAnswer::shrinkToFit() {
+  gaps_.shrink_to_fit();
+  near_ = {};
+  few_ = {};
+  picked_ = {};
+}
+
 }  // namespace cairn::bullet

@@ -80,6 +80,8 @@ class KeptAnswer {
 
   /// Allocates what `count` leaf pairs may need, wanted now or not: a pair that slows down later allocates nothing.
   void makeRoom(std::size_t count);
+  /// Frees memory that is not in use. Nothing is picked any more.
+  void shrinkToFit();
 
  private:
   void forgetTraversal();

@@ -109,6 +109,8 @@ class PairContacts {
   /// Whether the last answer still says anything about where the bodies are now.
   bool hasAnswer(const RelativeMotion& motion) const;
 
+  /// Frees memory that is not in use, of a pair that rests.
+  void shrinkToFit() { kept_.shrinkToFit(); }
   /// Allocates, once, what only steps that may be interrupted need: more than all the rest of a pair.
   void expectInterruptions();
 

@@ -54,6 +54,14 @@ void TreePair::forget() {
   clearManifolds();
 }
 
+void TreePair::lookAtRest() {
+  if (rest == PairRest::fitted) return;
+  rest = rest == PairRest::asked ? PairRest::silent : PairRest::fitted;
+  if (rest != PairRest::fitted) return;
+  counterpart->shrinkToFit();
+  contacts.shrinkToFit();
+}
+
 void TreePair::forgetWaiting() {
   age.isPlaced = age.isHeld = false;
   age.waited = age.error = 0;

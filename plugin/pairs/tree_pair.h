@@ -33,6 +33,13 @@ enum class PairStage : std::uint8_t {
   begun,      ///< its counterpart is placed, its traversal started or resumed
 };
 
+/// Whether a pair rests: Bullet does not ask about bodies that sleep.
+enum class PairRest : std::uint8_t {
+  asked,   ///< since the last look
+  silent,  ///< not since then
+  fitted,  ///< nor since the one before: it gave back memory it does not use
+};
+
 /// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: all that
 /// is known of them from step to step. What is done with it stands in files of their own: pair_settle.h,
 /// pair_collect.h, pair_survey.h, pair_carry.h, pair_begin.h, pair_measure.h, pair_write.h, pair_hold.h. What tells
@@ -47,6 +54,7 @@ struct alignas(64) TreePair {
   CounterpartKind kind;
   bool treeIsBody0 = true;
   std::atomic<PairStage> stage{PairStage::idle};  // threads look at others' pairs to fetch them
+  PairRest rest = PairRest::asked;
   PairSaid said;
   PairSizes sizes;
   PairCourse course;
@@ -81,6 +89,8 @@ struct alignas(64) TreePair {
   bool adopt(const PairSides& sides);
   /// All that is known of the shapes; contacts end.
   void forget();
+  /// A look at it, now and then: if it rests, it gives back memory that it does not use.
+  void lookAtRest();
   void forgetWaiting();
   void forgetImpulsesAhead();
   /// The bodies stand elsewhere: how far spheres had overlapped, and were allowed to, means nothing here.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "cairn/core/obstacle_traversal.h"
 #include "cairn/core/tree_pair_traversal.h"
@@ -54,6 +55,18 @@ void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
       const double gap = distance(c.poseA * Vec3d(c.a.points[i]), c.poseB * Vec3d(c.b.points[j]));
       if (gap <= c.margin) ASSERT_TRUE(isReported(c.a.leafOfPoint[i], c.b.leafOfPoint[j])) << i << ", " << j;
     }
+}
+
+// What a traversal says does not depend on the memory it holds.
+void expectSameOnceFitted(Traversal& traversal) {
+  const auto copyOf = [](std::span<const NodePair> pairs) { return std::vector(pairs.begin(), pairs.end()); };
+  const auto said = [&] {
+    return std::tuple(traversal.done(), copyOf(traversal.front()), copyOf(traversal.coarseFront()),
+                      copyOf(traversal.leafPairs()), traversal.worstFrontError());
+  };
+  const auto before = said();
+  traversal.shrinkToFit();
+  EXPECT_EQ(said(), before);
 }
 
 // Brute force: all pairs of leaves whose balls overlap, in double, no hierarchy.
@@ -140,6 +153,7 @@ TEST(TreePairTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
       ASSERT_LE(first.used(), stop);
       ASSERT_EQ(progress == Progress::done, cut.done());
       ASSERT_EQ(progress == Progress::done, stop >= unlimited.used());
+      if (stop % 2 == 0) expectSameOnceFitted(cut);
       if (stop % 97 == 0) expectEveryTouchReported(c, cut);
       Budget rest = Budget::unlimited();
       ASSERT_EQ(cut.refine(rest), Progress::done);
@@ -353,6 +367,7 @@ TEST(ObstacleTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
     cut.start(tree, 1, obstacle);
     Budget first = Budget::operations(stop), rest = Budget::unlimited();
     (void)cut.refine(first);
+    if (stop % 2 == 0) expectSameOnceFitted(cut);
     ASSERT_EQ(cut.refine(rest), Progress::done);
     ASSERT_EQ(first.used() + rest.used(), unlimited.used());
     ASSERT_TRUE(

@@ -5,6 +5,7 @@
 
 #include "counting_new.h"
 #include "front_ends.h"
+#include "pile.h"
 #include "priorities.h"
 
 // The address sanitizer has to own `new` itself.
@@ -43,6 +44,26 @@ TEST_P(Allocation, IsNoneAfterWarmUp) {
     EXPECT_GT(w.dispatcher.lastStep().contacts, 0U);
     EXPECT_EQ(made, 0U);
   });
+}
+
+// Pairs of bodies that sleep give memory back, which they take again when the bodies wake.
+TEST(RestingPairs, KeepNoMoreThanTheyUse) {
+  const auto allocatedByWaking = [](int restingSteps) {
+    Pile<bullet::Dispatcher<>> pile({});
+    pile.w.step(300);
+    const auto setStates = [&](int state) {
+      for (btRigidBody* body : pile.bodies) body->forceActivationState(state);
+    };
+    setStates(ISLAND_SLEEPING);
+    pile.w.step(restingSteps);
+    const std::size_t before = allocations();
+    setStates(DISABLE_DEACTIVATION);
+    pile.w.step(5);
+    EXPECT_GT(pile.w.dispatcher.lastStep().contacts, 20U);
+    return allocations() - before;
+  };
+  EXPECT_EQ(allocatedByWaking(10), 0U);
+  EXPECT_GT(allocatedByWaking(600), 50U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Budgets, Allocation,

@@ -314,6 +314,36 @@ TEST(ContactKernel, ListsLastForSomeSteps) {
   EXPECT_LE(listed, 25);
 }
 
+// A pair that rests gives memory back; what it knows stays.
+TEST(ContactKernel, SaysTheSameInMemoryThatFits) {
+  const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
+  const PlacedTree b(*ring, Pose());
+  ContactKernel kernel;
+  KernelMemory memory, fitted;
+  std::size_t contacts = 0;
+  for (int step = 0; step < 60; ++step) {
+    const double moved = 4e-4 * step;
+    bullet::RelativePlacement placement;
+    placement.treeInOther.setOrigin(btVector3(btScalar(moved), 0, 0));
+    placement.radius = btScalar(0.5);
+    const PlacedTree a(*ring, Pose{Mat3d(), {0.25 + moved, 0, 0.238}, 1});
+    const auto run = [&](KernelMemory& in) {
+      Budget budget = Budget::operations(1000000);
+      const auto answer = kernel.run(SurfacePair::of(a, b), limitsOf(0.006F), in, placement, budget);
+      std::vector<std::array<float, 4>> said{{answer->apart, float(budget.used()), 0, 0}};
+      for (const FeatureContact& c : answer->contacts)
+        said.push_back({c.separation, c.position.x, c.position.y, c.position.z});
+      return said;
+    };
+    const auto said = run(memory);
+    fitted.shrinkToFit();
+    EXPECT_EQ(run(fitted), said) << "step " << step;
+    EXPECT_EQ(fitted.expectedCost(placement), memory.expectedCost(placement));
+    contacts += said.size() - 1;
+  }
+  EXPECT_GT(contacts, 100U);
+}
+
 TEST(ContactKernel, IsCutOffByABudget) {
   const auto ring = plainTree(torus(0.3, 0.12, 16), 4);
   const PlacedTree a(*ring, Pose{Mat3d(), {0.25, 0, 0.1}, 1}), b(*ring, Pose());

@@ -29,6 +29,11 @@ class PairList {
 
   /// Keeps the memory.
   void clear() { size_ = 0; }
+  /// Frees what is not in use.
+  void shrinkToFit() {
+    storage_.resize(size_);
+    storage_.shrink_to_fit();
+  }
   void push_back(const NodePair& pair) { *makeRoom(1) = pair, ++size_; }
 
   /// Where the next `count` pairs may be written; good until the next call. Allocates only when the list grows beyond

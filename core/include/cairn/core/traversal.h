@@ -32,6 +32,8 @@ class Traversal {
 
   /// Forgets everything: done, with no pairs, and no tree or obstacle is looked at any more until the next start.
   void abandon();
+  /// Frees memory that is not in use; nothing else changes. Going on allocates again.
+  void shrinkToFit();
 
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
