@@ -15,7 +15,6 @@ class StepHolding {
   /// Holds back what the plan's held pairs will take.
   void promise();
   void withdraw();
-  const Promise& promised() const { return promised_; }
   const EmissionPace& pace() const { return pace_; }
   void endStep();
 

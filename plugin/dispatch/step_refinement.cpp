@@ -40,6 +40,7 @@ PairNeed StepRefinement::needOf(std::size_t index) {
 
 void StepRefinement::beginPairs() {
   updated_ = 0;
+  onMeshes_ = {};
   bookedUntil_ = step_.left.used();
   if (step_.plan.isScarce()) {
     lookCoarsely();
@@ -117,18 +118,35 @@ void StepRefinement::turnEnded(std::size_t index, Progress progress, Budget& bud
 
 void StepRefinement::finishPair(std::size_t index) {
   TreePair& pair = *step_.pairs[index];
-  const bool isTimed = step_.left.hasDeadline();
-  const double expected = pair.work.promised.nanoseconds;
-  const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
   btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());
   const ScheduledPair before = scheduled(pair);
-  const PairReport report =
-      finish(pair, step_.dispatcher, result, step_.rules.answerPolicy(), step_.left, step_.scratch);
+  const PairReport report = step_.left.hasDeadline() ? finishInTime(pair, result)
+                                                     : finish(pair, step_.dispatcher, result,
+                                                              step_.rules.answerPolicy(), step_.left, step_.scratch);
   step_.count(report, before);
-  // Triangles take what is left: were they expected, they would keep others from their leaves.
-  if (isTimed) pace_.finished(expected, Budget::Clock::now() - began - report.onTriangles);
   if (step_.pairs[index]) bookTo(pair);
   step_.pairs.dismiss(index);
+}
+
+// Meshes are asked where there is time for them. They are not promised any: they would keep others from their leaves.
+PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result) {
+  AnswerPolicy policy = step_.rules.answerPolicy();
+  const double promised = pair.work.promised.nanoseconds;
+  const auto expected = pair.counterpart->expectedMeshCost(pair.motion.relative.placement);
+  const bool mayAsk = policy.finest == Finest::triangles && pair.isDone() && expected != 0;
+  const bool asks = mayAsk && meshTime_.expected(expected) <= step_.left.nanosecondsFree();
+  if (mayAsk && !asks) {
+    policy.finest = Finest::leaves;
+    meshTime_.wasRefused();
+  }
+  const std::uint64_t before = step_.left.used();
+  const auto began = Budget::Clock::now();
+  const PairReport report = finish(pair, step_.dispatcher, result, policy, step_.left, step_.scratch);
+  pace_.finished(promised, Budget::Clock::now() - began - report.onTriangles);
+  onMeshes_ += report.onTriangles;
+  if (asks) meshTime_.took(expected, report.onTriangles);
+  if (asks && !expected && report.isOfMesh) meshTime_.learnFirst(step_.left.used() - before);
+  return report;
 }
 
 void StepRefinement::refinePairs() {
@@ -137,9 +155,7 @@ void StepRefinement::refinePairs() {
   // What was promised to those that are done is more than triangles take.
   if (progress != Progress::done && finishResolvedPairs()) progress = resumePairs();
   while (step_.plan.isScarce() && progress == Progress::done) {
-    StepMeans more = step_.means();
-    more.nanoseconds -= holding_.promised().nanoseconds;
-    if (!step_.plan.decideOnMore(more, updatePace_)) break;
+    if (!step_.plan.decideOnMore(step_.means(), updatePace_)) break;
     holding_.promise();
     for (const std::size_t i : step_.plan.chosen()) progress = serveAlone(i);
   }
@@ -194,11 +210,12 @@ void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock:
   if (!step_.left.hasDeadline() || updated_ == 0) return;
   const double expected = updatePace_.expectedNanoseconds(step_.left.used() - operationsBefore) +
                           static_cast<double>(updated_ - 1) * updatePace_.expectedNanoseconds(0);
-  updatePace_.finished(expected, Budget::Clock::now() - began);
+  updatePace_.finished(expected, Budget::Clock::now() - began - onMeshes_);
 }
 
 void StepRefinement::endStep() {
   pace_.endStep();
+  meshTime_.endStep();
   updatePace_.endStep();
 }
 

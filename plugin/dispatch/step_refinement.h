@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cairn/core/scheduler.h"
+#include "dispatch/mesh_time.h"
 #include "dispatch/step_answers.h"
 #include "dispatch/step_holding.h"
 
@@ -30,6 +31,7 @@ class StepRefinement final : private TurnListener {
   void lookCoarsely();
   bool carriesOver(std::size_t index);
   void finishPair(std::size_t index);
+  PairReport finishInTime(TreePair& pair, btManifoldResult& result);
   bool finishResolvedPairs();
   template <class IsAsked>
   bool finishPairs(const IsAsked& isAsked);
@@ -43,9 +45,11 @@ class StepRefinement final : private TurnListener {
   StepAnswers& answers_;
   Scheduler scheduler_;
   EmissionPace pace_;
-  EmissionPace updatePace_;        // of all that is done for a pair that is not held
-  std::uint64_t bookedUntil_ = 0;  // operations of this step that were charged to a pair
-  std::uint32_t updated_ = 0;      // pairs begun in this step
+  EmissionPace updatePace_;  // of all that is done for a pair that is not held, but for its meshes
+  MeshTime meshTime_;
+  Budget::Clock::duration onMeshes_{};  // in this step
+  std::uint64_t bookedUntil_ = 0;       // operations of this step that were charged to a pair
+  std::uint32_t updated_ = 0;           // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;
 };
 

@@ -9,7 +9,7 @@ StepMeans StepState::means() const {
   constexpr std::uint64_t kUnbounded = Budget::kUnlimited / 2;
   StepMeans means;
   if (left.remaining() < kUnbounded) means.operations = static_cast<double>(left.remaining());
-  means.nanoseconds = left.nanosecondsLeft();
+  means.nanoseconds = left.nanosecondsFree();
   return means;
 }
 

@@ -34,6 +34,13 @@ inline constexpr double kHoldPace = 5;
 /// Pairs that are held between two looks at the clock: more end a step later, fewer spend it on looking.
 inline constexpr std::size_t kHeldBetweenLooks = 8;
 
+/// Nanoseconds an operation that meshes take, a pair's own share in operations, and what the first question to a pair
+/// takes, until these are known better: as on a machine of 2 GHz, for meshes of 1500 triangles.
+inline constexpr double kMeshPace = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
+/// Of what meshes are expected to take, so much is taken off in each step in which there was too little time to ask:
+/// by half in twelve seconds.
+inline constexpr double kHope = 0.001;
+
 /// Steps in which each pair is looked at once, whether it rests: memory is given back after four seconds at least, and
 /// a world of 10,000 bodies at rest spends a fiftieth of a microsecond a body on it.
 inline constexpr std::size_t kStepsToLookAtAll = 256;

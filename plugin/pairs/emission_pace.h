@@ -16,6 +16,8 @@ class EmissionPace {
   EmissionPace() = default;
   /// For work that is known to be quicker or slower: nanoseconds an operation before anything was seen.
   explicit EmissionPace(double firstPace) : pace_(firstPace) {}
+  /// And of which a pair takes as long as so many operations, however few it has.
+  EmissionPace(double firstPace, double pairWeight) : pairWeight_(pairWeight), pace_(firstPace) {}
 
   double expectedNanoseconds(std::uint64_t operations) const { return pace_ * weight(operations); }
 
@@ -25,14 +27,16 @@ class EmissionPace {
     taken_ += static_cast<double>(time.count());
   }
   /// Learns from the pairs finished since the last call: quickly that they take longer, slowly that they take less. One
-  /// step that was disturbed counts for little, but for the first: what was expected of that was a guess.
+  /// step that was disturbed counts for little, but for the first: what was expected of that was a guess. Steps in
+  /// which little is done count together.
   void endStep() {
-    if (expected_ > 0) {
-      const double error = std::min(taken_ / expected_, std::exchange(mostRise_, kMostRise));
-      pace_ *= error > 1 ? error : 1 + kForgetting * (error - 1);
-    }
+    if (expected_ < pace_ * kTellingOperations) return;
+    const double error = std::min(taken_ / expected_, std::exchange(mostRise_, kMostRise));
+    pace_ *= error > 1 ? error : 1 + kForgetting * (error - 1);
     expected_ = taken_ = 0;
   }
+  /// By that part of itself, where nothing can be learnt.
+  void lower(double part) { pace_ *= 1 - part; }
   /// What does more than `other` does not take less.
   void raiseTo(const EmissionPace& other) { pace_ = std::max(pace_, other.pace_); }
 
@@ -40,13 +44,17 @@ class EmissionPace {
   // Grouping, choosing and writing what was measured takes as long as so many operations do, whatever was measured.
   static constexpr double kPairWeight = 30;
   static constexpr double kForgetting = 0.05, kMostRise = 1.25, kMostFirstRise = 4;
+  // Of fewer operations nothing is learnt: the errors of single pairs, which raise more than they lower, would drive
+  // the pace up until nothing is expected to fit (`EmissionPace.IsNotDrivenUpByStepsOfFewPairs`).
+  static constexpr double kTellingOperations = 1000;
   // Nanoseconds an operation before anything was seen: rather too many.
   static constexpr double kFirstPace = 50;
 
-  static double weight(std::uint64_t operations) { return kPairWeight + static_cast<double>(operations); }
+  double weight(std::uint64_t operations) const { return pairWeight_ + static_cast<double>(operations); }
 
+  double pairWeight_ = kPairWeight;
   double pace_ = kFirstPace, mostRise_ = kMostFirstRise;
-  double expected_ = 0, taken_ = 0;  // nanoseconds, by this step's pairs
+  double expected_ = 0, taken_ = 0;  // nanoseconds, since it last learnt
 };
 
 }  // namespace cairn::bullet

@@ -61,6 +61,7 @@ PairAnswer measure(TreePair& pair, const AnswerPolicy& policy, Budget& budget, C
   pair.contacts.finish(*pair.counterpart, policy, pair.motion.relative, pair.sizes.reach, pair.course.ahead, budget,
                        scratch);
   report.onTriangles = pair.contacts.onTriangles();
+  report.isOfMesh = pair.contacts.isOfTriangles();
   choose(pair, policy, scratch, answer);
   if (policy.mayBeInterrupted) {
     pair.contacts.expectInterruptions();

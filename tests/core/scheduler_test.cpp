@@ -256,6 +256,22 @@ TEST(Budget, PromisesBeyondWhatIsLeft_LeaveNothing) {
   EXPECT_FALSE(budget.charge(1));
 }
 
+TEST(Budget, TimeThatIsPromisedIsNotFree) {
+  Budget budget = Budget::time(3600e6);
+  EXPECT_GT(budget.nanosecondsFree(), 3599e9);
+  EXPECT_FALSE(budget.isLate());
+  budget.promise({0, 3000e9});
+  EXPECT_GT(budget.nanosecondsLeft(), 3599e9);
+  EXPECT_LT(budget.nanosecondsFree(), 601e9);
+  EXPECT_FALSE(budget.isLate());
+  budget.promise({0, 1000e9});
+  EXPECT_LT(budget.nanosecondsFree(), 0);
+  EXPECT_TRUE(budget.isLate());
+  budget.redeem({0, 4000e9});
+  EXPECT_FALSE(budget.isLate());
+  EXPECT_FALSE(Budget::operations(0).isLate()) << "which has no deadline";
+}
+
 // An hour is left, and promised work needs a day: for refinement the time is up.
 TEST(Budget, PromisedTime_IsHeldBack) {
   Budget budget = Budget::time(3600e6);

@@ -57,6 +57,17 @@ TEST(EmissionPace, IsRaisedToThatOfLess) {
   EXPECT_EQ(whole.expectedNanoseconds(0), part.expectedNanoseconds(0));
 }
 
+// Of pairs that take 500 ns, but every fourth five times as long, as caches have it.
+TEST(EmissionPace, IsNotDrivenUpByStepsOfFewPairs) {
+  EmissionPace pace;
+  for (int i = 0; i < 200; ++i) step(pace, 1000);
+  for (int i = 0; i < 2000; ++i) {
+    pace.finished(pace.expectedNanoseconds(0), std::chrono::nanoseconds(i % 4 == 0 ? 2500 : 500));
+    pace.endStep();
+  }
+  EXPECT_LE(pace.expectedNanoseconds(0), 1.3 * 1000) << "the mean of such pairs is 1000";
+}
+
 TEST(EmissionPace, AStepWithoutPairsTeachesNothing) {
   EmissionPace pace;
   const double before = pace.expectedNanoseconds(kOperations);

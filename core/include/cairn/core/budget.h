@@ -71,6 +71,10 @@ class Budget {
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, promisedOperations_); }
   /// Until the deadline, promised work not held back; infinite without one, negative after it.
   double nanosecondsLeft() const;
+  /// The same, with what is promised held back: may be negative.
+  double nanosecondsFree() const { return nanosecondsLeft() - promisedNanoseconds_; }
+  /// Whether work that was charged as a whole should stop: a look at the clock, where there is a deadline.
+  bool isLate() { return hasDeadline() && lookAtClock(); }
   bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
 
  private:
