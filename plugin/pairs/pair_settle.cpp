@@ -20,12 +20,15 @@ bool isStillApart(const TreePair& pair, const btCollisionObjectWrapper& body0, c
   return pair.contacts.stillApart(PairMotion::placementOf(sides), reach, asksTriangles);
 }
 
-void noteApart(TreePair& pair, const PairSides& sides) {
+// Most pairs are so step after step: what they said then is theirs when they no longer are.
+void noteAway(TreePair& pair, const PairSides& sides) {
   pair.handles.note(sides.tree);
+  pair.awayBy = toVec3(sides.tree.getCollisionObject()->getWorldTransform().getOrigin() -
+                       sides.other.getCollisionObject()->getWorldTransform().getOrigin());
+  if (pair.is(PairStage::away) && pair.subject.is(*sides.shape(), sides.otherShape())) return;
   pair.adopt(sides);
   pair.forgetWaiting();
-  pair.contacts.settleApart(toVec3(sides.tree.getCollisionObject()->getWorldTransform().getOrigin() -
-                                   sides.other.getCollisionObject()->getWorldTransform().getOrigin()));
+  pair.contacts.settleApart(pair.awayBy);
 }
 
 }  // namespace
@@ -35,18 +38,21 @@ bool settleApart(TreePair& pair, const btCollisionObjectWrapper& body0, const bt
   const float fast = fastTravel(body0, body1, outlook.sweptTime);
   const float travel = std::max(fast, wallTravel(body0, body1, outlook.wallTime));
   pair.course.isFast = fast > 0 || pair.course.isAnchored();
+  PairStage settled = PairStage::apart;
   if (!isStillApart(pair, body0, body1, outlook.asksTriangles, travel)) {
     if (settleBroken(pair, body0, body1)) return true;
     const std::optional<RootSpheres> roots = rootSpheres(body0, body1);
     if ((!roots && !alsoFromGround) || !areRootsApart(body0, body1, roots, btScalar(travel))) {
       pair.motion.roots = roots;
+      if (pair.is(PairStage::away)) pair.contacts.settleApart(pair.awayBy);
       return false;
     }
     pair.treeIsBody0 = asSphereTree(body0.getCollisionShape()) != nullptr;
-    noteApart(pair, PairSides::of(body0, body1, pair.treeIsBody0));
+    noteAway(pair, PairSides::of(body0, body1, pair.treeIsBody0));
+    settled = PairStage::away;
   }
   pair.clearManifolds();  // a guard may have been left
-  pair.enter(PairStage::apart);
+  pair.enter(settled);
   return true;
 }
 

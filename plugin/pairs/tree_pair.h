@@ -26,7 +26,8 @@ namespace cairn::bullet {
 /// held.
 enum class PairStage : std::uint8_t {
   idle,       ///< nobody has asked yet
-  apart,      ///< settled: there can be no contacts
+  apart,      ///< settled: by what was measured last there can be no contacts
+  away,       ///< settled: the same by the spheres around the bodies, and nothing else is known
   broken,     ///< settled: a body is no number
   collected,  ///< its bodies are copied
   surveyed,   ///< its need is known
@@ -59,6 +60,7 @@ struct alignas(64) TreePair {
   PairSizes sizes;
   PairCourse course;
   PairHandles handles;
+  Vec3 awayBy;  ///< from the other body's centre to the tree's
   PairSubject subject;
   PairContacts contacts;
   // Then what tells what it needs where there is not enough for all.
@@ -74,7 +76,7 @@ struct alignas(64) TreePair {
   void reset();
   void enter(PairStage next) { stage.store(next, std::memory_order_relaxed); }
   bool is(PairStage asked) const { return stage.load(std::memory_order_relaxed) == asked; }
-  bool isSettled() const { return is(PairStage::apart) || is(PairStage::broken); }
+  bool isSettled() const { return is(PairStage::apart) || is(PairStage::away) || is(PairStage::broken); }
   bool isBegun() const { return is(PairStage::begun); }
   /// Of the copied bodies.
   PairSides sides() const { return PairSides::of(bodies.body0(), bodies.body1(), treeIsBody0); }
