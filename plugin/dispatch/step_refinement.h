@@ -45,7 +45,8 @@ class StepRefinement final : private TurnListener {
   StepAnswers& answers_;
   Scheduler scheduler_;
   EmissionPace pace_;
-  EmissionPace updatePace_;  // of all that is done for a pair that is not held, but for its meshes
+  // Of all that is done for a pair that is not held, but for its meshes.
+  EmissionPace updatePace_{step_tuning::kUpdatePace, step_tuning::kUpdateWeight};
   MeshTime meshTime_;
   Budget::Clock::duration onMeshes_{};  // in this step
   std::uint64_t bookedUntil_ = 0;       // operations of this step that were charged to a pair

@@ -34,6 +34,10 @@ inline constexpr double kHoldPace = 5;
 /// Pairs that are held between two looks at the clock: more end a step later, fewer spend it on looking.
 inline constexpr std::size_t kHeldBetweenLooks = 8;
 
+/// Nanoseconds an operation of pairs that are brought up to date, until these are known better, and a pair's own share
+/// in operations: 1 to 2 microseconds beside 5 to 10 nanoseconds an operation. With a smaller share, what many small
+/// pairs take makes large ones look as if they never fit.
+inline constexpr double kUpdatePace = 20, kUpdateWeight = 200;
 /// Nanoseconds an operation that meshes take, a pair's own share in operations, and what the first question to a pair
 /// takes, until these are known better: as on a machine of 2 GHz, for meshes of 1500 triangles.
 inline constexpr double kMeshPace = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
