@@ -71,6 +71,31 @@ def heap(tree, bodies, steps):
     return lines
 
 
+def deadlines(tree, part):
+    print("\nDeadlines, bodies kept awake in a pit; of the elapsed time of all steps:\n")
+    print("| bodies | microseconds | steps | 50 / 99.9 / 99.99 % ms | late steps % | gaps under load, mean / most % | certified error, mean % |")
+    print("| --: | --: | --: | --: | --: | --: | --: |")
+    for bodies, microseconds, steps in [(20, 100, 100000), (20, 300, 20000), (100, 500, 20000), (100, 1000, 20000),
+                                        (200, 1000, 10000), (200, 2000, 10000), (1000, 6000, 3000)]:
+        steps = int(steps * part)
+        run = report([*tree, "--bodies", str(bodies), "--steps", str(steps), "--no-sleeping", "--budget-us",
+                      str(microseconds)])
+        took = run["deadline"]
+        print("| {} | {} | {} | {:.2f} / {:.2f} / {:.2f} | {:.1f} | {:.2f} / {:.2f} | {:.1f} |".format(
+            bodies, microseconds, steps, took["elapsed_us"]["median"] / 1e3, took["elapsed_us"]["p999"] / 1e3,
+            took["elapsed_us"]["p9999"] / 1e3, 100 * took["late_steps"] / steps,
+            100 * (run["gap_end_fraction"]["mean"] or 0), 100 * (run["gap_end_fraction"]["max"] or 0),
+            100 * run["certified_error_fraction"]["mean"]), flush=True)
+
+
+def report(arguments):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "run.json")
+        subprocess.run([PROGRAM, *arguments, "--json", path], check=True, stdout=subprocess.DEVNULL)
+        with open(path) as file:
+            return json.load(file)
+
+
 def threads(tree, bodies, steps, repeats):
     print(f"\n{bodies} bodies on several threads, {steps} steps, medians of {repeats} pairs of runs:\n")
     print("| operations | threads | whole run, times as fast | 99 % of steps, times as fast | same bits |")
@@ -132,6 +157,7 @@ def main():
         of_flying = flying(tree, 1 if options.quick else 5)
         of_heap = heap(tree, 100, 300 if options.quick else 900)
         draw(options.output, of_flying, of_heap)
+        deadlines(tree, 0.01 if options.quick else 1)
         threads(tree, 200, 60 if options.quick else 300, 1 if options.quick else 5)
     except FileNotFoundError as missing:
         sys.exit(f"bench budgets: {missing.filename} is missing: build the release, and install gnuplot for the figure")
