@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <utility>
 
 #include "acting_effect.h"
@@ -105,6 +106,13 @@ class EffectSet::Impl final : public SolveListener {
   void changeContacts() {
     contacts_.gather(*world_.getDispatcher(), book_, wanted_);
     for (ActingEffect& acting : effects_) acting.changeContacts(contacts_.contacts(), step_);
+    resistances_.clear();
+    for (const Contact& contact : contacts_.contacts())
+      if (contact.rollingLength > 0 || contact.spinningLength > 0)
+        resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength});
+    std::ranges::sort(resistances_, std::less<>{}, &Resistance::point);
+    assert((resistances_.empty() || hook_.canResist()) && "the world's solver is not Bullet's plain sequential one");
+    hook_.resist(resistances_);
   }
 
   btDiscreteDynamicsWorld& world_;
@@ -115,6 +123,7 @@ class EffectSet::Impl final : public SolveListener {
   SideBook book_;
   StepContacts contacts_;
   std::vector<Body*> awake_;
+  std::vector<Resistance> resistances_;
   Step step_;
   WantedContacts wanted_;
   bool wantsBodies_ = false, isInHook_ = false;

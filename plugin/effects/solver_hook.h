@@ -3,6 +3,12 @@
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 
+#include <memory>
+#include <span>
+#include <typeinfo>
+
+#include "rolling_solver.h"
+
 namespace cairn::effects {
 
 /// Who wants to know when a world is about to solve its contacts, and when it has.
@@ -14,12 +20,21 @@ class SolveListener {
 };
 
 /// A solver that hands everything on to another one: the one place where a world of any dispatcher says, in every
-/// internal step, that contacts are known and nothing has been done about them yet.
+/// internal step, that contacts are known and nothing has been done about them yet. Steps in which something resists
+/// rolling it gives to a solver of its own, which does what Bullet's plain one does and that besides.
 class SolverHook final : public btConstraintSolver {
  public:
-  SolverHook(btConstraintSolver& solver, SolveListener& listener) : solver_(solver), listener_(listener) {}
+  SolverHook(btConstraintSolver& solver, SolveListener& listener)
+      : solver_(solver), plain_(plainOf(solver)), listener_(listener) {}
 
   btConstraintSolver& solver() const { return solver_; }
+  /// Whether the world's solver is one whose place the own one can take.
+  bool canResist() const { return plain_ != nullptr; }
+  /// From within `beforeSolve`, for the step that begins; ordered by point, and must live until `afterSolve`.
+  void resist(std::span<Resistance> resistances) {
+    resistances_ = canResist() ? resistances : std::span<Resistance>{};
+    if (!resistances_.empty() && rolling_ == nullptr) rolling_ = std::make_unique<RollingSolver>();
+  }
 
   void prepareSolve(int bodies, int manifolds) override {
     listener_.beforeSolve();
@@ -28,19 +43,36 @@ class SolverHook final : public btConstraintSolver {
   btScalar solveGroup(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
                       btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
                       btIDebugDraw* drawer, btDispatcher* dispatcher) override {
-    return solver_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer,
-                              dispatcher);
+    if (resistances_.empty())
+      return solver_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer,
+                                dispatcher);
+    rolling_->standInFor(*plain_, resistances_);
+    const btScalar rest = rolling_->solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints,
+                                               constraintCount, info, drawer, dispatcher);
+    plain_->setRandSeed(rolling_->getRandSeed());
+    return rest;
   }
   void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override {
     solver_.allSolved(info, drawer);
     listener_.afterSolve();
+    resistances_ = {};
   }
   void reset() override { solver_.reset(); }
   btConstraintSolverType getSolverType() const override { return solver_.getSolverType(); }
 
  private:
+  // Only of that very class: another may do more than the own solver does.
+  static btSequentialImpulseConstraintSolver* plainOf(btConstraintSolver& solver) {
+    return typeid(solver) == typeid(btSequentialImpulseConstraintSolver)
+               ? static_cast<btSequentialImpulseConstraintSolver*>(&solver)
+               : nullptr;
+  }
+
   btConstraintSolver& solver_;
+  btSequentialImpulseConstraintSolver* plain_;  // the same, or null
   SolveListener& listener_;
+  std::unique_ptr<RollingSolver> rolling_;  // once something resists
+  std::span<Resistance> resistances_;       // of this step
 };
 
 }  // namespace cairn::effects

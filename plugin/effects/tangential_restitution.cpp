@@ -18,10 +18,11 @@ int movingSide(const std::array<Side, 2>& sides) {
 }  // namespace
 
 std::uint32_t TangentialRestitution::changeContacts(std::span<Contact> contacts, const Step& /*step*/) {
-  for (const Contact& contact : contacts) {
+  for (Contact& contact : contacts) {
     if (contact.impact < 0 || movingSide(contact.sides) < 0) continue;
     contact.point->m_combinedFriction = 0;
     contact.point->m_combinedRollingFriction = contact.point->m_combinedSpinningFriction = 0;
+    contact.rollingLength = contact.spinningLength = 0;
   }
   return 0;  // the blows count, once they have come
 }

@@ -55,6 +55,9 @@ struct Contact {
       relativeVelocity;       ///< of side 0's surface against side 1's, there, forces of this step but gravity included
   btScalar closingSpeed = 0;  ///< m/s along the point's normal; positive where the surfaces approach
   std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
+  /// Resistance to rolling and to spinning about the normal: torques of at most these lengths times the normal force,
+  /// m. Zero in every step until an effect says otherwise.
+  btScalar rollingLength = 0, spinningLength = 0;
 };
 
 /// Two objects that struck each other: all their contacts, whatever manifolds hold them, taken together. Bullet takes

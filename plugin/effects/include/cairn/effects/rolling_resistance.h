@@ -7,7 +7,11 @@ namespace cairn::effects {
 
 /// Resistance to rolling and to spinning on the spot: a torque of at most `length` times the normal force, by pair of
 /// materials (rolling friction's lever arm, m). A ball of radius r that rolls without slip is slowed by
-/// 5/7 * g * length / r. Takes the place of what the bodies say themselves; where both lengths are zero that stays.
+/// 5/7 * g * length / r, whatever its mass and the step. Takes the place of what the bodies say themselves; where both
+/// lengths are zero that stays.
+///
+/// Bullet's own rolling rows end at the torque of a normal impulse of 1 N s; these are solved by the set, which needs
+/// the world's solver to be a plain `btSequentialImpulseConstraintSolver` for it (see `EffectSet::add`).
 class RollingResistance final : public Effect, MaterialHook {
  public:
   struct Lengths {

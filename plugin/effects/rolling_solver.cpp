@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Zlib
+#include "rolling_solver.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace cairn::effects {
+
+void RollingSolver::standInFor(btSequentialImpulseConstraintSolver& solver, std::span<Resistance> resistances) {
+  resistances_ = resistances;
+  setRandSeed(solver.getRandSeed());
+  setConstraintRowSolverGeneric(solver.getActiveConstraintRowSolverGeneric());
+  setConstraintRowSolverLowerLimit(solver.getActiveConstraintRowSolverLowerLimit());
+}
+
+btScalar RollingSolver::solveGroupCacheFriendlySetup(btCollisionObject** bodies, int bodyCount,
+                                                     btPersistentManifold** manifolds, int manifoldCount,
+                                                     btTypedConstraint** constraints, int constraintCount,
+                                                     const btContactSolverInfo& info, btIDebugDraw* drawer) {
+  const btScalar rest = btSequentialImpulseConstraintSolver::solveGroupCacheFriendlySetup(
+      bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer);
+  rows_.clear();
+  numbers_.clear();
+  for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
+    const btSolverConstraint& contact = m_tmpSolverContactConstraintPool[i];
+    const auto* point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
+    const auto found = std::ranges::lower_bound(resistances_, point, std::less<>{}, &Resistance::point);
+    if (found == resistances_.end() || found->point != point) continue;
+    rows_.emplace_back(*found, bodyAt(contact.m_solverBodyIdA), bodyAt(contact.m_solverBodyIdB));
+    numbers_.push_back({i, contact.m_solverBodyIdA, contact.m_solverBodyIdB});
+  }
+  return rest;
+}
+
+btScalar RollingSolver::solveSingleIteration(int iteration, btCollisionObject** bodies, int bodyCount,
+                                             btPersistentManifold** manifolds, int manifoldCount,
+                                             btTypedConstraint** constraints, int constraintCount,
+                                             const btContactSolverInfo& info, btIDebugDraw* drawer) {
+  btScalar rest = btSequentialImpulseConstraintSolver::solveSingleIteration(
+      iteration, bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto [contact, a, b] = numbers_[i];
+    const btScalar normalImpulse = m_tmpSolverContactConstraintPool[contact].m_appliedImpulse;
+    btSolverBody &bodyA = m_tmpSolverBodyPool[a], &bodyB = m_tmpSolverBodyPool[b];
+    const btScalar change = rows_[i].solve(bodyA, bodyB, normalImpulse);
+    rest = std::max(rest, change * change);
+  }
+  return rest;
+}
+
+}  // namespace cairn::effects
