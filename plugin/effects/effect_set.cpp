@@ -38,9 +38,11 @@ class EffectSet::Impl final : public SolveListener {
 
   void add(std::unique_ptr<Effect> effect) {
     assert(!isInHook_);
-    effects_.emplace_back(std::move(effect));
-    for (const auto& body : bodies_) effects_.back().effect().welcome(*body);
-    const Hooks& hooks = effects_.back().hooks();
+    ActingEffect& added = *effects_.emplace_back(std::make_unique<ActingEffect>(std::move(effect)));
+    const auto turn = [](ActingEffect* acting) { return acting->effect().turn(); };
+    turns_.insert(std::ranges::upper_bound(turns_, turn(&added), {}, turn), &added);
+    for (const auto& body : bodies_) added.effect().welcome(*body);
+    const Hooks& hooks = added.hooks();
     wanted_.add(hooks);
     wantsBodies_ = wantsBodies_ || hooks.force != nullptr;
   }
@@ -49,7 +51,7 @@ class EffectSet::Impl final : public SolveListener {
     assert(!isInHook_ && !body.isStaticOrKinematicObject() && traits.volume >= 0 && book_.find(body) == nullptr);
     bodies_.push_back(std::make_unique<Body>(&body, traits, nextId_));
     book_.enter(body, *bodies_.back());
-    for (ActingEffect& acting : effects_) acting.effect().welcome(*bodies_.back());
+    for (ActingEffect* acting : turns_) acting->effect().welcome(*bodies_.back());
     return nextId_++;
   }
 
@@ -57,7 +59,7 @@ class EffectSet::Impl final : public SolveListener {
     assert(!isInHook_);
     const auto found = std::ranges::find_if(bodies_, [&](const auto& known) { return known->body == &body; });
     if (found == bodies_.end()) return;
-    for (ActingEffect& acting : effects_) acting.effect().dismiss(**found);
+    for (ActingEffect* acting : turns_) acting->effect().dismiss(**found);
     forget(body);
     bodies_.erase(found);
   }
@@ -71,7 +73,7 @@ class EffectSet::Impl final : public SolveListener {
 
   std::vector<EffectReport> report() const {
     std::vector<EffectReport> reports;
-    for (const ActingEffect& acting : effects_) reports.push_back(acting.report());
+    for (const auto& acting : effects_) reports.push_back(acting->report());
     return reports;
   }
 
@@ -86,10 +88,10 @@ class EffectSet::Impl final : public SolveListener {
 
   void afterSolve() override {
     if (effects_.empty()) return;
-    for (ActingEffect& acting : effects_) acting.restoreContacts(contacts_.contacts());
+    for (ActingEffect* acting : turns_) acting->restoreContacts(contacts_.contacts());
     const std::span<const Impact> impacts = contacts_.finish();
-    for (ActingEffect& acting : effects_) acting.afterImpacts(impacts, step_);
-    for (ActingEffect& acting : effects_) acting.noteImpacts(impacts, step_);
+    for (ActingEffect* acting : turns_) acting->afterImpacts(impacts, step_);
+    for (ActingEffect* acting : turns_) acting->noteImpacts(impacts, step_);
     ++step_.number;
     isInHook_ = false;
   }
@@ -100,12 +102,12 @@ class EffectSet::Impl final : public SolveListener {
     awake_.clear();
     for (const auto& body : bodies_)
       if (body->body->isActive()) awake_.push_back(body.get());
-    for (ActingEffect& acting : effects_) acting.applyForces(awake_, step_);
+    for (ActingEffect* acting : turns_) acting->applyForces(awake_, step_);
   }
 
   void changeContacts() {
     contacts_.gather(*world_.getDispatcher(), book_, wanted_);
-    for (ActingEffect& acting : effects_) acting.changeContacts(contacts_.contacts(), step_);
+    for (ActingEffect* acting : turns_) acting->changeContacts(contacts_.contacts(), step_);
     resistances_.clear();
     for (const Contact& contact : contacts_.contacts())
       if (contact.rollingLength > 0 || contact.spinningLength > 0)
@@ -117,8 +119,9 @@ class EffectSet::Impl final : public SolveListener {
 
   btDiscreteDynamicsWorld& world_;
   SolverHook hook_;
-  std::vector<ActingEffect> effects_;
-  std::vector<std::unique_ptr<Body>> bodies_;  // in the order they came
+  std::vector<std::unique_ptr<ActingEffect>> effects_;  // in the order they came
+  std::vector<ActingEffect*> turns_;                    // in the order they act
+  std::vector<std::unique_ptr<Body>> bodies_;           // in the order they came
   std::uint32_t nextId_ = 0;
   SideBook book_;
   StepContacts contacts_;

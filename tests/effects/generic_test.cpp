@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 // What holds of every effect: not listed, of no strength or with nothing to act on it leaves every bit of a simulation
-// as it is; it allocates nothing once a scene runs; twice the same, whatever else the world holds; and what only takes
-// energy never gives any.
+// as it is; where it is listed decides nothing; it allocates nothing once a scene runs; twice the same, whatever else
+// the world holds; and what only takes energy never gives any.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,6 +81,18 @@ TEST_P(EveryEffect, IsTheSameTwiceAndWithStrangersFarAway) {
   const std::string once = hashWith(GetParam().active);
   EXPECT_EQ(hashWith(GetParam().active), once);
   EXPECT_EQ(hashWith(GetParam().active, {.hasStrangers = true}), once);
+}
+
+// Beside every other, before and after it.
+TEST_P(EveryEffect, MayBeListedAnywhere) {
+  const auto both = [](const EffectRow& first, const EffectRow& second) {
+    RockSlope scene({});
+    scene.set->add(first.active());
+    scene.set->add(second.active());
+    return scene.runAndHash(kSteps);
+  };
+  for (const EffectRow& other : everyEffect())
+    if (other.name < GetParam().name) EXPECT_EQ(both(GetParam(), other), both(other, GetParam())) << other.name;
 }
 
 TEST_P(DissipativeEffect, NeverGivesEnergy) {

@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <utility>
 
+#include "cairn/core/mix_bits.h"
+#include "cairn/core/state_hash.h"
 #include "cairn/effects/air_drag.h"
 #include "cairn/effects/continuous_collision.h"
 #include "cairn/effects/forest_drag.h"
@@ -169,8 +174,16 @@ class Factory {
   }
 
  private:
+  // By the effect's name and its number among those of its kind, so that where it is listed decides nothing.
   std::uint64_t seed(std::uint64_t run) const {
-    return seedOf(scene_.description.seed, scene_.description.name, run, Variable::effects) + place_;
+    const auto& effects = scene_.description.effects;
+    const std::string_view name = nameOf(effects[place_]);
+    const auto number = std::count_if(effects.begin(), effects.begin() + static_cast<std::ptrdiff_t>(place_),
+                                      [&](const EffectOptions& other) { return nameOf(other) == name; });
+    StateHash ofKind;
+    ofKind.add(std::as_bytes(std::span(name.data(), name.size())));
+    const std::uint64_t ofRun = seedOf(scene_.description.seed, scene_.description.name, run, Variable::effects);
+    return mixBits(ofRun + ofKind.value()) + static_cast<std::uint64_t>(number);
   }
 
   // Spread evenly over the stand, or over all of the ground. The same in every run: a forest belongs to the scene.

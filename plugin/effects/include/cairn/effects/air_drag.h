@@ -22,6 +22,7 @@ class AirDrag final : public Effect, ForceHook {
   explicit AirDrag(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "air_drag"; }
+  Turn turn() const override { return Turn::airDrag; }
   Hooks hooks() override { return {.force = this}; }
 
  private:

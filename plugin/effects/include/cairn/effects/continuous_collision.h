@@ -25,6 +25,7 @@ class ContinuousCollision final : public Effect, ForceHook {
   explicit ContinuousCollision(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "ccd"; }
+  Turn turn() const override { return Turn::continuousCollision; }
   Hooks hooks() override { return {.force = this}; }
   void welcome(Body& body) override;
   void dismiss(Body& body) override;

@@ -123,11 +123,38 @@ struct Hooks {
   EventHook* event = nullptr;
 };
 
+/// When an effect acts in each of its hooks, first to last; those of one turn in the order they were added. So the
+/// order in which a scene lists effects of different kinds decides nothing.
+enum class Turn : std::uint8_t {
+  // Media, the widest first; then what goes by the speed they leave.
+  airDrag,
+  water,
+  forestDrag,
+  trees,
+  groundDrag,
+  gyroscopic,
+  continuousCollision,
+  sleeping,
+  // A value before what replaces it; a normal before what goes by the speed along it; all before what ends friction.
+  friction,
+  slipFriction,
+  surfaceRoughness,
+  restitution,
+  rollingResistance,
+  tangentialRestitution,
+  // What a blow leaves is what it can still take, and break.
+  soilScarring,
+  fragmentation,
+  events,
+  others,  ///< those that are not of this library
+};
+
 /// One effect of a scene, which acts through its hooks on whatever meets its criterion.
 class Effect {
  public:
   virtual ~Effect() = default;
   virtual std::string_view name() const = 0;
+  virtual Turn turn() const { return Turn::others; }
   /// Asked once, when it is added to a set.
   virtual Hooks hooks() = 0;
   /// A body has come into the set (or was there before the effect): the place to switch on what Bullet does itself.

@@ -32,7 +32,8 @@ struct EffectReport {
 /// It stands between the world and its solver and is called in every internal step: forces and materials after
 /// collision detection and before solving, impacts and events after solving and before bodies move. So it works with
 /// any dispatcher and any shapes, and leaves Bullet's tick callbacks and actions to the game. Effects act in the order
-/// they were added. No allocation once as many contacts and bodies were seen as there will be.
+/// of their turns (see `Turn`), whichever was added first. No allocation once as many contacts and bodies were seen as
+/// there will be.
 ///
 /// **Lifetime.** It must die before the world, and before or after all bodies as you like, if these were removed. While
 /// it lives, `world.getConstraintSolver()` is not the solver you made; a solver set since is left alone (asserted).

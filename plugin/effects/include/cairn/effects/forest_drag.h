@@ -24,6 +24,7 @@ class ForestDrag final : public Effect, ForceHook {
   ForestDrag(Options options, const GroundHeight& ground) : options_(std::move(options)), ground_(ground) {}
 
   std::string_view name() const override { return "forest_drag"; }
+  Turn turn() const override { return Turn::forestDrag; }
   Hooks hooks() override { return {.force = this}; }
 
  private:

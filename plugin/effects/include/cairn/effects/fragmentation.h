@@ -41,6 +41,7 @@ class Fragmentation final : public Effect, MaterialHook, ImpactHook {
   explicit Fragmentation(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "fragmentation"; }
+  Turn turn() const override { return Turn::fragmentation; }
   Hooks hooks() override { return {.material = this, .impact = this}; }
   void dismiss(Body& body) override;
 

@@ -12,6 +12,7 @@ class Friction final : public Effect, MaterialHook {
   explicit Friction(PairTable<btScalar> coefficients) : coefficients_(std::move(coefficients)) {}
 
   std::string_view name() const override { return "friction"; }
+  Turn turn() const override { return Turn::friction; }
   Hooks hooks() override { return {.material = this}; }
 
  private:

@@ -23,6 +23,7 @@ class GroundDrag final : public Effect, ForceHook {
   GroundDrag(const Options& options, const GroundHeight& ground) : options_(options), ground_(ground) {}
 
   std::string_view name() const override { return "ground_drag"; }
+  Turn turn() const override { return Turn::groundDrag; }
   Hooks hooks() override { return {.force = this}; }
 
  private:

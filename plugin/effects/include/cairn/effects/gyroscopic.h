@@ -26,6 +26,7 @@ class Gyroscopic final : public Effect, ForceHook {
   explicit Gyroscopic(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "gyroscopic"; }
+  Turn turn() const override { return Turn::gyroscopic; }
   Hooks hooks() override { return {.force = this}; }
   void welcome(Body& body) override;
   void dismiss(Body& body) override;

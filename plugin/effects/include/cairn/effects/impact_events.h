@@ -31,6 +31,7 @@ class ImpactEvents final : public Effect, EventHook {
   explicit ImpactEvents(const Options& options) : options_(options), events_(options.kept) {}
 
   std::string_view name() const override { return "events"; }
+  Turn turn() const override { return Turn::events; }
   Hooks hooks() override { return {.event = this}; }
 
   /// Those since this was last asked, in the order of their steps.

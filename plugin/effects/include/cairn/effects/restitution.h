@@ -37,6 +37,7 @@ class Restitution final : public Effect, MaterialHook {
   Restitution(PairTable<btScalar> values, restitution::Law law) : values_(std::move(values)), law_(law) {}
 
   std::string_view name() const override { return "restitution"; }
+  Turn turn() const override { return Turn::restitution; }
   Hooks hooks() override { return {.material = this}; }
 
  private:

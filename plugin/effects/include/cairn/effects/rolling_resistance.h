@@ -22,6 +22,7 @@ class RollingResistance final : public Effect, MaterialHook {
   explicit RollingResistance(PairTable<Lengths> lengths) : lengths_(std::move(lengths)) {}
 
   std::string_view name() const override { return "rolling_resistance"; }
+  Turn turn() const override { return Turn::rollingResistance; }
   Hooks hooks() override { return {.material = this}; }
 
  private:

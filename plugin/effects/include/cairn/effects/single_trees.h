@@ -38,6 +38,7 @@ class SingleTrees final : public Effect, ForceHook {
   ~SingleTrees() override;
 
   std::string_view name() const override { return "trees"; }
+  Turn turn() const override { return Turn::trees; }
   Hooks hooks() override { return {.force = this}; }
   void welcome(Body& body) override;
   void dismiss(Body& body) override;

@@ -28,6 +28,7 @@ class Sleeping final : public Effect, ForceHook {
   explicit Sleeping(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "sleeping"; }
+  Turn turn() const override { return Turn::sleeping; }
   Hooks hooks() override { return {.force = this}; }
   void welcome(Body& body) override;
   void dismiss(Body& body) override;

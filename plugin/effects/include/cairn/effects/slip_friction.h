@@ -10,7 +10,7 @@ namespace cairn::effects {
 /// Friction that grows with the way a body has slipped: mu = least + 2/pi (most - least) atan(kappa s), where s grows
 /// by the slip speed while the body touches one of the given pairs of materials and dies away as exp(-recovery t) while
 /// it does not. Soil heaps up before a rock and lets it go in the air (Leine et al. 2014, Multibody System Dynamics 32,
-/// 241-271). List it after `Friction`, whose value it replaces for these pairs.
+/// 241-271). It replaces `Friction`'s value for these pairs.
 class SlipFriction final : public Effect, MaterialHook {
  public:
   struct Options {
@@ -23,6 +23,7 @@ class SlipFriction final : public Effect, MaterialHook {
   SlipFriction(const Options& options, PairTable<bool> applies) : options_(options), applies_(std::move(applies)) {}
 
   std::string_view name() const override { return "slip_friction"; }
+  Turn turn() const override { return Turn::slipFriction; }
   Hooks hooks() override { return {.material = this}; }
   void welcome(Body& body) override;
 

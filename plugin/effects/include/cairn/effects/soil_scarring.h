@@ -40,6 +40,7 @@ class SoilScarring final : public Effect, ImpactHook {
   explicit SoilScarring(std::vector<Soil> soils, std::size_t kept = 4096) : soils_(std::move(soils)), scars_(kept) {}
 
   std::string_view name() const override { return "soil_scarring"; }
+  Turn turn() const override { return Turn::soilScarring; }
   Hooks hooks() override { return {.impact = this}; }
 
   /// The scars since this was last asked.

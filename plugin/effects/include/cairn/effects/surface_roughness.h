@@ -20,6 +20,7 @@ class SurfaceRoughness final : public Effect, MaterialHook {
   SurfaceRoughness(std::vector<btScalar> heights, std::uint64_t seed) : heights_(std::move(heights)), seed_(seed) {}
 
   std::string_view name() const override { return "surface_roughness"; }
+  Turn turn() const override { return Turn::surfaceRoughness; }
   Hooks hooks() override { return {.material = this}; }
 
   /// `normal` turned as for this body in this step. Precondition: unit normal, `maxTilt` in radians, below pi/2.

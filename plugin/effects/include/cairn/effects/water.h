@@ -26,6 +26,7 @@ class Water final : public Effect, ForceHook {
   explicit Water(Options options) : options_(std::move(options)) {}
 
   std::string_view name() const override { return "water"; }
+  Turn turn() const override { return Turn::water; }
   Hooks hooks() override { return {.force = this}; }
 
   /// Of a ball's volume, in [0, 1], when its centre is so far below the surface (m; negative: above).
