@@ -5,36 +5,71 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 namespace cairn::effects {
-namespace {
 
-// Which side moves if only one does, else -1.
-int movingSide(const std::array<Side, 2>& sides) {
-  const bool first = !sides[0].object->isStaticOrKinematicObject(),
-             second = !sides[1].object->isStaticOrKinematicObject();
-  if (first == second) return -1;
-  return first ? 0 : 1;
+TangentialRestitution::TangentialRestitution(PairTable<btScalar> parts)
+    : parts_(std::move(parts)), acts_(parts_.holds([](btScalar part) { return part < 1; })) {}
+
+void TangentialRestitution::welcome(Body& body) {
+  if (flights_.size() <= body.id) flights_.resize(body.id + 1);
+  flights_[body.id] = {step_.number, false};
 }
 
-}  // namespace
+const Body* TangentialRestitution::bouncerOf(const std::array<Side, 2>& sides) const {
+  if (!(parts_.at(sides[0].material, sides[1].material) < 1)) return nullptr;
+  const bool first = !sides[0].object->isStaticOrKinematicObject(),
+             second = !sides[1].object->isStaticOrKinematicObject();
+  if (first == second) return nullptr;
+  return sides[first ? 0 : 1].body;
+}
 
-std::uint32_t TangentialRestitution::changeContacts(std::span<Contact> contacts, const Step& /*step*/) {
+// In this step: it has flown, or its bounce takes more than one step.
+bool TangentialRestitution::mayBounce(const Body& body) const {
+  const Flight& flight = flights_[body.id];
+  const std::uint64_t steps = step_.number - flight.touched;
+  if (steps <= 1) return flight.bounces;
+  const btScalar flown = static_cast<btScalar>(steps) * step_.timeStep;
+  return flown * flown * step_.gravity.length() >= 2 * kFallenRadii * body.radius;
+}
+
+std::uint32_t TangentialRestitution::changeContacts(std::span<Contact> contacts, const Step& step) {
+  step_ = step;
+  changed_.clear();
   for (Contact& contact : contacts) {
-    if (contact.impact < 0 || movingSide(contact.sides) < 0) continue;
-    contact.point->m_combinedFriction = 0;
-    contact.point->m_combinedRollingFriction = contact.point->m_combinedSpinningFriction = 0;
+    if (contact.impact < 0) continue;
+    const Body* body = bouncerOf(contact.sides);
+    if (body == nullptr || !mayBounce(*body)) continue;
+    btManifoldPoint& point = *contact.point;
+    changed_.push_back(
+        {&point, point.m_combinedFriction, point.m_combinedRollingFriction, point.m_combinedSpinningFriction});
+    point.m_combinedFriction = point.m_combinedRollingFriction = point.m_combinedSpinningFriction = 0;
     contact.rollingLength = contact.spinningLength = 0;
   }
-  return 0;  // the blows count, once they have come
+  return 0;  // the bounces count, once they have come
+}
+
+void TangentialRestitution::restoreContacts(std::span<Contact> contacts) {
+  for (const Changed& changed : changed_) {
+    changed.point->m_combinedFriction = changed.friction;
+    changed.point->m_combinedRollingFriction = changed.rolling;
+    changed.point->m_combinedSpinningFriction = changed.spinning;
+  }
+  const auto bears = [](const Contact& contact) { return contact.point->getAppliedImpulse() > 0; };
+  for (const Contact& contact : contacts)
+    if (const Body* body = bouncerOf(contact.sides); contact.impact >= 0 && body != nullptr && bears(contact))
+      flights_[body->id].bounces = mayBounce(*body);
+  for (const Contact& contact : contacts)
+    for (const Side& side : contact.sides)
+      if (side.body != nullptr && bears(contact)) flights_[side.body->id].touched = step_.number;
 }
 
 std::uint32_t TangentialRestitution::afterImpacts(std::span<const Impact> impacts, const Step& /*step*/) {
   std::uint32_t acted = 0;
   for (const Impact& impact : impacts) {
-    const int moving = movingSide(impact.sides);
-    if (moving < 0) continue;
-    const auto side = static_cast<std::size_t>(moving);
-    if (impact.sides[side].body == nullptr) continue;
-    btRigidBody& body = *impact.sides[side].body->body;
+    const Body* bouncer = bouncerOf(impact.sides);
+    if (bouncer == nullptr || !flights_[bouncer->id].bounces) continue;
+    flights_[bouncer->id].bounces = false;
+    btRigidBody& body = *bouncer->body;
+    const std::size_t side = impact.sides[0].body == bouncer ? 0 : 1;
     const btScalar part = parts_.at(impact.sides[0].material, impact.sides[1].material);
     const auto along = [&](const btVector3& v) { return v - impact.normal * impact.normal.dot(v); };
     const btVector3 now = body.getLinearVelocity();

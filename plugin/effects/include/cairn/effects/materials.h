@@ -3,6 +3,7 @@
 
 #include <LinearMath/btVector3.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,11 @@ class PairTable {
     values_[b * size_ + a] = value;
   }
 
+  /// Whether a value of the table, or its default, is such a one.
+  template <class Such>
+  bool holds(const Such& isSuch) const {
+    return isSuch(default_) || std::any_of(values_.begin(), values_.end(), isSuch);
+  }
   Value at(MaterialId a, MaterialId b) const { return a < size_ && b < size_ ? values_[a * size_ + b] : default_; }
 
  private:
