@@ -44,12 +44,12 @@ const SlipFriction::State* SlipFriction::stateOf(const Contact& contact) const {
 }
 
 std::uint32_t SlipFriction::changeContacts(std::span<Contact> contacts, const Step& step) {
-  const auto concerns = [&](const Contact& contact) {
-    return applies_.at(contact.sides[0].material, contact.sides[1].material) && contact.point->getDistance() <= 0;
+  const auto touches = [&](const Contact& contact) {
+    return concerns(contact.sides[0].material, contact.sides[1].material) && contact.point->getDistance() <= 0;
   };
   slipping_.clear();
   for (const Contact& contact : contacts)
-    if (concerns(contact)) noteSlip(contact, step);
+    if (touches(contact)) noteSlip(contact, step);
   // Friction as in the middle of the step's way.
   const auto advance = [&] {
     for (const std::uint32_t id : slipping_) states_[id].slip += states_[id].slipSpeed * step.timeStep / 2;
@@ -57,7 +57,7 @@ std::uint32_t SlipFriction::changeContacts(std::span<Contact> contacts, const St
   advance();
   std::uint32_t acted = 0;
   for (const Contact& contact : contacts) {
-    if (!applies_.at(contact.sides[0].material, contact.sides[1].material)) continue;
+    if (!concerns(contact.sides[0].material, contact.sides[1].material)) continue;
     const State* state = stateOf(contact);
     contact.point->m_combinedFriction = coefficientAt(state != nullptr ? state->slip : btScalar(0));
     ++acted;

@@ -49,14 +49,15 @@ std::vector<EffectRow> contactEffects() {
   using Lengths = RollingResistance::Lengths;
   const restitution::Law law = restitution::Constant{};
   return {
-      {"friction", make<Friction>(PairTable<btScalar>(btScalar(0.4))), nullptr, nullptr},
+      {"friction", make<Friction>(PairTable<btScalar>(btScalar(0.4))), make<Friction>(PairTable<btScalar>()), nullptr},
       {"rolling_resistance", make<RollingResistance>(PairTable<Lengths>({btScalar(0.05), btScalar(0.01)})),
        make<RollingResistance>(PairTable<Lengths>()), make<RollingResistance>(onlyNowhere(Lengths{1, 1}))},
       {"restitution", make<Restitution>(PairTable<btScalar>(btScalar(0.5)), law),
        make<Restitution>(PairTable<btScalar>(), law), nullptr},
       {"tangential_restitution", make<TangentialRestitution>(PairTable<btScalar>(btScalar(0.5))),
        make<TangentialRestitution>(PairTable<btScalar>(1)), nullptr},
-      {"slip_friction", make<SlipFriction>(SlipFriction::Options{}, PairTable<bool>(true)), nullptr,
+      {"slip_friction", make<SlipFriction>(SlipFriction::Options{}, PairTable<bool>(true)),
+       make<SlipFriction>(SlipFriction::Options{.least = 0, .most = 0}, PairTable<bool>(true)),
        make<SlipFriction>(SlipFriction::Options{}, onlyNowhere(true))},
       {"surface_roughness", make<SurfaceRoughness>(byMaterial(kSoil, btScalar(0.2)), 1),
        make<SurfaceRoughness>(byMaterial(kSoil, btScalar(0)), 1),
@@ -101,7 +102,8 @@ std::vector<EffectRow> otherEffects() {
   Soil none = meadow;
   none.strength = 0;
   return {
-      {"gyroscopic", make<Gyroscopic>(Gyroscopic::Options{}), nullptr, make<Gyroscopic>(Gyroscopic::Options{kFar})},
+      {"gyroscopic", make<Gyroscopic>(Gyroscopic::Options{}), make<Gyroscopic>(Gyroscopic::Options{kFar}),
+       make<Gyroscopic>(Gyroscopic::Options{kFar})},
       {"ccd", make<ContinuousCollision>(ContinuousCollision::Options{}),
        make<ContinuousCollision>(ContinuousCollision::Options{0}),
        make<ContinuousCollision>(ContinuousCollision::Options{kFar})},

@@ -20,8 +20,8 @@ class Incline final : public effects::GroundHeight {
   std::optional<btScalar> at(btScalar x, btScalar /*y*/) const override { return kRise * x; }
 };
 
-/// An effect, set so that it acts in `rockSlope`; so that it has no strength; so that it never meets what it acts on.
-/// What there is no such setting of is empty.
+/// An effect, set so that it acts in `rockSlope`; so that it has no strength, or none that anything could meet; so that
+/// it never meets what it acts on, empty where it always does.
 struct EffectRow {
   using Make = std::function<std::unique_ptr<effects::Effect>()>;
 

@@ -16,8 +16,7 @@ namespace {
 constexpr int kSteps = 360;
 
 class EveryEffect : public testing::TestWithParam<EffectRow> {};
-/// Those whose strength can be zero; those there may be nothing to act on for; those that only take energy.
-class EffectOfAStrength : public EveryEffect {};
+/// Those there may be nothing to act on for; those that only take energy.
 class EffectWithACriterion : public EveryEffect {};
 class DissipativeEffect : public EveryEffect {};
 
@@ -66,8 +65,11 @@ TEST_P(EveryEffect, ActsWhereItsCriterionIsMet) {
   EXPECT_EQ(hash != hashWithoutSet(), GetParam().changesMotion);
 }
 
-TEST_P(EffectOfAStrength, OfNoneIsOff) {
-  EXPECT_EQ(hashWith(GetParam().zero), hashWithoutSet());
+TEST_P(EveryEffect, OfNoStrengthIsOff) {
+  ASSERT_TRUE(GetParam().zero);
+  EXPECT_EQ(hashWith(GetParam().zero, {.isSmooth = true}), hashWith(nullptr, {.isSmooth = true}));
+  // Friction of zero is smooth, which bodies with a friction of their own are not without it.
+  if (GetParam().name != "friction") EXPECT_EQ(hashWith(GetParam().zero), hashWithoutSet());
 }
 
 TEST_P(EffectWithACriterion, MetByNothingIsOff) {
@@ -121,8 +123,6 @@ TEST_P(EveryEffect, AllocatesNothingOnceItRuns) {
 #endif
 
 INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(everyEffect()), nameOf);
-INSTANTIATE_TEST_SUITE_P(Effects, EffectOfAStrength,
-                         testing::ValuesIn(effectsThat([](const EffectRow& row) { return bool(row.zero); })), nameOf);
 INSTANTIATE_TEST_SUITE_P(Effects, EffectWithACriterion,
                          testing::ValuesIn(effectsThat([](const EffectRow& row) { return bool(row.idle); })), nameOf);
 INSTANTIATE_TEST_SUITE_P(Effects, DissipativeEffect,

@@ -19,6 +19,8 @@ class RockSlope {
  public:
   struct Options {
     bool hasSet = true;
+    /// Bodies have no friction of their own, which effects would replace.
+    bool isSmooth = false;
     /// Four more bodies that fly about far away and are not in the state. Nothing here touches more than one thing, or
     /// strangers would change the order in which Bullet solves its contacts (docs/determinism.md).
     bool hasStrangers = false;
@@ -36,6 +38,9 @@ class RockSlope {
         kRock);
     addBodies();
     if (options.hasStrangers) addStrangers();
+    if (options.isSmooth)
+      for (int i = 0; i < bullet_.world.getNumCollisionObjects(); ++i)
+        bullet_.world.getCollisionObjectArray()[i]->setFriction(0);
     throwAgain();
   }
 

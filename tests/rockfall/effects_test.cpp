@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "prepared_scene.h"
@@ -44,6 +47,67 @@ TEST(ACasesEffects, GiveTheSameWhateverTheirOrder) {
     EXPECT_EQ(hashOf(document), hash) << name << " by rising names";
   }
 }
+
+/// Each effect of no strength; those that have none, with a criterion that nothing meets.
+const std::map<std::string, json>& ofNoStrength() {
+  static const auto effects = [] {
+    std::map<std::string, json> byName;
+    for (const char* text :
+         {R"({"effect": "friction", "default": 0})",
+          R"({"effect": "rolling_resistance", "default_m": 0, "spinning_default_m": 0})",
+          R"({"effect": "restitution", "law": "bourrier", "default_half_speed_m_per_s": 0})",
+          R"({"effect": "tangential_restitution", "default": 1})",
+          R"({"effect": "slip_friction", "min": 0, "max": 0, "kappa_per_m": 1, "recovery_per_s": 1})",
+          R"({"effect": "surface_roughness", "materials": [{"material": "soil", "roughness_m": 0}]})",
+          R"({"effect": "gyroscopic", "min_inertia_ratio": 1000})", R"({"effect": "ccd", "radii_per_step": 100})",
+          R"({"effect": "sleeping", "linear_m_per_s": 0, "angular_rad_per_s": 0, "after_s": 0})",
+          R"({"effect": "air_drag", "coefficient": 0})",
+          R"({"effect": "water", "level_m": 50, "density_kg_per_m3": 0})",
+          R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 0})",
+          R"({"effect": "trees", "energy_ratio": 0, "stems": {"density_per_ha": 2000, "diameter_m": [0.2, 0.4]}})",
+          R"({"effect": "soil_scarring", "materials": [{"material": "soil", "strength_kpa": 100,
+              "density_kg_per_m3": 1500, "drag_coefficient": 0}]})",
+          R"({"effect": "ground_drag", "deceleration_m_per_s2": 0})",
+          R"({"effect": "fragmentation", "energy_j_per_kg": 1e9, "max_generations": 1})",
+          R"({"effect": "events", "dust_impulse_n_s": 1e12})"}) {
+      json effect = json::parse(text);
+      const auto name = effect["effect"].get<std::string>();
+      byName[name] = std::move(effect);
+    }
+    return byName;
+  }();
+  return effects;
+}
+
+std::vector<std::string> namesOfEffects() {
+  std::vector<std::string> names;
+  for (const auto& [name, effect] : ofNoStrength()) names.push_back(name);
+  return names;
+}
+
+class EachEffect : public ::testing::TestWithParam<std::string> {};
+
+TEST(EveryEffect, IsTriedWithoutStrength) {
+  EXPECT_EQ(ofNoStrength().size(), std::variant_size_v<EffectOptions>) << "add a new effect to the list";
+}
+
+// Among others that do act, on angular rocks that slide, bounce, roll and meet each other.
+TEST_P(EachEffect, OfNoStrengthIsAbsent) {
+  json document = test::plainCase();
+  document["rocks"][0]["count"] = 4;
+  document["rocks"][0]["tree_depth"] = 1;
+  json& effects = document["effects"];
+  effects.push_back(json::parse(R"({"effect": "restitution", "law": "constant", "default": 0.4})"));
+  effects.push_back(json::parse(R"({"effect": "rolling_resistance", "default_m": 0.05})"));
+  effects.push_back(json::parse(R"({"effect": "air_drag"})"));
+  for (std::size_t i = effects.size(); i-- > 0;)
+    if (effects[i]["effect"] == GetParam()) effects.erase(i);
+  const std::string without = hashOf(document);
+  effects.push_back(ofNoStrength().at(GetParam()));
+  EXPECT_EQ(hashOf(document), without);
+}
+INSTANTIATE_TEST_SUITE_P(Rockfall, EachEffect, ::testing::ValuesIn(namesOfEffects()),
+                         [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace cairn::rockfall::effects_test

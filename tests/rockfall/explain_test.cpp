@@ -73,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "polygon_m": [[100, -5], [110, -5], [110, 5]]})",
                 false},
         Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[20, 0, 0.3]]})", true},
+        Outlook{R"({"effect": "trees", "energy_ratio": 0, "stems": [[20, 0, 0.3]]})", false},
         Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[200, 0, 0.3]]})", false},
         Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": {"density_per_ha": 0, "diameter_m": [0.1, 0.2]}})",
                 false},

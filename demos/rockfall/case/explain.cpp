@@ -136,7 +136,7 @@ class Outlooks {
         const double r = stem.diameterM / 2;
         some |= bounds_.lowestGround({{x - r, y - r}, {x + r, y - r}, {x + r, y + r}, {x - r, y + r}}).has_value();
       }
-    all(some, "stems over the ground");
+    all(some && o.energyRatio > 0, "stems over the ground and an energy ratio above 0");
   }
   void judge(const GroundDragOptions& o) {
     all(o.belowMPerS > 0 && o.withinM > 0 && o.decelerationMPerS2 > 0, "speed, layer and deceleration above 0");

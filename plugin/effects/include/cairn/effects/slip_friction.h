@@ -10,7 +10,7 @@ namespace cairn::effects {
 /// Friction that grows with the way a body has slipped: mu = least + 2/pi (most - least) atan(kappa s), where s grows
 /// by the slip speed while the body touches one of the given pairs of materials and dies away as exp(-recovery t) while
 /// it does not. Soil heaps up before a rock and lets it go in the air (Leine et al. 2014, Multibody System Dynamics 32,
-/// 241-271). It replaces `Friction`'s value for these pairs.
+/// 241-271). It replaces `Friction`'s value for these pairs, unless `most` is zero, which is off.
 class SlipFriction final : public Effect, MaterialHook {
  public:
   struct Options {
@@ -37,7 +37,7 @@ class SlipFriction final : public Effect, MaterialHook {
     std::uint64_t seen = 0;  // one more than the number of that step
   };
 
-  bool concerns(MaterialId a, MaterialId b) const override { return applies_.at(a, b); }
+  bool concerns(MaterialId a, MaterialId b) const override { return options_.most > 0 && applies_.at(a, b); }
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;
   void noteSlip(const Contact& contact, const Step& step);
   const State* stateOf(const Contact& contact) const;
