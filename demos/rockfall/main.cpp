@@ -80,8 +80,9 @@ Status execute(const MergeCommand& command) {
   const MergeReport& merged = report.value();
   fmt::print("{} runs, {} rocks, {} lost, {:.1f} s of CPU time; results in {}\n", merged.runs, merged.rocks,
              merged.lost, merged.cpuS, command.folder.string());
-  for (const EffectReport& effect : merged.effects)
-    fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s\n", effect.name, effect.acted, effect.elapsedUs / 1e6);
+  for (std::size_t i = 0; i < merged.effects.size(); ++i)
+    fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s, took {:.6g} kJ\n", merged.effects[i].name,
+               merged.effects[i].acted, merged.effects[i].elapsedUs / 1e6, merged.did[i].energyTakenJ / 1e3);
   fmt::print("merged hash {}\n", merged.hash);
   return {};
 }

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "acting_effect.h"
+#include "contact_work.h"
+#include "motion_meter.h"
 #include "side_book.h"
 #include "solver_hook.h"
 #include "step_contacts.h"
@@ -88,9 +90,10 @@ class EffectSet::Impl final : public SolveListener {
 
   void afterSolve() override {
     if (effects_.empty()) return;
+    bookContacts();
     for (ActingEffect* acting : turns_) acting->restoreContacts(contacts_.contacts());
     const std::span<const Impact> impacts = contacts_.finish();
-    for (ActingEffect* acting : turns_) acting->afterImpacts(impacts, step_);
+    applyImpacts(impacts);
     for (ActingEffect* acting : turns_) acting->noteImpacts(impacts, step_);
     ++step_.number;
     isInHook_ = false;
@@ -102,7 +105,17 @@ class EffectSet::Impl final : public SolveListener {
     awake_.clear();
     for (const auto& body : bodies_)
       if (body->body->isActive()) awake_.push_back(body.get());
-    for (ActingEffect* acting : turns_) acting->applyForces(awake_, step_);
+    meter_.watch(awake_);
+    for (ActingEffect* acting : turns_)
+      if (acting->applyForces(awake_, step_) > 0) acting->book(meter_.lookAgain());
+  }
+
+  void applyImpacts(std::span<const Impact> impacts) {
+    if (std::ranges::none_of(turns_, [](const ActingEffect* acting) { return acting->hooks().impact != nullptr; }))
+      return;
+    meter_.watchStruck(impacts);
+    for (ActingEffect* acting : turns_)
+      if (acting->afterImpacts(impacts, step_) > 0) acting->book(meter_.lookAgain());
   }
 
   void changeContacts() {
@@ -111,10 +124,32 @@ class EffectSet::Impl final : public SolveListener {
     resistances_.clear();
     for (const Contact& contact : contacts_.contacts())
       if (contact.rollingLength > 0 || contact.spinningLength > 0)
-        resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength});
+        resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength, &contact, {}});
     std::ranges::sort(resistances_, std::less<>{}, &Resistance::point);
     assert((resistances_.empty() || hook_.canResist()) && "the world's solver is not Bullet's plain sequential one");
     hook_.resist(resistances_);
+  }
+
+  // Whose work it is, null if nobody's.
+  ActingEffect* answererOf(Answer answer, const Contact& contact) const {
+    const auto found = std::find_if(turns_.rbegin(), turns_.rend(), [&](const ActingEffect* acting) {
+      return acting->answers(answer, contact.sides[0].material, contact.sides[1].material);
+    });
+    return found == turns_.rend() ? nullptr : *found;
+  }
+
+  void bookContacts() {
+    for (const Contact& contact : contacts_.contacts()) {
+      if (!wasAtWork(contact)) continue;
+      ActingEffect *friction = answererOf(Answer::friction, contact),
+                   *restitution = answererOf(Answer::restitution, contact);
+      if (friction == nullptr && restitution == nullptr) continue;
+      const ContactWork work(contact);
+      if (friction != nullptr) friction->book(work.along);
+      if (restitution != nullptr) restitution->book(work.across);
+    }
+    for (const Resistance& resistance : resistances_)
+      if (ActingEffect* rolling = answererOf(Answer::rolling, *resistance.contact)) rolling->book(resistance.work);
   }
 
   btDiscreteDynamicsWorld& world_;
@@ -127,6 +162,7 @@ class EffectSet::Impl final : public SolveListener {
   StepContacts contacts_;
   std::vector<Body*> awake_;
   std::vector<Resistance> resistances_;
+  MotionMeter meter_;
   Step step_;
   WantedContacts wanted_;
   bool wantsBodies_ = false, isInHook_ = false;

@@ -65,4 +65,12 @@ btScalar RollingRow::solve(btSolverBody& a, btSolverBody& b, btScalar normalImpu
   return change;
 }
 
+Work RollingRow::work(const btSolverBody& a, const btSolverBody& b) const {
+  const btVector3 impulse =
+      axes_[kAcross] * applied_[kAcross] + axes_[kAlong] * applied_[kAlong] + axes_[kNormal] * applied_[kNormal];
+  const btVector3 before = a.m_angularVelocity - b.m_angularVelocity;
+  const btVector3 middle = before + (a.getDeltaAngularVelocity() - b.getDeltaAngularVelocity()) / 2;
+  return {-double(impulse.dot(middle)), 0, double(impulse.length())};
+}
+
 }  // namespace cairn::effects

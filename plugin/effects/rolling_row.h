@@ -7,14 +7,18 @@
 #include <array>
 #include <cstddef>
 
+#include "cairn/effects/effect_set.h"
+
 struct btSolverBody;
 
 namespace cairn::effects {
 
-/// What resists rolling and spinning at a contact in a step.
+/// What resists rolling and spinning at a contact in a step, and once that is solved what it did.
 struct Resistance {
   const btManifoldPoint* point;
   btScalar rolling, spinning;  ///< m, torque per normal force
+  const Contact* contact;      ///< of the point
+  Work work;
 };
 
 /// The torque impulse between two bodies at a contact that resists their rolling and spinning on each other: in the
@@ -28,6 +32,8 @@ class RollingRow {
 
   /// One iteration. The change of angular momentum it made, N m s.
   btScalar solve(btSolverBody& a, btSolverBody& b, btScalar normalImpulse);
+  /// After the last.
+  Work work(const btSolverBody& a, const btSolverBody& b) const;
 
  private:
   static constexpr std::size_t kAcross = 0, kAlong = 1, kNormal = 2;

@@ -27,7 +27,8 @@ btScalar RollingSolver::solveGroupCacheFriendlySetup(btCollisionObject** bodies,
     const auto found = std::ranges::lower_bound(resistances_, point, std::less<>{}, &Resistance::point);
     if (found == resistances_.end() || found->point != point) continue;
     rows_.emplace_back(*found, bodyAt(contact.m_solverBodyIdA), bodyAt(contact.m_solverBodyIdB));
-    numbers_.push_back({i, contact.m_solverBodyIdA, contact.m_solverBodyIdB});
+    const auto resistance = static_cast<std::size_t>(found - resistances_.begin());
+    numbers_.push_back({i, contact.m_solverBodyIdA, contact.m_solverBodyIdB, resistance});
   }
   return rest;
 }
@@ -39,13 +40,21 @@ btScalar RollingSolver::solveSingleIteration(int iteration, btCollisionObject** 
   btScalar rest = btSequentialImpulseConstraintSolver::solveSingleIteration(
       iteration, bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto [contact, a, b] = numbers_[i];
+    const auto [contact, a, b, resistance] = numbers_[i];
     const btScalar normalImpulse = m_tmpSolverContactConstraintPool[contact].m_appliedImpulse;
     btSolverBody &bodyA = m_tmpSolverBodyPool[a], &bodyB = m_tmpSolverBodyPool[b];
     const btScalar change = rows_[i].solve(bodyA, bodyB, normalImpulse);
     rest = std::max(rest, change * change);
   }
   return rest;
+}
+
+btScalar RollingSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,
+                                                      const btContactSolverInfo& info) {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    resistances_[numbers_[i].resistance].work =
+        rows_[i].work(m_tmpSolverBodyPool[numbers_[i].a], m_tmpSolverBodyPool[numbers_[i].b]);
+  return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, bodyCount, info);
 }
 
 }  // namespace cairn::effects

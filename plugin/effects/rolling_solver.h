@@ -4,6 +4,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,16 @@ class RollingSolver final : public btSequentialImpulseConstraintSolver {
                                 btPersistentManifold** manifolds, int manifoldCount, btTypedConstraint** constraints,
                                 int constraintCount, const btContactSolverInfo& info, btIDebugDraw* drawer) override;
 
+  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,
+                                         const btContactSolverInfo& info) override;
+
  private:
   // The body of this number in the solver, null if nothing moves it.
   const btRigidBody* bodyAt(int number) const { return m_tmpSolverBodyPool[number].m_originalBody; }
 
   struct Numbers {
     int contact, a, b;  // in the solver's pools
+    std::size_t resistance;
   };
 
   std::span<Resistance> resistances_;

@@ -158,6 +158,44 @@ TEST_F(RockfallProgram, WritesWhatTheCaseAsksFor) {
   for (const char* figure : {"map.svg", "profiles.svg"}) EXPECT_EQ(contentOf(merged / figure).rfind("<svg ", 0), 0U);
 }
 
+/// `column` of a table with a heading, summed over all lines.
+double sumOf(const std::string& table, const std::string& column) {
+  std::istringstream lines(table);
+  std::string line, cell;
+  std::getline(lines, line);
+  std::istringstream heading(line);
+  std::ptrdiff_t place = 0;
+  while (std::getline(heading, cell, ',') && cell != column) ++place;
+  double sum = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    for (std::ptrdiff_t i = 0; i <= place; ++i) std::getline(cells, cell, ',');
+    sum += std::stod(cell);
+  }
+  return sum;
+}
+
+TEST_F(RockfallProgram, TellsWhatEachEffectDid) {
+  hashOfOneProcess();
+  const std::filesystem::path merged = temporary_.path() / "merged";
+  const auto summary = json::parse(contentOf(merged / "summary.json"));
+  const std::string table = contentOf(merged / "effects.csv");
+  const auto& effects = summary.at("effects");
+  ASSERT_EQ(effects.size(), 1U);
+  EXPECT_EQ(effects[0].at("effect"), "friction");
+  EXPECT_EQ(effects[0].at("path"), "/effects/0");
+  EXPECT_GT(effects[0].at("acts"), 0);
+  EXPECT_GT(effects[0].at("impulse_n_s"), 0);
+  // Friction is all that acts; what else is lost, blows take.
+  EXPECT_GT(effects[0].at("energy_taken_j"), 0);
+  EXPECT_LT(effects[0].at("energy_taken_j"), summary.at("released_energy_j"));
+  constexpr double kDigits = 1e-5;  // of the table
+  for (const char* column : {"acts", "energy_taken_j", "impulse_n_s"}) {
+    const double told = effects[0].at(column);
+    EXPECT_NEAR(sumOf(table, column), told, kDigits * told) << column;
+  }
+}
+
 TEST_F(RockfallProgram, DrawsPngOrSaysWhatIsMissing) {
   ASSERT_EQ(rockfall(runArguments("one", "--runs 0:1")).exitCode, 0);
   const ProgramResult merged = rockfall("merge --png " + quoted("one") + " -o " + quoted("merged"));

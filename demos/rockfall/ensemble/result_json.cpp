@@ -57,7 +57,7 @@ void transfer(Io& io, auto& r) requires requires {
 }
 template <class Io>
 void transfer(Io& io, auto& r) requires requires {
-  r.impulseNS;
+  r.other;
 }
 { each(io, r.rock, r.other, r.material, r.timeS, r.place, r.energyBeforeJ, r.energyAfterJ, r.impulseNS); }
 template <class Io>
@@ -75,6 +75,12 @@ void transfer(Io& io, auto& r) requires requires {
   r.place, r.heightM;
 }
 { each(io, r.timeS, r.place, r.speed, r.energyJ, r.heightM); }
+
+template <class Io>
+void transfer(Io& io, auto& r) requires requires {
+  r.energyTakenJ;
+}
+{ each(io, r.name, r.acts, r.energyTakenJ, r.impulseNS, r.torqueImpulseNMS); }
 
 template <class Record>
 Json toJson(const std::vector<Record>& records) {
@@ -107,6 +113,7 @@ Json resultToJson(const RunResult& result) {
           {"cells", toJson(result.cells)},
           {"distances", toJson(result.distances)},
           {"trajectories", std::move(trajectories)},
+          {"effects", toJson(result.effects)},
           {"steps", result.steps},
           {"operations", result.operations},
           {"max_operations", result.maxOperations},
@@ -124,6 +131,7 @@ RunResult resultFromJson(const Json& json) {
   fromJson(json.at("cells"), result.cells);
   fromJson(json.at("distances"), result.distances);
   for (const Json& samples : json.at("trajectories")) fromJson(samples, result.trajectories.emplace_back());
+  fromJson(json.at("effects"), result.effects);
   json.at("steps").get_to(result.steps);
   json.at("operations").get_to(result.operations);
   json.at("max_operations").get_to(result.maxOperations);

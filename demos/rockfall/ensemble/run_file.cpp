@@ -16,7 +16,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 std::string hashOf(const Json& result) {
   ContentHash hash;

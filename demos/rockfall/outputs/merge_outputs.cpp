@@ -63,6 +63,20 @@ Ordered quantilesJson(const LogHistogram& histogram) {
   return {{"median", histogram.quantile(500)}, {"p95", histogram.quantile(950)}, {"max", histogram.greatest()}};
 }
 
+Ordered effectsJson(const MergedRuns& merged) {
+  Ordered effects = Ordered::array();
+  for (std::size_t i = 0; i < merged.effects.size(); ++i) {
+    const EffectRecord& effect = merged.effects[i];
+    effects.push_back({{"effect", effect.name},
+                       {"path", fmt::format("/effects/{}", i)},
+                       {"acts", effect.acts},
+                       {"energy_taken_j", effect.energyTakenJ},
+                       {"impulse_n_s", effect.impulseNS},
+                       {"torque_impulse_n_m_s", effect.torqueImpulseNMS}});
+  }
+  return effects;
+}
+
 std::string summaryText(const Case& description, const MergedRuns& merged) {
   Ordered endings, collectors = Ordered::array();
   for (std::size_t i = 0; i < merged.endings.size(); ++i) endings[nameOf(static_cast<RockEnd>(i))] = merged.endings[i];
@@ -84,7 +98,9 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
                      {"runout_m", quantilesJson(merged.runoutM)},
                      {"max_energy_j", quantilesJson(merged.energyJ)},
                      {"max_height_m", quantilesJson(merged.heightM)},
-                     {"collectors", collectors}};
+                     {"collectors", collectors},
+                     {"released_energy_j", merged.releasedEnergyJ},
+                     {"effects", effectsJson(merged)}};
   return json.dump(1) + "\n";
 }
 
@@ -127,6 +143,7 @@ std::vector<File> filesOf(const Case& description, const Ground& ground, const G
   const OutputsSection& outputs = description.outputs;
   std::vector<File> files{{"runs.csv", gathered.tables.runs()},
                           {"rocks.csv", gathered.tables.rocks()},
+                          {"effects.csv", gathered.tables.effects()},
                           {"summary.json", summaryText(description, gathered.merged)}};
   if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", gathered.tables.impacts());
   if (!description.collectors.empty()) files.emplace_back("collectors.csv", gathered.tables.crossings());
@@ -218,8 +235,8 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
       if (const fs::path svg = options.folder / name; svg.extension() == ".svg")
         if (const Status drawn = renderSvg(svg, fs::path(svg).replace_extension(".png")); !drawn) return drawn.error();
   const auto lost = gathered.merged.endings[static_cast<std::size_t>(RockEnd::lost)];
-  return MergeReport{gathered.merged.runs, gathered.merged.rocks, lost,
-                     gathered.cpuS,        gathered.effects,      std::move(hash).value()};
+  return MergeReport{gathered.merged.runs,    gathered.merged.rocks,  lost, gathered.cpuS, gathered.effects,
+                     gathered.merged.effects, std::move(hash).value()};
 }
 
 }  // namespace cairn::rockfall

@@ -19,6 +19,7 @@ struct MergeReport {
   std::uint64_t runs = 0, rocks = 0, lost = 0;
   double cpuS = 0;                    ///< of all runs
   std::vector<EffectReport> effects;  ///< summed over all runs
+  std::vector<EffectRecord> did;      ///< the same effects, as well
   std::string hash;                   ///< SHA-256 over all files but PNG, hexadecimal
 };
 

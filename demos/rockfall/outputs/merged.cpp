@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/outputs/merged.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -14,8 +15,21 @@ void addVisit(CellSummary& cell, const VisitRecord& visit) {
 
 }  // namespace
 
+void MergedRuns::addEffects(const std::vector<EffectRecord>& ofRun) {
+  effects.resize(std::max(effects.size(), ofRun.size()));
+  for (std::size_t i = 0; i < ofRun.size(); ++i) {
+    effects[i].name = ofRun[i].name;
+    effects[i].acts += ofRun[i].acts;
+    effects[i].energyTakenJ += ofRun[i].energyTakenJ;
+    effects[i].impulseNS += ofRun[i].impulseNS;
+    effects[i].torqueImpulseNMS += ofRun[i].torqueImpulseNMS;
+  }
+}
+
 void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
   ++runs;
+  releasedEnergyJ += result.releasedEnergyJ;
+  addEffects(result.effects);
   for (const RockRecord& rock : result.rocks) {
     ++rocks;
     ++endings[static_cast<std::size_t>(rock.ending)];

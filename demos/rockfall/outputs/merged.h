@@ -32,14 +32,18 @@ struct MergedRuns {
 
   std::uint64_t runs = 0, rocks = 0, impacts = 0;
   std::array<std::uint64_t, 5> endings{};  ///< by `RockEnd`
-  double runoutSumM = 0;
+  double runoutSumM = 0, releasedEnergyJ = 0;
   LogHistogram runoutM, energyJ, heightM;
   std::map<Cell, CellSummary> cells;
   std::map<std::int32_t, CellSummary> distances;
   std::vector<CollectorSummary> collectors;
+  std::vector<EffectRecord> effects;  ///< of all runs together, in the order of the case's list
 
   /// To be called by rising run. `cellM`: of the rasters, if there are any.
   void add(const RunResult& result, std::optional<double> cellM);
+
+ private:
+  void addEffects(const std::vector<EffectRecord>& ofRun);
 };
 
 }  // namespace cairn::rockfall

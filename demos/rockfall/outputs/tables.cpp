@@ -24,7 +24,8 @@ Tables::Tables(const Case& description)
           "x_m,"
           "end_y_m,end_z_m,runout_m,max_speed_m_per_s,max_energy_j,max_height_m,impacts\n"),
       impacts_("run,rock,with,material,time_s,x_m,y_m,z_m,energy_before_j,energy_after_j,impulse_n_s\n"),
-      crossings_("run,collector,rock,direction,time_s,along_m,height_m,speed_m_per_s,energy_j\n") {}
+      crossings_("run,collector,rock,direction,time_s,along_m,height_m,speed_m_per_s,energy_j\n"),
+      effects_("run,index,effect,acts,energy_taken_j,impulse_n_s,torque_impulse_n_m_s\n") {}
 
 void Tables::add(const RunResult& result) {
   std::array<std::uint32_t, 5> endings{};
@@ -54,6 +55,11 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(std::back_inserter(crossings_), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.6g}\n", result.run,
                    description_.collectors[c.collector].name, c.rock, c.direction, c.timeS, c.alongM, c.heightM,
                    c.speed, c.energyJ);
+  for (std::size_t i = 0; i < result.effects.size(); ++i) {
+    const EffectRecord& effect = result.effects[i];
+    fmt::format_to(std::back_inserter(effects_), "{},{},{},{},{:.6g},{:.6g},{:.6g}\n", result.run, i, effect.name,
+                   effect.acts, effect.energyTakenJ, effect.impulseNS, effect.torqueImpulseNMS);
+  }
   fmt::format_to(std::back_inserter(runs_),
                  "{},{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n", result.run,
                  result.rocks.size(), endings[0], endings[1], endings[2], endings[3], endings[4], impacts,

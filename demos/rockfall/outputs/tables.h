@@ -19,10 +19,11 @@ class Tables {
   const std::string& rocks() const { return rocks_; }
   const std::string& impacts() const { return impacts_; }
   const std::string& crossings() const { return crossings_; }
+  const std::string& effects() const { return effects_; }
 
  private:
   const Case& description_;
-  std::string runs_, rocks_, impacts_, crossings_;
+  std::string runs_, rocks_, impacts_, crossings_, effects_;
 };
 
 /// resting, moving, left or lost.

@@ -119,6 +119,7 @@ class Running {
     result_.stateHash = hash.hex();
     result_.releasedEnergyJ = energies_.broughtJ();
     result_.energyRiseJ = energies_.greatestRiseJ();
+    result_.effects = world_.effects().records();
     const scenes::Quantiles times = scenes::quantilesOf(std::move(narrowPhaseUs_));
     return {std::move(result_), {cpuUs / 1e6, times.p999, times.max, world_.effects().report()}};
   }

@@ -60,4 +60,12 @@ std::vector<EffectReport> RunEffects::report() const {
   return reports;
 }
 
+std::vector<EffectRecord> RunEffects::records() const {
+  std::vector<EffectRecord> records;
+  for (const effects::EffectReport& own : set_->report())
+    records.push_back(
+        {std::string(own.name), own.acted, own.work.energyTaken, own.work.impulse, own.work.torqueImpulse});
+  return records;
+}
+
 }  // namespace cairn::rockfall

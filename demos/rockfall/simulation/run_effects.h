@@ -23,6 +23,13 @@ struct EffectReport {
   double elapsedUs = 0;
 };
 
+/// What a listed effect did in a run, see `effects::Work`.
+struct EffectRecord {
+  std::string name;
+  std::uint64_t acts = 0;  ///< on bodies, contacts or impacts
+  double energyTakenJ = 0, impulseNS = 0, torqueImpulseNMS = 0;
+};
+
 /// The effects a case lists, at work in one run's world, and nothing else: without friction everything is smooth,
 /// without restitution nothing bounces, without gyroscopic nothing wobbles, without sleeping nothing sleeps.
 class RunEffects {
@@ -42,6 +49,7 @@ class RunEffects {
   /// Null unless listed.
   effects::Fragmentation* fragmentation() const { return fragmentation_; }
   std::vector<EffectReport> report() const;
+  std::vector<EffectRecord> records() const;
 
  private:
   class GroundBelow final : public effects::GroundHeight {

@@ -74,6 +74,7 @@ struct RunResult {
   std::vector<VisitRecord> cells;                           ///< of the map
   std::vector<VisitRecord> distances;                       ///< `column` counts cells of distance, `row` is 0
   std::vector<std::vector<TrajectorySample>> trajectories;  ///< by rock
+  std::vector<EffectRecord> effects;                        ///< in the order of the case's list
   std::uint64_t steps = 0, operations = 0, maxOperations = 0;
   /// Of all rocks as released, and the most by which the energy of all together rose above what it had been: potential
   /// (from the ground's lowest point) and kinetic. Nothing gives them any, so a rise is an error.

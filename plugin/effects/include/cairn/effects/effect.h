@@ -115,12 +115,17 @@ class EventHook {
   virtual std::uint32_t noteImpacts(std::span<const Impact> impacts, const Step& step) = 0;
 };
 
+/// What of a contact a material hook has the say on, for the pairs it is concerned with: whose work it is. Where
+/// several have, the last by their turns.
+enum class Answer : std::uint8_t { none, friction, restitution, rolling };
+
 /// Where an effect wants to be asked; null: not there, and costs nothing there.
 struct Hooks {
   ForceHook* force = nullptr;
   MaterialHook* material = nullptr;
   ImpactHook* impact = nullptr;
   EventHook* event = nullptr;
+  Answer answer = Answer::none;  ///< of the material hook
 };
 
 /// When an effect acts in each of its hooks, first to last; those of one turn in the order they were added. So the

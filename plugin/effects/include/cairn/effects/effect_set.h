@@ -13,12 +13,29 @@ class btDiscreteDynamicsWorld;
 
 namespace cairn::effects {
 
-/// What an effect did since it was added.
+/// What was done to bodies, summed over them.
+struct Work {
+  double energyTaken = 0;    ///< of their motion, J; negative: given
+  double impulse = 0;        ///< size of what changed their momentum, N s
+  double torqueImpulse = 0;  ///< and, without that, their angular momentum, N m s
+
+  Work& operator+=(const Work& more) {
+    energyTaken += more.energyTaken;
+    impulse += more.impulse;
+    torqueImpulse += more.torqueImpulse;
+    return *this;
+  }
+};
+
+/// What an effect did since it was added. Its work is what its hooks changed of velocities; of the effects that say how
+/// contacts answer, what the contacts they answer for did: friction along the surface, restitution across it, rolling
+/// resistance by its torques.
 struct EffectReport {
   std::string_view name;
   std::uint64_t acted = 0;         ///< bodies, contacts or impacts it acted on, summed over the steps
   std::uint64_t stepsActed = 0;    ///< steps in which it acted on any
   double elapsedMicroseconds = 0;  ///< in its hooks
+  Work work;
 };
 
 /// The effects of a scene, and nothing else: what was not added is not there, and a set without effects leaves every

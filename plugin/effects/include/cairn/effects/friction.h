@@ -13,7 +13,7 @@ class Friction final : public Effect, MaterialHook {
 
   std::string_view name() const override { return "friction"; }
   Turn turn() const override { return Turn::friction; }
-  Hooks hooks() override { return {.material = this}; }
+  Hooks hooks() override { return {.material = this, .answer = Answer::friction}; }
 
  private:
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;

@@ -38,7 +38,7 @@ class Restitution final : public Effect, MaterialHook {
 
   std::string_view name() const override { return "restitution"; }
   Turn turn() const override { return Turn::restitution; }
-  Hooks hooks() override { return {.material = this}; }
+  Hooks hooks() override { return {.material = this, .answer = Answer::restitution}; }
 
  private:
   std::uint32_t changeContacts(std::span<Contact> contacts, const Step& step) override;

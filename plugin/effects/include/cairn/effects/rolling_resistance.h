@@ -23,7 +23,7 @@ class RollingResistance final : public Effect, MaterialHook {
 
   std::string_view name() const override { return "rolling_resistance"; }
   Turn turn() const override { return Turn::rollingResistance; }
-  Hooks hooks() override { return {.material = this}; }
+  Hooks hooks() override { return {.material = this, .answer = Answer::rolling}; }
 
  private:
   bool concerns(MaterialId a, MaterialId b) const override { return acts(lengths_.at(a, b)); }

@@ -24,7 +24,7 @@ class SlipFriction final : public Effect, MaterialHook {
 
   std::string_view name() const override { return "slip_friction"; }
   Turn turn() const override { return Turn::slipFriction; }
-  Hooks hooks() override { return {.material = this}; }
+  Hooks hooks() override { return {.material = this, .answer = Answer::friction}; }
   void welcome(Body& body) override;
 
   /// The coefficient after slipping so far (m). At least `least`, below `most`.
