@@ -31,6 +31,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench kernel TREE... [OPTIONS] what exact contacts of two bodies that touch cost, stage by stage
   ./cairn.sh bench textbook [OPTIONS] the textbook's experiments (falling, sliding, rolling, bouncing, colliding) with Bullet's own
                              shapes, hulls and trees of one to three levels: error and time of each
+  ./cairn.sh bench laws [OPTIONS] the laws of rock-fall, measured over exact, from 10 kg to 100 t and from 1/60 to 1/1000 s
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
   ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
   ./cairn.sh bench interrupted [TREE] what certified error traversals cut short are left with, in turn, worst first, in the best order there is
@@ -222,7 +223,7 @@ bench() {
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
     budgets) bench_budgets "${@:2}"; return ;;
-    effects | fits | interrupted | kernel | matrix | memory | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
+    effects | fits | interrupted | kernel | laws | matrix | memory | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
   esac
   build release
   local mesh
