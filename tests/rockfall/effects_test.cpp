@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -46,6 +49,27 @@ TEST(ACasesEffects, GiveTheSameWhateverTheirOrder) {
     document["effects"] = effects;
     EXPECT_EQ(hashOf(document), hash) << name << " by rising names";
   }
+}
+
+/// The case as it is shipped: rocks come down to the belt, some pass it and meet the stems below.
+TEST(TheForest, BrakesSomeAndLetsSomePass) {
+  const Scene scene = test::prepared(json::parse(std::ifstream(test::exampleFile("forest.json")), nullptr, true, true));
+  std::array<std::set<std::pair<std::uint64_t, std::uint32_t>>, 3> passed;  // by collector
+  std::uint64_t stems = 0, rocks = 0;
+  for (std::uint64_t run = 0; run < 10; ++run) {
+    const RunResult result = simulate(scene, run).value().result;
+    rocks += result.rocks.size();
+    for (const CrossingRecord& crossing : result.crossings) passed[crossing.collector].insert({run, crossing.rock});
+    for (const EffectRecord& effect : result.effects)
+      if (effect.name == "trees") stems += effect.acts;
+  }
+  const auto [above, below, hut] = passed;
+  EXPECT_GT(above.size(), rocks / 2);
+  EXPECT_LT(below.size(), above.size());
+  EXPECT_GT(below.size(), rocks / 2);
+  EXPECT_GT(stems, below.size()) << "more than one each";
+  EXPECT_GT(hut.size(), 0U);
+  EXPECT_LT(hut.size(), below.size());
 }
 
 /// Each effect of no strength; those that have none, with a criterion that nothing meets.
