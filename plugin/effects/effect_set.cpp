@@ -126,7 +126,8 @@ class EffectSet::Impl final : public SolveListener {
       if (contact.rollingLength > 0 || contact.spinningLength > 0)
         resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength, &contact, {}});
     std::ranges::sort(resistances_, std::less<>{}, &Resistance::point);
-    assert((resistances_.empty() || hook_.canResist()) && "the world's solver is not Bullet's plain sequential one");
+    assert((resistances_.empty() || hook_.canResist()) &&
+           "the world's solver is neither Bullet's plain sequential one nor an OrderedSolver");
     hook_.resist(resistances_);
   }
 

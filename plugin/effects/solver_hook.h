@@ -7,6 +7,7 @@
 #include <span>
 #include <typeinfo>
 
+#include "cairn/bullet/ordered_solver.h"
 #include "rolling_solver.h"
 
 namespace cairn::effects {
@@ -33,7 +34,7 @@ class SolverHook final : public btConstraintSolver {
   /// From within `beforeSolve`, for the step that begins; ordered by point, and must live until `afterSolve`.
   void resist(std::span<Resistance> resistances) {
     resistances_ = canResist() ? resistances : std::span<Resistance>{};
-    if (!resistances_.empty() && rolling_ == nullptr) rolling_ = std::make_unique<RollingSolver>();
+    if (!resistances_.empty() && rolling_ == nullptr) rolling_ = ownSolver();
   }
 
   void prepareSolve(int bodies, int manifolds) override {
@@ -61,15 +62,23 @@ class SolverHook final : public btConstraintSolver {
   btConstraintSolverType getSolverType() const override { return solver_.getSolverType(); }
 
  private:
-  // Only of that very class: another may do more than the own solver does.
-  static btSequentialImpulseConstraintSolver* plainOf(btConstraintSolver& solver) {
-    return typeid(solver) == typeid(btSequentialImpulseConstraintSolver)
-               ? static_cast<btSequentialImpulseConstraintSolver*>(&solver)
-               : nullptr;
+  using Plain = btSequentialImpulseConstraintSolver;
+
+  // Only of these very classes: another may do more than the own solver does.
+  static Plain* plainOf(btConstraintSolver& solver) {
+    const bool isKnown = typeid(solver) == typeid(Plain) || isOrdered(solver);
+    return isKnown ? static_cast<Plain*>(&solver) : nullptr;
+  }
+  static bool isOrdered(const btConstraintSolver& solver) {
+    return typeid(solver) == typeid(bullet::OrderedSolver<Plain>);
+  }
+  std::unique_ptr<RollingSolver> ownSolver() const {
+    if (isOrdered(solver_)) return std::make_unique<bullet::OrderedSolver<RollingSolver>>();
+    return std::make_unique<RollingSolver>();
   }
 
   btConstraintSolver& solver_;
-  btSequentialImpulseConstraintSolver* plain_;  // the same, or null
+  Plain* plain_;  // the same, or null
   SolveListener& listener_;
   std::unique_ptr<RollingSolver> rolling_;  // once something resists
   std::span<Resistance> resistances_;       // of this step

@@ -64,8 +64,8 @@ class EffectSet {
   EffectSet& operator=(const EffectSet&) = delete;
 
   /// Adds an effect; it sees the bodies that are there and all that come. Not from within a hook (asserted). Resistance
-  /// to rolling needs a world whose solver is a `btSequentialImpulseConstraintSolver` itself, not one derived from it
-  /// (asserted; there it does nothing).
+  /// to rolling needs a world whose solver is a `btSequentialImpulseConstraintSolver` itself or an `OrderedSolver` of
+  /// it, not another one derived from it (asserted; there it does nothing).
   void add(std::unique_ptr<Effect> effect);
 
   /// From now on effects see this body. Precondition: a dynamic body of the world that is not in the set, and volume >=

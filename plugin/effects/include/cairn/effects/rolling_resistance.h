@@ -10,8 +10,8 @@ namespace cairn::effects {
 /// 5/7 * g * length / r, whatever its mass and the step. Takes the place of what the bodies say themselves; where both
 /// lengths are zero that stays.
 ///
-/// Bullet's own rolling rows end at the torque of a normal impulse of 1 N s; these are solved by the set, which needs
-/// the world's solver to be a plain `btSequentialImpulseConstraintSolver` for it (see `EffectSet::add`).
+/// Bullet's own rolling rows end at the torque of a normal impulse of 1 N s; these are solved by the set, which
+/// cannot do that beside every solver of a world (see `EffectSet::add`).
 class RollingResistance final : public Effect, MaterialHook {
  public:
   struct Lengths {
