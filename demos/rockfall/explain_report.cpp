@@ -32,6 +32,8 @@ std::string explainText(const Scene& scene, const SceneBounds& bounds, const std
     if (outlook.groups.empty())
       fmt::format_to(out, "warning: /effects/{}: \"{}\" can never act: it needs {}\n", outlook.index, outlook.name,
                      outlook.reason);
+    else if (!outlook.advice.empty())
+      fmt::format_to(out, "warning: /effects/{}: \"{}\": {}\n", outlook.index, outlook.name, outlook.advice);
   return text;
 }
 
@@ -52,7 +54,8 @@ std::string explainJson(const Scene& scene, const SceneBounds& bounds, const std
                        {"path", fmt::format("/effects/{}", outlook.index)},
                        {"can_act", !outlook.groups.empty()},
                        {"groups", outlook.groups},
-                       {"needs", outlook.reason}});
+                       {"needs", outlook.reason},
+                       {"advice", outlook.advice}});
   const Ordered json{{"case", scene.description.name},
                      {"ground_m", {scene.ground->lower().z, scene.ground->upper().z}},
                      {"groups", groups},

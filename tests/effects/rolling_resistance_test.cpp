@@ -7,10 +7,12 @@
 #include <cmath>
 #include <memory>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "cairn/bullet/ordered_solver.h"
 #include "cairn/effects/friction.h"
+#include "effect_world.h"
 #include "slope_world.h"
 
 namespace cairn::test::rolling_resistance_test {
@@ -110,6 +112,32 @@ TEST(RollingResistance, ABallStopsAfterTheTextbooksWay) {
   const btScalar deceleration = btScalar(5) / 7 * kGravity * kLength / kRadius;
   const btScalar expected = kSpeed * kSpeed / (2 * deceleration);
   EXPECT_NEAR(wayOf(kLength, kSpeed), expected, btScalar(0.02) * expected);
+}
+
+// The set's own solver does to them what Bullet's does.
+TEST(RollingResistance, LeavesBodiesThatItDoesNotConcernTheirBits) {
+  const auto hashWith = [](btScalar length) {
+    EffectWorld w;
+    effects::PairTable<RollingResistance::Lengths> lengths;
+    lengths.set(kIce, kSoil, {.rolling = length, .spinning = length});
+    w.effect<RollingResistance>(lengths);
+    w.ground(kSoil);
+    const auto shape = std::make_shared<btBoxShape>(btVector3(1, btScalar(0.7), btScalar(0.5)));
+    btRigidBody& box = w.join(w.bullet.add(shape, 30, btVector3(0, 0, 3)), 1, kRock);
+    box.setAngularVelocity(btVector3(1, 2, 3));
+    btRigidBody& ball =
+        w.join(w.bullet.add(std::make_shared<btSphereShape>(kRadius), 30, btVector3(500, 0, kRadius)), 1, kIce);
+    ball.setLinearVelocity(btVector3(5, 0, 0));
+    StateHash hash;
+    for (int i = 0; i < 480; ++i) {
+      w.step(1, btScalar(1) / 240);
+      addState(hash, box);
+    }
+    return std::pair(hash.hex(), ball.getLinearVelocity().x());
+  };
+  const auto without = hashWith(0), with = hashWith(btScalar(0.1));
+  EXPECT_EQ(with.first, without.first);
+  EXPECT_LT(with.second, without.second) << "it acts on the ball";
 }
 
 /// The hull of so many points spread evenly over a sphere.

@@ -87,6 +87,20 @@ INSTANTIATE_TEST_SUITE_P(
         Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9})", false},
         Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9, "sound_impulse_n_s": 100})", true}));
 
+TEST(ExplainedRollingResistance, AsksForWhatStopsTheSpinOfRocksThatItHoldsUp) {
+  json document = test::plainCase();
+  document["rocks"][0]["tree_depth"] = 1;
+  const auto adviceOn = [&](const char* effect) {
+    document["effects"] = json::array({json::parse(effect)});
+    const Scene scene = test::prepared(document);
+    return explainEffects(scene.description, boundsOf(scene))[0].advice;
+  };
+  EXPECT_NE(adviceOn(R"({"effect": "rolling_resistance", "default_m": 0.1})").find("spinning_default_m"),
+            std::string::npos);
+  EXPECT_EQ(adviceOn(R"({"effect": "rolling_resistance", "default_m": 0.1, "spinning_default_m": 0.02})"), "");
+  EXPECT_EQ(adviceOn(R"({"effect": "rolling_resistance", "default_m": 0})"), "");
+}
+
 TEST(SceneBounds_OfSpeedAndFall, HoldForRunsOfTheScene) {
   json document = test::plainCase();
   document["effects"] = json::array();  // nothing brakes

@@ -14,7 +14,7 @@ class Outlooks {
   Outlooks(const Case& scene, const SceneBounds& bounds) : scene_(scene), bounds_(bounds) {}
 
   EffectOutlook of(std::size_t index) {
-    outlook_ = {index, std::string(nameOf(scene_.effects[index])), {}, {}};
+    outlook_ = {index, std::string(nameOf(scene_.effects[index])), {}, {}, {}};
     std::visit([&](const auto& options) { judge(options); }, scene_.effects[index]);
     return outlook_;
   }
@@ -72,6 +72,10 @@ class Outlooks {
   void judge(const RollingResistanceOptions& o) {
     if (o.spinningLeverM > 0) return all(true, "the lever against spinning is above 0");
     pairsThat(o.leverM, kAboveZero, "levers above 0 of materials that can meet");
+    if (!outlook_.groups.empty())
+      outlook_.advice =
+          "rocks that it holds up on one corner may spin there for ever: give \"spinning_default_m\" too, say a fifth "
+          "of the lever";
   }
   void judge(const RestitutionOptions& o) {
     pairsThat(o.value, kAboveZero, "values above 0 of materials that can meet");

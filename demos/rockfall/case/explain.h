@@ -34,6 +34,7 @@ struct EffectOutlook {
   std::string name;
   std::vector<std::uint32_t> groups;  ///< whose rocks could meet its criterion; empty: it can never act
   std::string reason;                 ///< one sentence: by which bound
+  std::string advice;                 ///< what it may do that nobody means, and what to do; empty: nothing known
 };
 
 /// Of every listed effect. Bounds, not forecasts: what is said to be able to act may still not, what is said never to
