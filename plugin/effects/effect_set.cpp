@@ -38,8 +38,15 @@ class EffectSet::Impl final : public SolveListener {
     if (world_.getConstraintSolver() == &hook_) world_.setConstraintSolver(&hook_.solver());
   }
 
+  Status canAct(const Effect& effect) const {
+    if (effect.turn() != Turn::rollingResistance || hook_.canResist()) return {};
+    return Error{
+        "rolling resistance needs a world whose solver is a btSequentialImpulseConstraintSolver itself or an "
+        "OrderedSolver of it: make the world with one of these"};
+  }
+
   void add(std::unique_ptr<Effect> effect) {
-    assert(!isInHook_);
+    assert(!isInHook_ && canAct(*effect));
     ActingEffect& added = *effects_.emplace_back(std::make_unique<ActingEffect>(std::move(effect)));
     const auto turn = [](ActingEffect* acting) { return acting->effect().turn(); };
     turns_.insert(std::ranges::upper_bound(turns_, turn(&added), {}, turn), &added);
@@ -126,8 +133,6 @@ class EffectSet::Impl final : public SolveListener {
       if (contact.rollingLength > 0 || contact.spinningLength > 0)
         resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength, &contact, {}});
     std::ranges::sort(resistances_, std::less<>{}, &Resistance::point);
-    assert((resistances_.empty() || hook_.canResist()) &&
-           "the world's solver is neither Bullet's plain sequential one nor an OrderedSolver");
     hook_.resist(resistances_);
   }
 
@@ -181,6 +186,9 @@ Result<std::unique_ptr<EffectSet>> EffectSet::create(btDiscreteDynamicsWorld& wo
 EffectSet::EffectSet(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 EffectSet::~EffectSet() = default;
 
+Status EffectSet::canAct(const Effect& effect) const {
+  return impl_->canAct(effect);
+}
 void EffectSet::add(std::unique_ptr<Effect> effect) {
   impl_->add(std::move(effect));
 }

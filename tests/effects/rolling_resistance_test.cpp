@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -112,6 +113,20 @@ TEST(RollingResistance, ABallStopsAfterTheTextbooksWay) {
   const btScalar deceleration = btScalar(5) / 7 * kGravity * kLength / kRadius;
   const btScalar expected = kSpeed * kSpeed / (2 * deceleration);
   EXPECT_NEAR(wayOf(kLength, kSpeed), expected, btScalar(0.02) * expected);
+}
+
+TEST(RollingResistance, IsRefusedBesideASolverThatMayDoMore) {
+  struct Other final : btSequentialImpulseConstraintSolver {};
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  Other solver;
+  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  const auto set = effects::EffectSet::create(world).value();
+  const Status able = set->canAct(RollingResistance(effects::PairTable<RollingResistance::Lengths>()));
+  ASSERT_FALSE(able);
+  EXPECT_NE(able.error().message.find("make the world with"), std::string::npos) << able.error().message;
+  EXPECT_TRUE(set->canAct(effects::Friction(effects::PairTable<btScalar>())));
 }
 
 // The set's own solver does to them what Bullet's does.

@@ -32,6 +32,7 @@ Result<std::unique_ptr<RunEffects>> RunEffects::create(const Scene& scene, btDis
   for (std::size_t i = 0; i < scene.description.effects.size(); ++i) {
     auto effect = makeEffect(scene, i, run, all->below_);
     if (auto* fragmentation = dynamic_cast<effects::Fragmentation*>(effect.get())) all->fragmentation_ = fragmentation;
+    if (const Status able = all->set_->canAct(*effect); !able) return able.error();
     all->set_->add(std::move(effect));
   }
   return all;

@@ -63,9 +63,12 @@ class EffectSet {
   EffectSet(const EffectSet&) = delete;
   EffectSet& operator=(const EffectSet&) = delete;
 
-  /// Adds an effect; it sees the bodies that are there and all that come. Not from within a hook (asserted). Resistance
-  /// to rolling needs a world whose solver is a `btSequentialImpulseConstraintSolver` itself or an `OrderedSolver` of
-  /// it, not another one derived from it (asserted; there it does nothing).
+  /// One sentence why an effect could do nothing in this world. Resistance to rolling needs a world whose solver is a
+  /// `btSequentialImpulseConstraintSolver` itself or an `OrderedSolver` of it, not another one derived from it.
+  Status canAct(const Effect& effect) const;
+
+  /// Adds an effect; it sees the bodies that are there and all that come. Not from within a hook, and it must be able
+  /// to act (asserted).
   void add(std::unique_ptr<Effect> effect);
 
   /// From now on effects see this body. Precondition: a dynamic body of the world that is not in the set, and volume >=

@@ -11,7 +11,7 @@ namespace cairn::effects {
 /// lengths are zero that stays.
 ///
 /// Bullet's own rolling rows end at the torque of a normal impulse of 1 N s; these are solved by the set, which
-/// cannot do that beside every solver of a world (see `EffectSet::add`).
+/// cannot do that beside every solver of a world (see `EffectSet::canAct`).
 class RollingResistance final : public Effect, MaterialHook {
  public:
   struct Lengths {
