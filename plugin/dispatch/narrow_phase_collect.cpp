@@ -41,13 +41,7 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   if (registration_) registration_->renew();
-  beganOnCpu_ = ThreadCpuClock::now();
-  began_ = Budget::Clock::now();
-  StepBudget planned = step_.rules.limit();
-  deadline_ = planned.microseconds;
-  if (planned.microseconds) *planned.microseconds = overrun_.plannable(*planned.microseconds);
-  planned_ = planned.microseconds;
-  step_.left = StepRules::budgetOf(planned);
+  step_.left = StepRules::budgetOf(clock_.begin(step_.rules.limit()));
   takeTime(info);
   step_.pairs.clear();
   asked_.begin(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));

@@ -103,7 +103,7 @@ void NarrowPhase::Impl::endStep() {
   isCollecting_ = false;
   isAnswering_ = true;
   StepStatistics& statistics = (step_.tally = {}).statistics;
-  statistics.deadlineMicroseconds = deadline_;
+  statistics.deadlineMicroseconds = clock_.deadline();
   statistics.pairs = settledPairs_.exchange(0);
   statistics.brokenPairs = broken_.takeCount();
   statistics.brokenPairs += broken_.settleLeftOvers(false);
@@ -116,12 +116,10 @@ void NarrowPhase::Impl::endStep() {
   pool_.endStep();
 
   statistics.operations = step_.left.used();
-  const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
-  step_.tally.tookUntilNow(elapsed.count());
-  if (planned_) overrun_.learn(elapsed.count(), *planned_);
-  step_.rules.spend(step_.left.used(), elapsed.count());
-  const std::chrono::duration<double, std::micro> spent = ThreadCpuClock::now() - beganOnCpu_;
-  statistics.microseconds = spent.count();
+  const double elapsed = clock_.end();
+  step_.tally.tookUntilNow(elapsed);
+  step_.rules.spend(step_.left.used(), elapsed);
+  statistics.microseconds = clock_.spentOnCpu();
 }
 
 void NarrowPhase::Impl::answerCollected() {

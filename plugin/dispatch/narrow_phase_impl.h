@@ -10,11 +10,10 @@
 #include "dispatch/broken_pairs.h"
 #include "dispatch/create_functions.h"
 #include "dispatch/open_step_answers.h"
-#include "dispatch/overrun.h"
 #include "dispatch/pair_pool.h"
 #include "dispatch/step_answers.h"
+#include "dispatch/step_clock.h"
 #include "dispatch/step_refinement.h"
-#include "dispatch/thread_cpu_clock.h"
 #include "dispatch/world_hook.h"
 
 namespace cairn::bullet {
@@ -83,10 +82,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   std::optional<PairCounts> nextRoom_;
   bool hasRoomForDeadlines_ = false;
   const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
-  Overrun overrun_;
-  Budget::Clock::time_point began_;           // when the current step did
-  ThreadCpuClock::time_point beganOnCpu_;     // the same by its thread's processor time
-  std::optional<double> deadline_, planned_;  // microseconds the current step may take, and was planned to take
+  StepClock clock_;
   std::optional<WorldHook> hook_;
   std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
 };
