@@ -17,30 +17,37 @@ class MeshTime {
  public:
   /// Nanoseconds. `operations`: as expected of the pair, nothing where it was never asked.
   double expected(std::optional<std::uint64_t> operations) const {
-    return pace_.expectedNanoseconds(operations.value_or(static_cast<std::uint64_t>(first_)));
+    return pace_.expectedNanoseconds(operations.value_or(static_cast<std::uint64_t>(firstOperations_)));
   }
   /// A pair with that expectation was asked.
   void took(std::optional<std::uint64_t> operations, std::chrono::nanoseconds time) {
     pace_.finished(expected(operations), time);
-    wasAsked_ = true;
+    (operations ? known_ : first_).wasAsked = true;
   }
-  /// What the first question took.
+  /// What the first question to a pair took.
   void learnFirst(std::uint64_t operations) {
-    first_ += step_tuning::kLearning * (static_cast<double>(operations) - first_);
+    firstOperations_ += step_tuning::kLearning * (static_cast<double>(operations) - firstOperations_);
   }
   /// There was too little time for one.
-  void wasRefused() { wasRefused_ = true; }
-  /// A disturbance must not keep meshes silent for ever.
+  void wasRefused(bool isKnown) { (isKnown ? known_ : first_).wasRefused = true; }
+  /// A disturbance must not keep meshes silent for ever, nor one that is larger than others.
   void endStep() {
-    if (wasRefused_ && !wasAsked_) pace_.lower(step_tuning::kHope);
+    if (known_.isSilenced()) pace_.lower(step_tuning::kHope);
+    if (first_.isSilenced()) firstOperations_ *= 1 - step_tuning::kHope;
     pace_.endStep();
-    wasAsked_ = wasRefused_ = false;
+    known_ = first_ = {};
   }
 
  private:
+  // Questions of this step.
+  struct Questions {
+    bool wasAsked = false, wasRefused = false;
+    bool isSilenced() const { return wasRefused && !wasAsked; }
+  };
+
   EmissionPace pace_{step_tuning::kMeshPace, step_tuning::kMeshWeight};
-  double first_ = step_tuning::kFirstMeshOperations;
-  bool wasAsked_ = false, wasRefused_ = false;
+  double firstOperations_ = step_tuning::kFirstMeshOperations;
+  Questions known_, first_;  // to pairs that were asked before, and to others
 };
 
 }  // namespace cairn::bullet

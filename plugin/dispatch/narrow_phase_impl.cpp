@@ -113,7 +113,10 @@ void NarrowPhase::Impl::endStep() {
   refinement_.endStep();
   holding_.endStep();
   step_.endStep();
-  pool_.endStep();
+  {
+    const std::lock_guard lock(mutex_);
+    pool_.endStep();
+  }
 
   statistics.operations = step_.left.used();
   const double elapsed = clock_.end();

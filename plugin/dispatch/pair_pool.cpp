@@ -32,11 +32,11 @@ std::size_t PairPool::reserve(const PairCounts& pairs) {
 }
 
 void PairPool::endStep() {
-  for (std::size_t looks = all_.size() / step_tuning::kStepsToLookAtAll + 1; looks > 0 && !all_.empty(); --looks) {
-    lookedAt_ = lookedAt_ + 1 < all_.size() ? lookedAt_ + 1 : 0;
-    TreePair& pair = *all_[lookedAt_];
-    if (pair.subject.isKnown()) pair.lookAtRest();  // idle ones keep what they were given ahead
-  }
+  using step_tuning::kStepsToLookAtAll;
+  const std::size_t part = steps_++ % kStepsToLookAtAll;
+  const auto upTo = [&](std::size_t parts) { return all_.size() * parts / kStepsToLookAtAll; };
+  for (std::size_t i = upTo(part); i < upTo(part + 1); ++i)
+    if (all_[i]->subject.isKnown()) all_[i]->lookAtRest();  // idle ones keep what they were given ahead
 }
 
 }  // namespace cairn::bullet

@@ -12,7 +12,7 @@ namespace cairn::bullet {
 
 using PairCounts = std::array<std::size_t, kCounterpartKinds>;
 
-/// The states of all pairs. None is freed before this is: a pair that comes back costs no allocation.
+/// The states of all pairs. None is freed before this is: a pair that comes back costs no allocation, unless it rested.
 class PairPool {
  public:
   /// An idle one, or a new one.
@@ -27,7 +27,7 @@ class PairPool {
  private:
   std::vector<std::unique_ptr<TreePair>> all_;
   std::array<std::vector<TreePair*>, kCounterpartKinds> idle_;
-  std::size_t lookedAt_ = 0;  // up to here
+  std::size_t steps_ = 0;
 };
 
 }  // namespace cairn::bullet

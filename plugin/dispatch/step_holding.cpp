@@ -36,10 +36,11 @@ void StepHolding::holdPairs() {
   std::size_t waiting = pairs.waiting();
   auto began = Budget::Clock::now();
   double expected = 0;
+  std::size_t held = 0;
   bool isLate = false;
   const auto learn = [&](EmissionPace& pace) {
     const auto now = Budget::Clock::now();
-    pace.finished(std::exchange(expected, 0), now - std::exchange(began, now));
+    pace.finished(std::exchange(expected, 0), now - std::exchange(began, now), std::exchange(held, 0));
   };
   const std::size_t first = pairs.firstFrom(std::exchange(firstLate_, 0));
   for (std::size_t k = 0, all = pairs.size(), looked = 0; k < all && waiting > 0; ++k) {
@@ -54,6 +55,7 @@ void StepHolding::holdPairs() {
     }
     --waiting;
     holdPair(i, isLate);
+    ++held;
     expected += (isLate ? latePace_ : pace_).expectedNanoseconds(0);
   }
   if (step_.left.hasDeadline()) learn(isLate ? latePace_ : pace_);

@@ -41,6 +41,7 @@ PairNeed StepRefinement::needOf(std::size_t index) {
 void StepRefinement::beginPairs() {
   updated_ = 0;
   onMeshes_ = {};
+  operationsOnMeshes_ = 0;
   bookedUntil_ = step_.left.used();
   if (step_.plan.isScarce()) {
     lookCoarsely();
@@ -137,15 +138,19 @@ PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result
   const bool asks = mayAsk && meshTime_.expected(expected) <= step_.left.nanosecondsFree();
   if (mayAsk && !asks) {
     policy.finest = Finest::leaves;
-    meshTime_.wasRefused();
+    meshTime_.wasRefused(expected.has_value());
   }
   const std::uint64_t before = step_.left.used();
   const auto began = Budget::Clock::now();
   const PairReport report = finish(pair, step_.dispatcher, result, policy, step_.left, step_.scratch);
-  pace_.finished(promised, Budget::Clock::now() - began - report.onTriangles);
+  const std::uint64_t used = step_.left.used() - before;
   onMeshes_ += report.onTriangles;
-  if (asks) meshTime_.took(expected, report.onTriangles);
-  if (asks && !expected && report.isOfMesh) meshTime_.learnFirst(step_.left.used() - before);
+  if (report.isOfMesh)
+    operationsOnMeshes_ += used;
+  else
+    pace_.finished(promised, Budget::Clock::now() - began - report.onTriangles);
+  if (report.onTriangles.count() > 0) meshTime_.took(expected, report.onTriangles);
+  if (!expected && report.isOfMesh) meshTime_.learnFirst(used);
   return report;
 }
 
@@ -208,9 +213,10 @@ bool StepRefinement::finishPairs(const IsAsked& isAsked) {
 
 void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began) {
   if (!step_.left.hasDeadline() || updated_ == 0) return;
-  const double expected = updatePace_.expectedNanoseconds(step_.left.used() - operationsBefore) +
+  const std::uint64_t operations = step_.left.used() - operationsBefore - operationsOnMeshes_;
+  const double expected = updatePace_.expectedNanoseconds(operations) +
                           static_cast<double>(updated_ - 1) * updatePace_.expectedNanoseconds(0);
-  updatePace_.finished(expected, Budget::Clock::now() - began - onMeshes_);
+  updatePace_.finished(expected, Budget::Clock::now() - began - onMeshes_, updated_);
 }
 
 void StepRefinement::endStep() {

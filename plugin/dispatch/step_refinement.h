@@ -48,9 +48,10 @@ class StepRefinement final : private TurnListener {
   // Of all that is done for a pair that is not held, but for its meshes.
   EmissionPace updatePace_{step_tuning::kUpdatePace, step_tuning::kUpdateWeight};
   MeshTime meshTime_;
-  Budget::Clock::duration onMeshes_{};  // in this step
-  std::uint64_t bookedUntil_ = 0;       // operations of this step that were charged to a pair
-  std::uint32_t updated_ = 0;           // pairs begun in this step
+  Budget::Clock::duration onMeshes_{};    // in this step
+  std::uint64_t operationsOnMeshes_ = 0;  // the same
+  std::uint64_t bookedUntil_ = 0;         // operations of this step that were charged to a pair
+  std::uint32_t updated_ = 0;             // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;
 };
 

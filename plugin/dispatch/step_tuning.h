@@ -38,15 +38,15 @@ inline constexpr std::size_t kHeldBetweenLooks = 8;
 /// in operations: 1 to 2 microseconds beside 5 to 10 nanoseconds an operation. With a smaller share, what many small
 /// pairs take makes large ones look as if they never fit.
 inline constexpr double kUpdatePace = 20, kUpdateWeight = 200;
-/// Nanoseconds an operation that meshes take, a pair's own share in operations, and what the first question to a pair
-/// takes, until these are known better: as on a machine of 2 GHz, for meshes of 1500 triangles.
+/// Nanoseconds an operation that meshes take, a pair's own share in operations, and what a first question takes. As on
+/// a machine of 2 GHz, for meshes of 1500 triangles, until they are known better.
 inline constexpr double kMeshPace = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
 /// Of what meshes are expected to take, so much is taken off in each step in which there was too little time to ask:
 /// by half in twelve seconds.
 inline constexpr double kHope = 0.001;
 
-/// Steps in which each pair is looked at once, whether it rests: memory is given back after four seconds at least, and
-/// a world of 10,000 bodies at rest spends a fiftieth of a microsecond a body on it.
+/// Steps in which each pair is looked at once, whether it rests: memory is given back after four to nine seconds. In a
+/// world of 10,000 bodies at rest that takes some twenty microseconds a step.
 inline constexpr std::size_t kStepsToLookAtAll = 256;
 
 // How many pairs ahead what one needs is fetched: about as many as are worked on while memory answers. Time alone.

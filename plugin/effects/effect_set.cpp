@@ -46,7 +46,7 @@ class EffectSet::Impl final : public SolveListener {
   }
 
   void add(std::unique_ptr<Effect> effect) {
-    assert(!isInHook_ && canAct(*effect));
+    assert(!isInHook_);
     ActingEffect& added = *effects_.emplace_back(std::make_unique<ActingEffect>(std::move(effect)));
     const auto turn = [](ActingEffect* acting) { return acting->effect().turn(); };
     turns_.insert(std::ranges::upper_bound(turns_, turn(&added), {}, turn), &added);
@@ -129,11 +129,21 @@ class EffectSet::Impl final : public SolveListener {
     contacts_.gather(*world_.getDispatcher(), book_, wanted_);
     for (ActingEffect* acting : turns_) acting->changeContacts(contacts_.contacts(), step_);
     resistances_.clear();
-    for (const Contact& contact : contacts_.contacts())
-      if (contact.rollingLength > 0 || contact.spinningLength > 0)
+    for (const Contact& contact : contacts_.contacts()) {
+      if (!(contact.rollingLength > 0 || contact.spinningLength > 0)) continue;
+      if (hook_.canResist())
         resistances_.push_back({contact.point, contact.rollingLength, contact.spinningLength, &contact, {}});
+      else
+        leaveToBullet(contact);
+    }
     std::ranges::sort(resistances_, std::less<>{}, &Resistance::point);
     hook_.resist(resistances_);
+  }
+
+  // Whose rows resist less than they should, but do resist.
+  static void leaveToBullet(const Contact& contact) {
+    contact.point->m_combinedRollingFriction = contact.rollingLength;
+    contact.point->m_combinedSpinningFriction = contact.spinningLength;
   }
 
   // Whose work it is, null if nobody's.
@@ -154,6 +164,8 @@ class EffectSet::Impl final : public SolveListener {
       if (friction != nullptr) friction->book(work.along);
       if (restitution != nullptr) restitution->book(work.across);
     }
+    // Sums must not go by addresses of points.
+    std::ranges::sort(resistances_, std::less<>{}, &Resistance::contact);
     for (const Resistance& resistance : resistances_)
       if (ActingEffect* rolling = answererOf(Answer::rolling, *resistance.contact)) rolling->book(resistance.work);
   }

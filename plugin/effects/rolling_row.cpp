@@ -68,8 +68,8 @@ btScalar RollingRow::solve(btSolverBody& a, btSolverBody& b, btScalar normalImpu
 Work RollingRow::work(const btSolverBody& a, const btSolverBody& b) const {
   const btVector3 impulse =
       axes_[kAcross] * applied_[kAcross] + axes_[kAlong] * applied_[kAlong] + axes_[kNormal] * applied_[kNormal];
-  const btVector3 before = a.m_angularVelocity - b.m_angularVelocity;
-  const btVector3 middle = before + (a.getDeltaAngularVelocity() - b.getDeltaAngularVelocity()) / 2;
+  const btVector3 after = spinOf(a) - spinOf(b);
+  const btVector3 middle = after - (a.getDeltaAngularVelocity() - b.getDeltaAngularVelocity()) / 2;
   return {-double(impulse.dot(middle)), 0, double(impulse.length())};
 }
 

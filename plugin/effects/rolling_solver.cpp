@@ -37,16 +37,17 @@ btScalar RollingSolver::solveSingleIteration(int iteration, btCollisionObject** 
                                              btPersistentManifold** manifolds, int manifoldCount,
                                              btTypedConstraint** constraints, int constraintCount,
                                              const btContactSolverInfo& info, btIDebugDraw* drawer) {
-  btScalar rest = btSequentialImpulseConstraintSolver::solveSingleIteration(
-      iteration, bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer);
+  // Before Bullet's own rows: these balance what the torques upset. After them, flat bodies creep down slopes.
+  btScalar change = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto [contact, a, b, resistance] = numbers_[i];
     const btScalar normalImpulse = m_tmpSolverContactConstraintPool[contact].m_appliedImpulse;
     btSolverBody &bodyA = m_tmpSolverBodyPool[a], &bodyB = m_tmpSolverBodyPool[b];
-    const btScalar change = rows_[i].solve(bodyA, bodyB, normalImpulse);
-    rest = std::max(rest, change * change);
+    change = std::max(change, rows_[i].solve(bodyA, bodyB, normalImpulse));
   }
-  return rest;
+  const btScalar rest = btSequentialImpulseConstraintSolver::solveSingleIteration(
+      iteration, bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer);
+  return std::max(rest, change * change);
 }
 
 btScalar RollingSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,

@@ -13,8 +13,8 @@
 namespace cairn::effects {
 
 /// Bullet's sequential solver with resistance to rolling and spinning that is proportional to the normal force,
-/// whatever that is. Bullet's own rows end at the torque of a normal impulse of 1 N s, which a rock of a tonne has in a
-/// tenth of a millisecond. Contacts that resist nothing it solves to the bit as the plain solver.
+/// whatever that is. Bullet's own rows end at the torque of a normal impulse of 1 N s. A rock of a tonne has
+/// that in a tenth of a millisecond. Contacts that resist nothing it solves to the bit as the plain solver.
 class RollingSolver : public btSequentialImpulseConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();

@@ -16,10 +16,9 @@ void TangentialRestitution::welcome(Body& body) {
 
 const Body* TangentialRestitution::bouncerOf(const std::array<Side, 2>& sides) const {
   if (!(parts_.at(sides[0].material, sides[1].material) < 1)) return nullptr;
-  const bool first = !sides[0].object->isStaticOrKinematicObject(),
-             second = !sides[1].object->isStaticOrKinematicObject();
-  if (first == second) return nullptr;
-  return sides[first ? 0 : 1].body;
+  const bool stands0 = sides[0].object->isStaticObject(), stands1 = sides[1].object->isStaticObject();
+  if (stands0 == stands1) return nullptr;
+  return sides[stands0 ? 1 : 0].body;
 }
 
 // In this step: it has flown, or its bounce takes more than one step.
@@ -66,8 +65,10 @@ std::uint32_t TangentialRestitution::afterImpacts(std::span<const Impact> impact
   std::uint32_t acted = 0;
   for (const Impact& impact : impacts) {
     const Body* bouncer = bouncerOf(impact.sides);
-    if (bouncer == nullptr || !flights_[bouncer->id].bounces) continue;
-    flights_[bouncer->id].bounces = false;
+    const bool bounces = bouncer != nullptr && flights_[bouncer->id].bounces;
+    for (const Side& side : impact.sides)
+      if (side.body != nullptr) flights_[side.body->id].bounces = false;
+    if (!bounces) continue;
     btRigidBody& body = *bouncer->body;
     const std::size_t side = impact.sides[0].body == bouncer ? 0 : 1;
     const btScalar part = parts_.at(impact.sides[0].material, impact.sides[1].material);

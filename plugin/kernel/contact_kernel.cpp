@@ -128,9 +128,9 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
   const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, least), left), moved);
   lister_.setSkin(skin);
   if (!lister_.list(memory.patches_, sincePatches, Asked::all, lists_, budget)) return {};
-  memory.features_ = {placement, limits.reach, skin};
-  memory.listed_ = lists_.size();
   if (skin > 0) memory.kept_.keep(lists_);
+  memory.listed_ = lists_.size();
+  memory.features_ = {placement, limits.reach, skin};
   return lists_;
 }
 

@@ -250,7 +250,7 @@ void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, 
   const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
   if (between == Vec3()) return;
   nearest.normal = unitVector(between);
-  if (nearest.distance < 0) nearest.distance /= length(between);
+  if (nearest.distance < 0) nearest.distance = float(nearest.distance / length(Vec3d(between)));
   nearest.point = place - nearest.normal * nearest.distance;
 }
 

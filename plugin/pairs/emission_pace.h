@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -21,8 +22,9 @@ class EmissionPace {
 
   double expectedNanoseconds(std::uint64_t operations) const { return pace_ * weight(operations); }
 
-  /// A pair that had been expected to take `expectedNanoseconds` was finished in `time`.
-  void finished(double expectedNanoseconds, std::chrono::nanoseconds time) {
+  /// A pair that had been expected to take `expectedNanoseconds` was finished in `time`; or several together.
+  void finished(double expectedNanoseconds, std::chrono::nanoseconds time, std::size_t pairs = 1) {
+    pairs_ += pairs;
     expected_ += expectedNanoseconds;
     taken_ += static_cast<double>(time.count());
   }
@@ -30,10 +32,11 @@ class EmissionPace {
   /// step that was disturbed counts for little, but for the first: what was expected of that was a guess. Steps in
   /// which little is done count together.
   void endStep() {
-    if (expected_ < pace_ * kTellingOperations) return;
+    if (pairs_ < kTellingPairs) return;
     const double error = std::min(taken_ / expected_, std::exchange(mostRise_, kMostRise));
     pace_ *= error > 1 ? error : 1 + kForgetting * (error - 1);
     expected_ = taken_ = 0;
+    pairs_ = 0;
   }
   /// By that part of itself, where nothing can be learnt.
   void lower(double part) { pace_ *= 1 - part; }
@@ -44,9 +47,9 @@ class EmissionPace {
   // Grouping, choosing and writing what was measured takes as long as so many operations do, whatever was measured.
   static constexpr double kPairWeight = 30;
   static constexpr double kForgetting = 0.05, kMostRise = 1.25, kMostFirstRise = 4;
-  // Of fewer operations nothing is learnt: the errors of single pairs, which raise more than they lower, would drive
-  // the pace up until nothing is expected to fit (`EmissionPace.IsNotDrivenUpByStepsOfFewPairs`).
-  static constexpr double kTellingOperations = 1000;
+  // Of fewer pairs nothing is learnt. Errors of single pairs raise more than they lower: they would drive the pace up
+  // until nothing fits (`EmissionPace.IsNotDrivenUpByStepsOfFewPairs`).
+  static constexpr std::size_t kTellingPairs = 32;
   // Nanoseconds an operation before anything was seen: rather too many.
   static constexpr double kFirstPace = 50;
 
@@ -55,6 +58,7 @@ class EmissionPace {
   double pairWeight_ = kPairWeight;
   double pace_ = kFirstPace, mostRise_ = kMostFirstRise;
   double expected_ = 0, taken_ = 0;  // nanoseconds, since it last learnt
+  std::size_t pairs_ = 0;            // since then
 };
 
 }  // namespace cairn::bullet

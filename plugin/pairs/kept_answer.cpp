@@ -134,8 +134,8 @@ void KeptAnswer::makeRoom(std::size_t count) {
 
 void KeptAnswer::shrinkToFit() {
   gaps_.shrink_to_fit();
-  near_ = {};
-  few_ = {};
+  near_ = std::vector<NodePair>();
+  few_ = std::vector<NodePair>();
   picked_ = {};
 }
 

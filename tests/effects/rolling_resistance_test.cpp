@@ -129,6 +129,52 @@ TEST(RollingResistance, IsRefusedBesideASolverThatMayDoMore) {
   EXPECT_TRUE(set->canAct(effects::Friction(effects::PairTable<btScalar>())));
 }
 
+// Beside it Bullet's own rows resist, as they did before the set had its own.
+TEST(RollingResistance, IsBulletsOwnBesideASolverThatMayDoMore) {
+  struct Other final : btSequentialImpulseConstraintSolver {};
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  Other solver;
+  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  world.setGravity(btVector3(0, 0, -kGravity));
+  const auto set = effects::EffectSet::create(world).value();
+  set->add(
+      std::make_unique<RollingResistance>(effects::PairTable<RollingResistance::Lengths>({.rolling = btScalar(0.05)})));
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  btSphereShape round(kRadius);
+  btRigidBody ground(0, nullptr, &plane);
+  btVector3 inertia;
+  round.calculateLocalInertia(10, inertia);
+  btRigidBody ball(10, nullptr, &round, inertia);
+  ball.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, kRadius)));
+  world.addRigidBody(&ground);
+  world.addRigidBody(&ball);
+  set->describe(ground, {.material = kSoil});
+  set->addBody(ball, {.material = kRock});
+  ball.setLinearVelocity(btVector3(2, 0, 0));
+  ball.setAngularVelocity(btVector3(0, 2 / kRadius, 0));
+  for (int i = 0; i < 240; ++i) world.stepSimulation(btScalar(1) / 240, 1, btScalar(1) / 240);
+  EXPECT_LT(ball.getLinearVelocity().x(), 1.5);
+  set->removeBody(ball);
+  world.removeRigidBody(&ball);
+  world.removeRigidBody(&ground);
+}
+
+// What lies flat has nothing to roll: torques must not upset what friction and normals balance.
+TEST_P(RollingResistanceOf, LetsABoxLieOnASlope) {
+  constexpr btScalar kSlope = btScalar(0.35);
+  Rolling rolling({.rolling = btScalar(0.1), .spinning = btScalar(0.02)}, GetParam(), kSlope);
+  const btVector3 up(btSin(kSlope), 0, btCos(kSlope));
+  btRigidBody& box = rolling.world.addBody(std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.5))),
+                                           GetParam().massKg, btVector3(0, 20, 0) + up * btScalar(0.5));
+  box.setWorldTransform(btTransform(btQuaternion(btVector3(0, 1, 0), kSlope), box.getWorldTransform().getOrigin()));
+  rolling.world.run(2);
+  const btVector3 start = box.getWorldTransform().getOrigin();
+  rolling.world.run(10);
+  EXPECT_LT((box.getWorldTransform().getOrigin() - start).length(), 1e-3);
+}
+
 // The set's own solver does to them what Bullet's does.
 TEST(RollingResistance, LeavesBodiesThatItDoesNotConcernTheirBits) {
   const auto hashWith = [](btScalar length) {

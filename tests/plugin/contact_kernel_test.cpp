@@ -314,6 +314,25 @@ TEST(ContactKernel, ListsLastForSomeSteps) {
   EXPECT_LE(listed, 25);
 }
 
+// Of a fast step with much to list nothing stays but what is used.
+TEST(ContactKernel, KeepsListsInLittleMoreThanTheyNeed) {
+  FeatureLists many, few;
+  many.edgesOnEdges.resize(5000);
+  many.facesThroughEdges.resize(5000);
+  few.verticesOnFaces.resize(7);
+  few.edgesOnEdges.resize(3);
+  KeptFeatures kept;
+  kept.keep(many);
+  EXPECT_EQ(kept.spans().edgesOnEdges.size() + kept.spans().facesThroughEdges.size(), 10000U);
+  EXPECT_LE(kept.room(), 12500U);
+  kept.keep(few);
+  EXPECT_EQ(kept.spans().verticesOnFaces.size(), 7U);
+  EXPECT_EQ(kept.spans().edgesOnEdges.size(), 3U);
+  EXPECT_LE(kept.room(), 256U);
+  kept.shrinkToFit();
+  EXPECT_EQ(kept.room(), 10U);
+}
+
 // A pair that rests gives memory back; what it knows stays.
 TEST(ContactKernel, SaysTheSameInMemoryThatFits) {
   const auto ring = plainTree(torus(0.3, 0.12, 16), 4);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::uint64_t kOperations = 400;
 
-// A step of ten pairs that each took so long.
+// A step of forty pairs that each took so long.
 void step(EmissionPace& pace, double nanoseconds) {
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < 40; ++i)
     pace.finished(pace.expectedNanoseconds(kOperations), std::chrono::nanoseconds(static_cast<long>(nanoseconds)));
   pace.endStep();
 }
@@ -57,15 +57,19 @@ TEST(EmissionPace, IsRaisedToThatOfLess) {
   EXPECT_EQ(whole.expectedNanoseconds(0), part.expectedNanoseconds(0));
 }
 
-// Of pairs that take 500 ns, but every fourth five times as long, as caches have it.
+// Of pairs that take half of the mean, but every fourth two and a half times it, as caches have it.
 TEST(EmissionPace, IsNotDrivenUpByStepsOfFewPairs) {
-  EmissionPace pace;
-  for (int i = 0; i < 200; ++i) step(pace, 1000);
-  for (int i = 0; i < 2000; ++i) {
-    pace.finished(pace.expectedNanoseconds(0), std::chrono::nanoseconds(i % 4 == 0 ? 2500 : 500));
-    pace.endStep();
-  }
-  EXPECT_LE(pace.expectedNanoseconds(0), 1.3 * 1000) << "the mean of such pairs is 1000";
+  for (const double weight : {30.0, 200.0})
+    for (const std::uint64_t operations : {0U, 100U, 1000U}) {
+      EmissionPace pace(20, weight);
+      const auto learn = [&](double nanoseconds) {
+        pace.finished(pace.expectedNanoseconds(operations), std::chrono::nanoseconds(static_cast<long>(nanoseconds)));
+        pace.endStep();
+      };
+      for (int i = 0; i < 20000; ++i) learn(10000);
+      for (int i = 0; i < 20000; ++i) learn(i % 4 == 0 ? 25000 : 5000);
+      EXPECT_LE(pace.expectedNanoseconds(operations), 1.6 * 10000) << weight << ", " << operations;
+    }
 }
 
 TEST(EmissionPace, AStepWithoutPairsTeachesNothing) {

@@ -10,10 +10,10 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint64_t kOperations = 1000;
 
-// Steps of ten pairs that each took so long.
+// Steps of forty pairs that each took so long.
 void learn(MeshTime& time, nanoseconds each, int steps) {
   for (int step = 0; step < steps; ++step) {
-    for (int i = 0; i < 10; ++i) time.took(kOperations, each);
+    for (int i = 0; i < 40; ++i) time.took(kOperations, each);
     time.endStep();
   }
 }
@@ -40,13 +40,26 @@ TEST(MeshTime, IsHopedToBeLessWhereNothingIsAsked) {
   const double slow = time.expected(kOperations);
   EXPECT_GT(slow, 1e6);
   for (int step = 0; step < 2000; ++step) {
-    time.wasRefused();
+    time.wasRefused(true);
     time.endStep();
   }
   EXPECT_LT(time.expected(kOperations), slow / 4);
   const double quiet = time.expected(kOperations);
   time.endStep();
   EXPECT_EQ(time.expected(kOperations), quiet) << "in a step that asked for none";
+}
+
+// Small pairs are asked, a large one was asked first once.
+TEST(MeshTime, OfAFirstQuestionIsHopedToBeLessToo) {
+  MeshTime time;
+  for (int i = 0; i < 200; ++i) time.learnFirst(100 * kOperations);
+  const double large = time.expected(std::nullopt);
+  for (int step = 0; step < 2000; ++step) {
+    for (int i = 0; i < 10; ++i) time.took(kOperations, nanoseconds(static_cast<long>(time.expected(kOperations))));
+    time.wasRefused(false);
+    time.endStep();
+  }
+  EXPECT_LT(time.expected(std::nullopt), large / 4);
 }
 
 }  // namespace

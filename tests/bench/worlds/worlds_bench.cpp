@@ -108,6 +108,7 @@ void print(const char* name, const std::shared_ptr<btCollisionShape>& shape, con
     fmt::print("{:<10} {:6} {:8} {:10.1f} {:10.4f} {:10.0f} {:10.0f}\n", name, still, costs[0].pairs, time,
                still > 0 ? (time - alone) / still : 0.0, still > 0 ? costs[0].bytesAwake / still : 0.0,
                still > 0 ? costs[0].bytes / still : 0.0);
+    if (costs[0].woken > 0) fmt::print("  {} of them woke: these figures say nothing\n", costs[0].woken);
   }
 }
 

@@ -56,7 +56,8 @@ struct Contact {
   btScalar closingSpeed = 0;  ///< m/s along the point's normal; positive where the surfaces approach
   std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
   /// Resistance to rolling and to spinning about the normal: torques of at most these lengths times the normal force,
-  /// m. Zero in every step until an effect says otherwise.
+  /// m. Zero in every step until an effect says otherwise. An effect that does gets their work by `Answer::rolling`;
+  /// see `EffectSet::canAct` for the solvers that can.
   btScalar rollingLength = 0, spinningLength = 0;
 };
 

@@ -27,9 +27,9 @@ struct Work {
   }
 };
 
-/// What an effect did since it was added. Its work is what its hooks changed of velocities; of the effects that say how
-/// contacts answer, what the contacts they answer for did: friction along the surface, restitution across it, rolling
-/// resistance by its torques.
+/// What an effect did since it was added. Its work is what its hooks changed of velocities. Some effects say how
+/// contacts answer: theirs is what these contacts did. Friction counts along the surface, restitution across it,
+/// rolling resistance by its torques.
 struct EffectReport {
   std::string_view name;
   std::uint64_t acted = 0;         ///< bodies, contacts or impacts it acted on, summed over the steps
@@ -63,12 +63,12 @@ class EffectSet {
   EffectSet(const EffectSet&) = delete;
   EffectSet& operator=(const EffectSet&) = delete;
 
-  /// One sentence why an effect could do nothing in this world. Resistance to rolling needs a world whose solver is a
-  /// `btSequentialImpulseConstraintSolver` itself or an `OrderedSolver` of it, not another one derived from it.
+  /// One sentence why an effect could not do what it says in this world. Resistance to rolling needs a world whose
+  /// solver is a `btSequentialImpulseConstraintSolver` itself or an `OrderedSolver` of it. Beside another one Bullet's
+  /// own rows resist, which end at the torque of a normal impulse of 1 N s.
   Status canAct(const Effect& effect) const;
 
-  /// Adds an effect; it sees the bodies that are there and all that come. Not from within a hook, and it must be able
-  /// to act (asserted).
+  /// Adds an effect; it sees the bodies that are there and all that come. Not from within a hook (asserted).
   void add(std::unique_ptr<Effect> effect);
 
   /// From now on effects see this body. Precondition: a dynamic body of the world that is not in the set, and volume >=

@@ -11,13 +11,13 @@ namespace cairn::effects {
 /// part Rt of the velocity its centre had along the surface, and no friction acts in it. (As friction it would be an
 /// angle of atan((1 - Rt) / Rt).) A part of 1 is off: such pairs keep their friction.
 ///
-/// A *bounce* is the first blow after a free flight. A body flies freely from the step in which it last touched
-/// anything to that in which it touches again, and long enough if it could have fallen through its radius meanwhile, t
-/// >= sqrt(2 r / g): a hop of a quarter of the radius on level ground. So a rock that tumbles from corner to corner
-/// rolls, with friction, as the points do that these tools let roll, and what an experiment measured of a bounce is not
-/// taken at every corner. A body without a volume is a point: each of its blows but those that follow a touch is one.
+/// A *bounce* is the first blow after a free flight. A body flies from the step in which it last touched anything to
+/// that in which it touches again. A flight counts if the body could have fallen through its radius meanwhile,
+/// t >= sqrt(2 r / g): a hop of a quarter of the radius on level ground. So a rock that tumbles from corner to corner
+/// rolls, with friction. What an experiment measured of a bounce is not taken at every corner. A body without a volume
+/// is a point: each of its blows but those that follow a touch is one. Of several blows in one step the first counts.
 ///
-/// Only against what does not move; two bodies that strike each other keep their friction. Energy never rises.
+/// Only against static objects; moving bodies that strike each other keep their friction. Energy never rises.
 class TangentialRestitution final : public Effect, MaterialHook, ImpactHook {
  public:
   /// Of a fall from rest that takes as long as the shortest free flight, in radii of the body.
