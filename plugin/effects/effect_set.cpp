@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "acting_effect.h"
+#include "blow_order.h"
 #include "contact_work.h"
 #include "motion_meter.h"
 #include "side_book.h"
@@ -98,6 +99,7 @@ class EffectSet::Impl final : public SolveListener {
   void afterSolve() override {
     if (effects_.empty()) return;
     bookContacts();
+    order_.restore();
     for (ActingEffect* acting : turns_) acting->restoreContacts(contacts_.contacts());
     const std::span<const Impact> impacts = contacts_.finish();
     applyImpacts(impacts);
@@ -128,6 +130,7 @@ class EffectSet::Impl final : public SolveListener {
   void changeContacts() {
     contacts_.gather(*world_.getDispatcher(), book_, wanted_);
     for (ActingEffect* acting : turns_) acting->changeContacts(contacts_.contacts(), step_);
+    order_.arrange(contacts_.contacts(), step_);
     resistances_.clear();
     for (const Contact& contact : contacts_.contacts()) {
       if (!(contact.rollingLength > 0 || contact.spinningLength > 0)) continue;
@@ -178,6 +181,7 @@ class EffectSet::Impl final : public SolveListener {
   std::uint32_t nextId_ = 0;
   SideBook book_;
   StepContacts contacts_;
+  BlowOrder order_;
   std::vector<Body*> awake_;
   std::vector<Resistance> resistances_;
   MotionMeter meter_;

@@ -56,8 +56,9 @@ std::uint32_t SlipFriction::changeContacts(std::span<Contact> contacts, const St
   };
   advance();
   std::uint32_t acted = 0;
-  for (const Contact& contact : contacts) {
+  for (Contact& contact : contacts) {
     if (!concerns(contact.sides[0].material, contact.sides[1].material)) continue;
+    contact.ordersBlow = true;
     const State* state = stateOf(contact);
     contact.point->m_combinedFriction = coefficientAt(state != nullptr ? state->slip : btScalar(0));
     ++acted;

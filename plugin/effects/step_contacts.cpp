@@ -171,6 +171,7 @@ void StepContacts::list(Range& range, SideBook& book) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     Contact& contact = contacts_.emplace_back();
     contact.point = &point;
+    contact.distance = point.m_distance1;
     contact.sides = {sideA.side(a, point.getPositionWorldOnA()), sideB.side(b, point.getPositionWorldOnB())};
     contact.relativeVelocity = one.at(point.getPositionWorldOnA()) - two.at(point.getPositionWorldOnB());
     contact.closingSpeed = -contact.relativeVelocity.dot(point.m_normalWorldOnB);
