@@ -56,7 +56,7 @@ struct Contact {
   btScalar closingSpeed = 0;  ///< m/s along the point's normal; positive where the surfaces approach
   std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
   btScalar distance = 0;      ///< m, as collision detection told it; negative where the surfaces overlap
-  /// Whether its blow is to act where bodies touch first: set by what a blow has friction or a rebound from. See
+  /// Whether its blow is to act where bodies touch first: set by what gives it friction. See
   /// docs/algorithms/effects.md.
   bool ordersBlow = false;
   /// Resistance to rolling and to spinning about the normal: torques of at most these lengths times the normal force,
