@@ -42,11 +42,12 @@ inline constexpr double kUpdatePace = 20, kUpdateWeight = 200;
 /// a machine of 2 GHz, for meshes of 1500 triangles, until they are known better.
 inline constexpr double kMeshPace = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
 /// Of what meshes are expected to take, so much is taken off in each step in which there was too little time to ask:
-/// by half in twelve seconds.
+/// by half in twelve seconds (`MeshTime.IsHopedToBeLessWhereNothingIsAsked`).
 inline constexpr double kHope = 0.001;
 
 /// Steps in which each pair is looked at once, whether it rests: memory is given back after four to nine seconds. In a
-/// world of 10,000 bodies at rest that takes some twenty microseconds a step.
+/// world of 10,000 bodies at rest that takes some twenty microseconds a step (`RestingPairs.KeepNoMoreThanTheyUse`
+/// fails without).
 inline constexpr std::size_t kStepsToLookAtAll = 256;
 
 // How many pairs ahead what one needs is fetched: about as many as are worked on while memory answers. Time alone.

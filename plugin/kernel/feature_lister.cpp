@@ -7,10 +7,6 @@
 
 namespace cairn::bullet {
 
-namespace {
-constexpr std::size_t kPatchesBetweenLooks = 16;  // at the clock: some ten microseconds
-}  // namespace
-
 void FeatureLister::begin(const SurfacePair& surfaces, const ContactLimits& limits) {
   surfaces_ = &surfaces;
   limits_ = limits;
@@ -39,8 +35,9 @@ bool FeatureLister::list(std::span<const PatchPair> near, float moved, Asked ask
     a_.place(pair.a);
     b_.place(pair.b);
   }
-  // Which takes long: no deadline waits for all of it.
-  const std::size_t together = budget.hasDeadline() ? kPatchesBetweenLooks : near.size();
+  // Which takes long: no deadline waits for all of it, but for as much as a budget does between two looks at the clock.
+  constexpr std::size_t kBetweenLooks = Budget::kClockInterval / SurfacePatch::kMaxTriangles;
+  const std::size_t together = budget.hasDeadline() ? kBetweenLooks : near.size();
   for (; !near.empty(); near = near.subspan(std::min(together, near.size()))) {
     if (budget.isLate()) return false;
     testPatches(question, near.first(std::min(together, near.size())), lists);

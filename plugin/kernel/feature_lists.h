@@ -75,7 +75,9 @@ class KeptFeatures {
   void keep(FeatureSpans lists) {
     std::size_t size = 0;
     for (const auto* list : lists.all()) size += list->size();
-    makeRoom(size);
+    pairs_.clear();
+    // Lists that vary by a few allocate nothing.
+    if (size > pairs_.capacity()) pairs_.reserve(size + size / 4);
     for (std::size_t i = 0; const auto* list : lists.all()) {
       pairs_.insert(pairs_.end(), list->begin(), list->end());
       ends_[i++] = static_cast<std::uint32_t>(pairs_.size());
@@ -95,18 +97,6 @@ class KeptFeatures {
   std::size_t room() const { return pairs_.capacity(); }
 
  private:
-  // Lists that vary by a few allocate nothing; long ones of a fast step do not stay for ever.
-  void makeRoom(std::size_t size) {
-    const std::size_t room = pairs_.capacity();
-    pairs_.clear();
-    if (size <= room && (room <= kSmall || room <= kMostRoom * size)) return;
-    pairs_ = std::vector<FeaturePair>();
-    pairs_.reserve(size + size / 4);
-  }
-
-  static constexpr std::size_t kMostRoom = 8;  // times what is used, of what is not small
-  static constexpr std::size_t kSmall = 256;   // pairs
-
   std::vector<FeaturePair> pairs_;
   std::array<std::uint32_t, 5> ends_{};  // of each list
 };

@@ -115,13 +115,19 @@ TEST(RollingResistance, ABallStopsAfterTheTextbooksWay) {
   EXPECT_NEAR(wayOf(kLength, kSpeed), expected, btScalar(0.02) * expected);
 }
 
-TEST(RollingResistance, IsRefusedBesideASolverThatMayDoMore) {
+// With a solver that may do more than Bullet's plain one.
+struct OtherWorld {
   struct Other final : btSequentialImpulseConstraintSolver {};
   btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
+  btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   Other solver;
-  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+};
+
+TEST(RollingResistance, IsRefusedBesideASolverThatMayDoMore) {
+  OtherWorld other;
+  btDiscreteDynamicsWorld& world = other.world;
   const auto set = effects::EffectSet::create(world).value();
   const Status able = set->canAct(RollingResistance(effects::PairTable<RollingResistance::Lengths>()));
   ASSERT_FALSE(able);
@@ -131,12 +137,8 @@ TEST(RollingResistance, IsRefusedBesideASolverThatMayDoMore) {
 
 // Beside it Bullet's own rows resist, as they did before the set had its own.
 TEST(RollingResistance, IsBulletsOwnBesideASolverThatMayDoMore) {
-  struct Other final : btSequentialImpulseConstraintSolver {};
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broadphase;
-  Other solver;
-  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  OtherWorld other;
+  btDiscreteDynamicsWorld& world = other.world;
   world.setGravity(btVector3(0, 0, -kGravity));
   const auto set = effects::EffectSet::create(world).value();
   set->add(
