@@ -32,7 +32,7 @@ class Bundle {
     way_[0] = {gradient, kInfinity};
     end_ = 0;
   }
-  bool full() const { return size_ == kMost; }
+  bool full() const { return size_ == kMax; }
   void add(const Vec3d& gradient) {
     x_[size_] = gradient.x;
     y_[size_] = gradient.y;
@@ -60,7 +60,7 @@ class Bundle {
   }
 
  private:
-  static constexpr std::size_t kMost = 8, kRounds = 12;
+  static constexpr std::size_t kMax = 8, kRounds = 12;
 
   /// A vector of the hull on the way to the shortest, and the least dot product of a gradient with it.
   struct Stop {
@@ -71,8 +71,8 @@ class Bundle {
   Vec3d at(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
 
   std::size_t lowestAlong(const Vec3d& v) const {
-    std::array<double, kMost> along;
-    for (std::size_t i = 0; i < kMost; ++i) along[i] = x_[i] * v.x + y_[i] * v.y + z_[i] * v.z;
+    std::array<double, kMax> along;
+    for (std::size_t i = 0; i < kMax; ++i) along[i] = x_[i] * v.x + y_[i] * v.y + z_[i] * v.z;
     std::size_t lowest = 0;
     double least = along[0];
     for (std::size_t i = 1; i < size_; ++i) {
@@ -82,7 +82,7 @@ class Bundle {
     return lowest;
   }
 
-  std::array<double, kMost> x_{}, y_{}, z_{};
+  std::array<double, kMax> x_{}, y_{}, z_{};
   std::size_t size_ = 0;
   std::array<Stop, kRounds + 1> way_;  // up to `end_`; beyond the last round no gradient leads elsewhere
   std::size_t end_ = 0;

@@ -18,10 +18,10 @@ double coverStandOff(const PointSet& points, std::span<const Ball> balls) {
 }
 
 double closingSpacing(std::span<const Ball> balls, double standOff) {
-  constexpr double kLeast = 0.15, kBlur = 0.01;
+  constexpr double kMin = 0.15, kBlur = 0.01;
   double radius = 0;
   for (const Ball& ball : balls) radius += ball.radius / static_cast<double>(balls.size());
-  return std::max(kLeast * standOff, std::sqrt(8 * kBlur * standOff * radius));
+  return std::max(kMin * standOff, std::sqrt(8 * kBlur * standOff * radius));
 }
 
 }  // namespace cairn::builder

@@ -10,7 +10,7 @@ namespace cairn::builder {
 namespace {
 
 /// With more parts than these a search of the field is as fast.
-constexpr std::size_t kMostParts = 256;
+constexpr std::size_t kMaxParts = 256;
 /// What is kept is sorted out again when the reach has shrunk by this factor.
 constexpr double kNarrow = 0.6;
 
@@ -81,7 +81,7 @@ void StandOff::keepFar(const PointSet& points, double reach) {
 }
 
 void StandOff::gatherParts(double depth, double reach) {
-  const std::optional<double> within = solid_.gather(around_, depth, reach, kMostParts, memory_.parts);
+  const std::optional<double> within = solid_.gather(around_, depth, reach, kMaxParts, memory_.parts);
   partsKept_ = within.has_value();
   decided_ = within.value_or(0) - 2 * reach;
   // The nearest part goes first: most of the others need not be looked at then.

@@ -17,8 +17,8 @@ namespace {
 constexpr int kFirstLevels = 3;
 constexpr int kKeptLevels = 2;
 /// What one kept node may report, and look at, in one search.
-constexpr std::size_t kMostFound = 2;
-constexpr int kMostVisits = 1000;
+constexpr std::size_t kMaxFound = 2;
+constexpr int kMaxVisits = 1000;
 
 /// The least number not below `x` with 10 significant bits, so that dividing it by two some forty times, and adding up
 /// such parts, stays exact.
@@ -168,8 +168,8 @@ struct CenterSearch::Descent {
     }
     if (atCenter > most) return found.push_back({{cell.center, 0}, atCenter});
     // With something to report there is no proof, and the rest may be passed over.
-    if (cell.half <= finest || found.size() >= kMostFound || visits > kMostVisits) return found.push_back({cell, load});
-    for (int octant = 0; octant < 8 && found.size() < kMostFound; ++octant)
+    if (cell.half <= finest || found.size() >= kMaxFound || visits > kMaxVisits) return found.push_back({cell, load});
+    for (int octant = 0; octant < 8 && found.size() < kMaxFound; ++octant)
       visit(octantOf(cell, octant), node.points, node.outside);
   }
 };

@@ -22,13 +22,13 @@ using Points = std::vector<std::uint32_t>;
 using Weights = std::vector<std::uint64_t>;
 
 /// An attempt ends after this many solutions of the linear program.
-constexpr int kMostRounds = 30;
+constexpr int kMaxRounds = 30;
 /// Outside points the search starts with, at most; more are found where they matter.
-constexpr double kMostOutside = 8000;
+constexpr double kMaxOutside = 8000;
 /// Weights are fractions of this: sums of 20000 of them, times any number of spheres that makes sense, fit 64 bits.
 constexpr double kUnitWeight = 0x1p32;
 /// Balls and cells a round learns from, and twice the number of spheres as many again.
-constexpr std::size_t kMostLessons = 100;
+constexpr std::size_t kMaxLessons = 100;
 
 std::uint64_t loadOf(const Points& points, const Weights& weights) {
   std::uint64_t load = 0;
@@ -56,7 +56,7 @@ double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double
   const double area = surfaceArea(solid.mesh());
   const double ball = std::sqrt(area / (4 * spheres));
   const double offsetArea = std::max(area, 4 * std::numbers::pi * error * error);
-  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(offsetArea / kMostOutside));
+  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(offsetArea / kMaxOutside));
 }
 
 CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points, std::vector<Vec3d> outside,
@@ -118,7 +118,7 @@ class Attempt {
 
   std::vector<HeavyCell> heaviest(std::vector<HeavyCell> heavy) const {
     std::stable_sort(heavy.begin(), heavy.end(), [](const auto& a, const auto& b) { return a.load > b.load; });
-    heavy.resize(std::min<std::size_t>(heavy.size(), kMostLessons + 2 * spheres_));
+    heavy.resize(std::min<std::size_t>(heavy.size(), kMaxLessons + 2 * spheres_));
     return heavy;
   }
 
@@ -184,7 +184,7 @@ std::optional<Refutation> CoverRefuter::refute(std::uint32_t spheres, double err
   Attempt attempt(solid_, points_, spheres, error);
   attempt.remember(centers_);
   Refutation proof;
-  for (int round = 0; round < kMostRounds && keepOn(); ++round) {
+  for (int round = 0; round < kMaxRounds && keepOn(); ++round) {
     switch (attempt.round(proof, centers_)) {
       case Attempt::Outcome::proved:
         return proof;

@@ -12,8 +12,8 @@
 namespace cairn::builder {
 namespace {
 
-constexpr std::uint32_t kFewestPoints = 8, kMostPoints = 20'000;
-constexpr std::uint32_t kMostSpheres = 100'000;
+constexpr std::uint32_t kMinPoints = 8, kMaxPoints = 20'000;
+constexpr std::uint32_t kMaxSpheres = 100'000;
 
 /// Errors tried are 2^(-step / kStepsPerOctave) of the diagonal, for steps in [0, kLastStep].
 constexpr int kStepsPerOctave = 64;
@@ -94,11 +94,11 @@ class StepSearch {
 };
 
 Status checkOptions(std::uint32_t spheres, const BoundOptions& options) {
-  if (spheres < 1 || spheres > kMostSpheres)
-    return Error{fmt::format("{} spheres cannot be bounded; ask for 1 to {}", spheres, kMostSpheres)};
-  if (options.points != 0 && (options.points < kFewestPoints || options.points > kMostPoints))
+  if (spheres < 1 || spheres > kMaxSpheres)
+    return Error{fmt::format("{} spheres cannot be bounded; ask for 1 to {}", spheres, kMaxSpheres)};
+  if (options.points != 0 && (options.points < kMinPoints || options.points > kMaxPoints))
     return Error{fmt::format("{} points are out of range; choose {} to {}, or 0 to have them chosen", options.points,
-                             kFewestPoints, kMostPoints)};
+                             kMinPoints, kMaxPoints)};
   return {};
 }
 

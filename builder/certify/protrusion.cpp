@@ -94,7 +94,7 @@ class BranchAndBound {
     piece.inner = std::max(piece.inner, settledRadius());
     const double width = std::max({lengthSq(a - b), lengthSq(b - c), lengthSq(c - a)}) * piece.outer * piece.outer;
     const double height = piece.outer - piece.inner;
-    if (height * height > kMostHeightToWidth * kMostHeightToWidth * width) {
+    if (height * height > kMaxHeightToWidth * kMaxHeightToWidth * width) {
       const double middle = (piece.inner + piece.outer) / 2;
       push({piece.directions, middle, piece.outer, piece.upper, piece.triangle});
       push({piece.directions, piece.inner, middle, piece.upper, piece.triangle});
@@ -151,7 +151,7 @@ class BranchAndBound {
     return toTriangle;
   }
 
-  static constexpr double kMostHeightToWidth = 2;  // from 0.5 to 8 the cost is the same within noise
+  static constexpr double kMaxHeightToWidth = 2;  // from 0.5 to 8 the cost is the same within noise
 
   const SignedDistance& solid_;
   Vec3d center_;

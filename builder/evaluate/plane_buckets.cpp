@@ -26,7 +26,7 @@ Rectangle hullOf(std::span<const Rectangle> rectangles) {
 PlaneBuckets::PlaneBuckets(std::span<const Rectangle> rectangles) : bounds_(hullOf(rectangles)) {
   const double wanted = std::ceil(std::sqrt(static_cast<double>(rectangles.size())));
   side_ = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, kMaxSide));
-  while (side_ > 1 && entriesFor(rectangles) > kMostPerRectangle * rectangles.size()) side_ /= 2;
+  while (side_ > 1 && entriesFor(rectangles) > kMaxPerRectangle * rectangles.size()) side_ /= 2;
   first_.assign(std::size_t{side_} * side_ + 1, 0);
   for (const Rectangle& r : rectangles) forCells(r, [&](std::size_t cell) { ++first_[cell + 1]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

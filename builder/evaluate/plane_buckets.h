@@ -14,11 +14,11 @@ struct Rectangle {
 };
 
 /// Which of many rectangles may hold a point of the plane: a regular grid with a list per cell, about one cell for each
-/// rectangle, fewer when that would take more than `kMostPerRectangle` entries for each. O(1) a query for rectangles of
+/// rectangle, fewer when that would take more than `kMaxPerRectangle` entries for each. O(1) a query for rectangles of
 /// like size that overlap little; linear memory for any.
 class PlaneBuckets {
  public:
-  static constexpr std::size_t kMostPerRectangle = 32;
+  static constexpr std::size_t kMaxPerRectangle = 32;
 
   /// O(n).
   explicit PlaneBuckets(std::span<const Rectangle> rectangles);

@@ -109,7 +109,7 @@ Status checkVolume(const TriangleMesh& mesh, Fracture& fracture) {
   double sum = 0;
   for (const TriangleMesh& piece : fracture.pieces) sum += signedVolume(piece);
   fracture.volumeError = std::abs(sum - whole) / whole;
-  if (fracture.volumeError <= kMostVolumeError) return {};
+  if (fracture.volumeError <= kMaxVolumeError) return {};
   return Error{
       fmt::format("the pieces' volumes differ from the solid's by {:.1e} of it; turn or jitter the mesh a little",
                   fracture.volumeError)};

@@ -9,7 +9,7 @@ namespace cairn::builder {
 namespace {
 
 /// A level of 4096 spheres takes a gigabyte: its matrices of costs, and eight times as many points between its own.
-constexpr double kMostAdaptiveLeaves = 4096;
+constexpr double kMaxAdaptiveLeaves = 4096;
 
 Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
   if (value >= least && value <= most) return {};
@@ -32,7 +32,7 @@ Status checkOptions(const BuildOptions& options) {
     return Error{"the method " + std::string(methodName(options.method)) +
                  " does not fit spheres region by region, as the option " +
                  (options.optimiser ? "optimiser" : "balance") + " needs; leave it out or choose another method"};
-  if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMostAdaptiveLeaves)
+  if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMaxAdaptiveLeaves)
     return Error{
         "the method adaptive fits all spheres of a level at once, but the options branching and depth ask for " +
         std::to_string(options.branching) + "^" + std::to_string(options.depth) +

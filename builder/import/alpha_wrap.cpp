@@ -23,7 +23,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-constexpr std::size_t kMostVertices = 1'000'000;
+constexpr std::size_t kMaxVertices = 1'000'000;
 
 struct Cancelled {};
 struct TooFine {};
@@ -36,7 +36,7 @@ struct Watch : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
   void before_facet_treatment(const Wrapper& wrapper, const Gate&) {
     constexpr std::size_t kStepsPerReport = 512;
     if (steps++ % kStepsPerReport != 0) return;
-    if (wrapper.triangulation().number_of_vertices() > kMostVertices) throw TooFine{};
+    if (wrapper.triangulation().number_of_vertices() > kMaxVertices) throw TooFine{};
     // How much there is to do shows only at the end.
     if (progress && !progress("wrapping", 0)) throw Cancelled{};
   }
@@ -59,8 +59,7 @@ Result<TriangleMesh> alphaWrap(const TriangleMesh& surface, double alpha, double
 } catch (const Cancelled&) {
   return Error{std::string(kCancelled)};
 } catch (const TooFine&) {
-  return Error{
-      fmt::format("the wrap would have more than {} vertices; choose a larger alpha or offset", kMostVertices)};
+  return Error{fmt::format("the wrap would have more than {} vertices; choose a larger alpha or offset", kMaxVertices)};
 } catch (const std::exception& e) {
   return Error{fmt::format("it could not be wrapped ({}); choose another alpha or offset", oneLine(e.what()))};
 }

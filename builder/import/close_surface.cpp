@@ -70,7 +70,7 @@ Patch patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
   for (const HalfEdge& e : rim) corners.push_back(mesh.vertices[e.from]);
   if (Patch flat = flatPatch(corners, kStitchTolerance * boundsOf(mesh).diagonal()); !flat.empty()) return flat;
 
-  constexpr std::size_t kMostCubicEdges = 300;
+  constexpr std::size_t kMaxCubicEdges = 300;
   std::vector<Point> points, beside;  // of the triangles along the rim, which the patch should continue
   for (const HalfEdge& e : rim) {
     points.push_back(pointOf(mesh.vertices[e.from]));
@@ -80,7 +80,7 @@ Patch patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
   pmp::triangulate_hole_polyline(
       points, beside, std::back_inserter(found),
       CGAL::parameters::use_2d_constrained_delaunay_triangulation(false).do_not_use_cubic_algorithm(rim.size() >
-                                                                                                    kMostCubicEdges));
+                                                                                                    kMaxCubicEdges));
   Patch patch;
   for (const auto& t : found) patch.push_back({t.first, t.second, t.third});
   return patch;
@@ -93,7 +93,7 @@ Status fillHoles(TriangleMesh& mesh, RepairCounts& counts) {
       return Error{fmt::format("the hole of {} edges at ({:.6g}, {:.6g}, {:.6g}) {}", rim.size(), where.x, where.y,
                                where.z, why)};
     };
-    if (rim.size() > kMostHoleEdges) return refused("looks like the rim of an open sheet; close or thicken it");
+    if (rim.size() > kMaxHoleEdges) return refused("looks like the rim of an open sheet; close or thicken it");
     const auto patch = patchOf(mesh, rim);
     if (patch.empty()) return refused("cannot be filled with triangles between its edges; close it");
     const auto from = [&](int place) { return rim[static_cast<std::size_t>(place)].from; };

@@ -152,8 +152,8 @@ void joinBorders(TriangleMesh& mesh, double tolerance, RepairCounts& counts) {
 
 void splitAtBorderVertices(TriangleMesh& mesh, double tolerance, RepairCounts& counts) {
   // Every round shortens border edges that have vertices on them; three sides of a triangle take three rounds.
-  constexpr int kMostRounds = 8;
-  for (int round = 0; round < kMostRounds; ++round) {
+  constexpr int kMaxRounds = 8;
+  for (int round = 0; round < kMaxRounds; ++round) {
     const std::size_t split = splitOnce(mesh, tolerance);
     counts.splitTriangles += split;
     if (split == 0) return;

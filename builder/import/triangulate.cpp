@@ -65,10 +65,10 @@ Patch leastPatchOf(std::span<const Vec3d> polygon) {
 
 /// Empty when CGAL finds none.
 Patch patchOf(std::span<const Vec3d> polygon) try {
-  constexpr std::size_t kMostCubicCorners = 100;  // a hundredth of a second
-  constexpr double kFlat = 0.1;                   // of its box's diagonal
+  constexpr std::size_t kMaxCubicCorners = 100;  // a hundredth of a second
+  constexpr double kFlat = 0.1;                  // of its box's diagonal
   if (Patch flat = flatPatch(polygon, kFlat * diagonalOf(polygon)); !flat.empty()) return flat;
-  if (polygon.size() > kMostCubicCorners) return {};
+  if (polygon.size() > kMaxCubicCorners) return {};
   Patch least = leastPatchOf(polygon);
   return least.size() + 2 == polygon.size() ? least : Patch();
 } catch (const std::exception&) {

@@ -84,8 +84,8 @@ Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& 
 }  // namespace
 
 Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
-  if (Status s = checkOption("alpha", options.alpha, kLeastAlpha, kMostAlpha); !s) return s.error();
-  if (Status s = checkOption("offset", options.offset, kLeastOffset, kMostOffset); !s) return s.error();
+  if (Status s = checkOption("alpha", options.alpha, kMinAlpha, kMaxAlpha); !s) return s.error();
+  if (Status s = checkOption("offset", options.offset, kMinOffset, kMaxOffset); !s) return s.error();
   if (Status s = checkPlace(surface, options.offset); !s) return s.error();
   const auto cancelled = [&](double fraction) { return progress && !progress("wrapping", fraction); };
   Result<TriangleMesh> skin = provedSkin(surface, options, progress);

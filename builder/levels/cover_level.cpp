@@ -11,7 +11,7 @@ namespace {
 
 /// What counts as nearly the limit, and how many such points are kept for each ball, about.
 constexpr double kNearlyWorst = 0.97;
-constexpr std::size_t kWorstPerBall = 10, kMostWorst = 1000;
+constexpr std::size_t kWorstPerBall = 10, kMaxWorst = 1000;
 
 /// By point: the least cost over the balls that may hold it.
 std::vector<double> leastCosts(const CoverLevel& level, const PointSet& points, const Reach& parents) {
@@ -89,7 +89,7 @@ std::vector<Vec3d> nearlyWorst(const CoverLevel& level, const PointSet& points, 
   std::vector<Vec3d> worst;
   for (std::size_t p = 0; p < least.size(); ++p)
     if (least[p] > kNearlyWorst * level.limit) worst.push_back(points[p]);
-  return farthestPointSample(worst, std::min(kMostWorst, kWorstPerBall * level.balls.size()), 0);
+  return farthestPointSample(worst, std::min(kMaxWorst, kWorstPerBall * level.balls.size()), 0);
 }
 
 }  // namespace cairn::builder

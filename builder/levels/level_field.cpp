@@ -14,7 +14,7 @@ namespace cairn::builder {
 namespace {
 
 /// Spacing of the samples in parts of the stand-off, and how many there may be.
-constexpr double kSpacing = 0.08, kMostSamples = 100000;
+constexpr double kSpacing = 0.08, kMaxSamples = 100000;
 /// Concavities up to this part of the stand-off are not closed: it gains little, and deep in a nearly round body the
 /// samples of the closing are all about equally far, so that each search visits most of them.
 constexpr double kNegligibleConcavity = 0.5;
@@ -29,7 +29,7 @@ double areaOf(const TriangleMesh& mesh) {
 
 std::unique_ptr<DepthField> fieldNear(const SignedDistance& solid, double standOff) {
   if (isConvex(solid.mesh(), kNegligibleConcavity * standOff)) return std::make_unique<SolidDepth>(solid);
-  const double spacing = std::max(kSpacing * standOff, std::sqrt(areaOf(solid.mesh()) / kMostSamples));
+  const double spacing = std::max(kSpacing * standOff, std::sqrt(areaOf(solid.mesh()) / kMaxSamples));
   const EnclosingBall all = smallestEnclosingBall(solid.mesh().vertices);
   auto closed =
       std::make_unique<ClosedDepth>(solid, kClosingScale * standOff, spacing, all.center, all.radius + 2 * standOff);

@@ -16,7 +16,7 @@ namespace {
 using ParentMask = std::uint32_t;
 
 /// The parents of one family share; `ParentMask` has a bit for each.
-constexpr int kMostParents = 8;
+constexpr int kMaxParents = 8;
 constexpr int kSteps = 6000;
 /// Longest and shortest step of a parent's centre, in parts of the limit.
 constexpr double kLongestStep = 0.6, kShortestStep = 0.02;
@@ -163,7 +163,7 @@ class Sharing {
       for (std::size_t p = begin_[i]; p < begin_[i + 1]; ++p) holders[i] &= masks_[p];
       if (holders[i] == 0 && !split(i, places, parentsOf)) return false;
     }
-    for (int choices = 1; choices <= kMostParents; ++choices)  // the least free first: shorter augmenting paths
+    for (int choices = 1; choices <= kMaxParents; ++choices)  // the least free first: shorter augmenting paths
       for (std::uint32_t i = 0; i < parts; ++i)
         if (std::popcount(holders[i]) == choices && !places.place(i, holders)) return false;
     if (parentsOf)
@@ -212,7 +212,7 @@ class Sharing {
 
 SharedParts shareParts(std::span<const PointSet> parts, const DepthField& field, SphereSet start, double lowest,
                        std::size_t branching, std::uint64_t seed) {
-  assert(!start.empty() && start.size() <= kMostParents && parts.size() <= start.size() * branching);
+  assert(!start.empty() && start.size() <= kMaxParents && parts.size() <= start.size() * branching);
   for (Ball& parent : start) parent.depth = field.depth(parent.center);
   Sharing sharing(parts, field, std::move(start), lowest, branching);
   sharing.loosen();

@@ -17,7 +17,7 @@ constexpr int kRelaxations = 10;
 /// Reach of the repulsion in spacings of an even distribution, and the part of it by which a near pair is pushed apart.
 constexpr double kReach = 2, kPush = 0.15;
 /// Points between corners, in parts of those asked for: a needle has very many spacings along its edges for its area.
-constexpr double kMostOnEdges = 4;
+constexpr double kMaxOnEdges = 4;
 
 double areaOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto [a, b, c] = mesh.corners(triangle);
@@ -66,7 +66,7 @@ class Sampling {
     visitEdges([&](std::uint32_t from, std::uint32_t to, const auto&) {
       points += std::floor(distance(mesh_.vertices[from], mesh_.vertices[to]) / spacing_);
     });
-    return spacing_ * std::max(points / (kMostOnEdges * static_cast<double>(count_)), 1.0);
+    return spacing_ * std::max(points / (kMaxOnEdges * static_cast<double>(count_)), 1.0);
   }
 
   /// Corners and edges between clusters.

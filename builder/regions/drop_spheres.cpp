@@ -13,7 +13,7 @@ namespace cairn::builder {
 namespace {
 
 /// Fewest children: one would only repeat its parent.
-constexpr std::size_t kFewest = 2;
+constexpr std::size_t kMin = 2;
 
 /// One ball less: the best of taking each of them away and optimising the rest.
 SphereSet oneLess(const CoverProblem& problem, const SphereSet& balls) {
@@ -39,7 +39,7 @@ std::optional<Split> withOneLess(const Split& split, const Region& region, doubl
   const auto tried = [&](const DepthField& field) -> std::optional<Split> {
     const CoverProblem problem{split.points, field, settings.branching};
     Split fewer = splitAmong(split, oneLess(problem, seenBy(field, split.balls)), field, solid, settings);
-    if (fewer.children.size() < kFewest || fewer.worst() > allowed) return std::nullopt;
+    if (fewer.children.size() < kMin || fewer.worst() > allowed) return std::nullopt;
     return fewer;
   };
   if (std::optional<Split> fewer = tried(SolidDepth(solid))) return fewer;
@@ -57,7 +57,7 @@ Split dropSpheres(const Split& full, const Region& region, const SignedDistance&
   };
   Split best = full;
   best.allowed = full.worst() * (1 + settings.balance->excess);
-  while (best.children.size() > kFewest) {
+  while (best.children.size() > kMin) {
     std::optional<Split> fewer = withOneLess(best, region, allowed(best.children.size() - 1), solid, settings);
     // A ball that was left nothing is dropped too, and what is allowed need not grow with what is dropped.
     if (!fewer || fewer->worst() > allowed(fewer->children.size())) break;

@@ -14,7 +14,7 @@ namespace {
 /// Area within this angle of a direction counts for it: 8 degrees.
 constexpr double kClusterCosine = 0.9902680687415704;
 /// A direction with less of the region's area than this says nothing about it.
-constexpr double kLeastShare = 0.05;
+constexpr double kMinShare = 0.05;
 /// Directions compared with each other at most: more are first gathered in the cells of a grid on the cube of
 /// directions.
 constexpr int kGridCells = 24;
@@ -71,7 +71,7 @@ std::vector<Vec3> dominantNormals(std::span<const FacingArea> areas) {
         if (dot(a.normal, center.normal) >= kClusterCosine) sum += a.normal * a.area;
       if (lengthSq(sum) > lengthSq(best)) best = sum;
     }
-    if (length(best) < kLeastShare * total) break;
+    if (length(best) < kMinShare * total) break;
     const Vec3d normal = normalized(best);
     normals.emplace_back(normal);
     std::erase_if(left, [&](const FacingArea& a) { return dot(a.normal, normal) >= kClusterCosine; });

@@ -22,7 +22,7 @@ constexpr double kShrink = 0.9;
 constexpr int kMaxMisses = 2;
 /// Or when cells are this part of the first: of a rod's region few points are left to cover long before, and the number
 /// of a block's cells stays far below what 64 bits hold.
-constexpr double kLeastPart = 1e-3;
+constexpr double kMinPart = 1e-3;
 constexpr std::size_t kEvaluations = 60;
 /// First steps of the search: a part of a cell along its axes, and radians about them.
 constexpr double kFirstMove = 0.25, kFirstTurn = 0.3;
@@ -100,7 +100,7 @@ SphereSet gridSpheres(const CoverProblem& problem) {
   SphereSet best = ballsOf(grid, search.points, problem.solid);
   assert(best.size() == 1);
   int misses = 0;
-  const double least = kLeastPart * grid.edge;
+  const double least = kMinPart * grid.edge;
   for (double edge = grid.edge * kShrink; misses < kMaxMisses && edge > least; edge *= kShrink) {
     grid = search.best(grid, edge);
     SphereSet set = ballsOf(grid, search.points, problem.solid);

@@ -7,11 +7,11 @@
 namespace cairn::builder {
 
 namespace {
-constexpr std::size_t kMostTriangles = 20000;
+constexpr std::size_t kMaxTriangles = 20000;
 }
 
 bool isConvex(const TriangleMesh& mesh, double tolerance) {
-  if (mesh.triangles.size() > kMostTriangles) return false;
+  if (mesh.triangles.size() > kMaxTriangles) return false;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto c = mesh.corners(t);
     const Vec3d normal = cross(c[1] - c[0], c[2] - c[0]);

@@ -129,7 +129,7 @@ struct TiedPackets {
     std::uint32_t index;
     double distanceSq;
   };
-  std::array<Tied, NearestAmong::kMostTied> list;
+  std::array<Tied, NearestAmong::kMaxTied> list;
   std::size_t size = 0;
 
   /// False when there is no room, also not without those that are not nearer than `limitSq`.
@@ -161,7 +161,7 @@ struct TiedPackets {
     return children;
   }
 };
-static_assert(NearestAmong::kMostTied == 32 && HierarchyNode::kWidth == 4);
+static_assert(NearestAmong::kMaxTied == 32 && HierarchyNode::kWidth == 4);
 
 /// Depth first, nearest box first. With `tied`, only on the ways to those packets, else everywhere.
 template <bool kOnlyTied>

@@ -34,9 +34,9 @@ bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, doubl
 ///
 /// A search passes over a triangle for another only where their distances, and those of their boxes, are within
 /// rounding of each other. Triangles within `tie`, above that rounding, of the nearest one are searched in the order of
-/// `nearestTriangle`; where that are more than `kMostTied` packets, `decided` is false and one of them is named.
+/// `nearestTriangle`; where that are more than `kMaxTied` packets, `decided` is false and one of them is named.
 struct NearestAmong {
-  static constexpr std::size_t kMostTied = 32;
+  static constexpr std::size_t kMaxTied = 32;
 
   TriangleHierarchy::Place place;
   double distance = 0;

@@ -12,7 +12,7 @@ namespace {
 
 /// Voxels are widened by this share of their edge when triangles are sorted in: far more than any query rounds by.
 constexpr double kSlack = 1e-9;
-constexpr double kMostPerSide = 256;  // 17 million voxels, 70 MB
+constexpr double kMaxPerSide = 256;  // 17 million voxels, 70 MB
 
 /// A surface meets about six times the square of the voxels along a side.
 double defaultPerSide(std::size_t triangles) {
@@ -25,9 +25,9 @@ TriangleGrid::TriangleGrid(const TriangleMesh& mesh, std::uint32_t perSide) : bo
   assert(!mesh.triangles.empty());
   const double wanted = perSide != 0 ? perSide : defaultPerSide(mesh.triangles.size());
   const Vec3d extent = bounds_.upper - bounds_.lower;
-  edge_ = std::max({extent.x, extent.y, extent.z}) / std::clamp(wanted, 1.0, kMostPerSide);
+  edge_ = std::max({extent.x, extent.y, extent.z}) / std::clamp(wanted, 1.0, kMaxPerSide);
   for (int axis = 0; axis < 3; ++axis)
-    size_[axis] = static_cast<std::uint32_t>(std::clamp(std::ceil(extent[axis] / edge_), 1.0, kMostPerSide));
+    size_[axis] = static_cast<std::uint32_t>(std::clamp(std::ceil(extent[axis] / edge_), 1.0, kMaxPerSide));
   first_.assign(std::size_t{size_[0]} * size_[1] * size_[2] + 1, 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     forVoxelsOf(mesh.corners(t), [&](std::size_t voxel) { ++first_[voxel + 1]; });

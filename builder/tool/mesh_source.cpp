@@ -83,13 +83,13 @@ void addMeshSource(CLI::App& command, MeshSourceOptions& options) {
   command
       .add_option("--wrap-alpha", options.wrapOptions.alpha,
                   "Openings narrower than about this fraction of the diagonal are closed")
-      ->check(isWithin(builder::kLeastAlpha, builder::kMostAlpha))
+      ->check(isWithin(builder::kMinAlpha, builder::kMaxAlpha))
       ->needs(wrap)
       ->capture_default_str();
   command
       .add_option("--wrap-offset", options.wrapOptions.offset,
                   "About how far outside the mesh the skin lies, as a fraction of the diagonal")
-      ->check(isWithin(builder::kLeastOffset, builder::kMostOffset))
+      ->check(isWithin(builder::kMinOffset, builder::kMaxOffset))
       ->needs(wrap)
       ->capture_default_str();
   command.add_option("--mesh-output", options.output,

@@ -106,9 +106,9 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 fs::path behindLinks(fs::path path) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows: beyond are circles
+  constexpr int kMaxLinks = 40;  // as many as Linux follows: beyond are circles
   std::error_code failure;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, failure); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, failure); ++i) {
     const fs::path next = fs::read_symlink(path, failure);
     if (failure) break;
     path = path.parent_path() / next;

@@ -24,8 +24,8 @@ double Budget::nanosecondsLeft() const {
 
 bool Budget::lookAtClock() {
   if (used_ < guaranteedUntil_) return false;
-  const auto promised = std::chrono::duration<double, std::nano>(promisedNanoseconds_);
-  if (Clock::now() + std::chrono::duration_cast<Clock::duration>(promised) >= deadline_)
+  const auto reserved = std::chrono::duration<double, std::nano>(reservedNanoseconds_);
+  if (Clock::now() + std::chrono::duration_cast<Clock::duration>(reserved) >= deadline_)
     return true;  // sinceClock_ stays high: once the time is up, every look says so
   sinceClock_ = 0;
   return false;

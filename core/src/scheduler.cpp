@@ -19,7 +19,7 @@ Turn giveTurn(std::span<const ScheduledPair> pairs, std::size_t pair, Budget& bu
   if (!budget.charge(0)) return {};
   Budget turn = Budget::operations(std::min(operations, budget.remaining()));
   const Progress progress = pairs[pair].traversal->refine(turn);
-  budget.chargeAnyway(turn.used());
+  budget.forceCharge(turn.used());
   if (listener) listener->turnEnded(pair, progress, budget);
   return {progress, turn.used()};
 }

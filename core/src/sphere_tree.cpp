@@ -97,7 +97,7 @@ void SphereTree::packNode(std::uint32_t record) {
   traversalNodes_[id] = {n.center, n.radius, 0, n.error, 0, n.innerRadius};
   recordIndex_[id] = record;
   support_[id] = packSupport(supportPoints(id));
-  reach_ = std::max(reach_, length(n.center) + n.radius);
+  extent_ = std::max(extent_, length(n.center) + n.radius);
   ++leafCount_;
   if (record == 0) return;
   const NodeId parent = nodeAt_[n.parent];

@@ -41,8 +41,8 @@ HWY_INLINE std::uint32_t chargeSteps(const StaircaseBatch& batch, std::uint32_t 
 /// most trees.
 HWY_INLINE void takeSteps(const StaircaseBody& a, const StaircaseBody& b, const StaircaseBatch& batch,
                           std::uint32_t count, PairList& queue, PairList& leafPairs) {
-  constexpr std::size_t kMostHits = std::size_t{StaircaseBatch::kSize} * kFamilyWidth;
-  NodePair* ends[2] = {queue.makeRoom(kMostHits), leafPairs.makeRoom(kMostHits)};
+  constexpr std::size_t kMaxHits = std::size_t{StaircaseBatch::kSize} * kFamilyWidth;
+  NodePair* ends[2] = {queue.makeRoom(kMaxHits), leafPairs.makeRoom(kMaxHits)};
   const FamilyTag d;
   const Family* const families[2] = {a.families, b.families};
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ namespace cairn {
 namespace {
 
 // Of a unit vector along an axis: what is slower stays where it is.
-constexpr float kLeastSpeed = 1e-12F;
+constexpr float kMinSpeed = 1e-12F;
 
 struct Ray {
   Vec3 origin, direction;
@@ -25,7 +25,7 @@ bool passes(const Ray& ray, const Box& box, float slack, float nearest) {
   for (int axis = 0; axis < 3; ++axis) {
     const float low = box.lower[axis] - slack - ray.origin[axis], high = box.upper[axis] + slack - ray.origin[axis];
     const float speed = ray.direction[axis];
-    if (std::abs(speed) < kLeastSpeed) {
+    if (std::abs(speed) < kMinSpeed) {
       if (low > 0 || high < 0) return false;
       continue;
     }

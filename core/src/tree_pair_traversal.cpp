@@ -36,7 +36,7 @@ void TreePairTraversal::place(Side& side, const Side& other, const Pose& pose, c
   side.scale = scale;
   side.errorScale = static_cast<float>(pose.scale * kErrorGrowth);
   const float lengths =
-      length(side.fromOther.translation) + side.tree->reach() + side.fromOther.scale * other.tree->reach();
+      length(side.fromOther.translation) + side.tree->extent() + side.fromOther.scale * other.tree->extent();
   side.margin = margin_ / side.scale + kOverlapSlack * lengths;
 }
 

@@ -48,9 +48,9 @@ Result<scenes::ContactAccuracy> judge(const scenes::BodyScene& scene, std::span<
 
 // As many loops as there are steps, but for a second at most.
 std::optional<double> bareDeadline(double microseconds, std::uint32_t steps) {
-  constexpr double kMostMicroseconds = 1e6;
-  if (!(microseconds <= kMostMicroseconds)) return {};
-  const double loops = std::min(kMostMicroseconds / std::max(microseconds, 1.0), static_cast<double>(steps));
+  constexpr double kMaxMicroseconds = 1e6;
+  if (!(microseconds <= kMaxMicroseconds)) return {};
+  const double loops = std::min(kMaxMicroseconds / std::max(microseconds, 1.0), static_cast<double>(steps));
   return scenes::bareDeadline(microseconds, static_cast<std::uint32_t>(loops)).p999;
 }
 

@@ -20,7 +20,7 @@ using scenes::refuseUsage;
 
 constexpr const char* kProgram = "frame_budget";
 /// About a gigabyte.
-constexpr double kMostMotions = 1e7;
+constexpr double kMaxMotions = 1e7;
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -183,11 +183,11 @@ Status checkCombination(const RawOptions& raw, const Options& options) {
   if (options.scene == Scene::converge) {
     if (options.picture) return Error{"--picture draws how bodies come to rest: use it with --scene heap or crush"};
     const double motions = 1.0 * options.converge.bodies * options.converge.runs * options.converge.frames;
-    if (motions > kMostMotions)
+    if (motions > kMaxMotions)
       return Error{
           fmt::format("{:.0f} recorded poses are too many for memory: --bodies, --runs and --steps multiply to "
                       "{:.0f} at most",
-                      motions, kMostMotions)};
+                      motions, kMaxMotions)};
     if (options.heap.stepsWithoutBudget > 0)
       return Error{"--budget-from is for what begins in the air: use it with --scene heap, crush or rockfall"};
     if (options.heap.isWatched) return Error{"--viewer looks at a heap: use it with --scene heap or crush"};

@@ -37,7 +37,7 @@ CLI::App* addRun(CLI::App& app, RunCommand& run, Texts& texts) {
       ->capture_default_str();
   command->add_option("--part", texts.part, "i/n, only the i-th of n parts of these runs")
       ->check([](const std::string& text) {
-        const auto part = partOf({0, kMostRuns}, text);
+        const auto part = partOf({0, kMaxRuns}, text);
         return part ? std::string() : part.error().message;
       });
   command->add_option("-o,--output", run.folder, "folder for the runs, made if missing")->required();

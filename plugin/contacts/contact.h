@@ -21,44 +21,46 @@ struct ContactId {
   friend constexpr auto operator<=>(const ContactId&, const ContactId&) = default;
 };
 
-/// One possible contact point between a sphere-tree and its counterpart, in the *pair frame*: world axes and unit,
+/// One possible contact point between a sphere-tree and its collider, in the *pair frame*: world axes and unit,
 /// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
 struct Contact {
-  Vec3 position;   ///< half-way between the two surfaces; of a contact ahead where the smaller body's point will stop
-  Vec3 normal;     ///< unit, from the counterpart to the tree
-  float gap = 0;   ///< distance of the surfaces along the normal, negative when they overlap
-  float bend = 0;  ///< see `RelativeMotion::bend`: the solver is told that the surfaces are so much farther apart
+  Vec3 position;  ///< half-way between the two surfaces; of a contact ahead where the smaller body's point will stop
+  Vec3 normal;    ///< unit, from the collider to the tree
+  float separation = 0;  ///< distance of the surfaces along the normal, negative when they overlap
+  float curvatureCorrection =
+      0;  ///< see `RelativeMotion::curvatureCorrection`: the solver is told that the surfaces are so much farther apart
   float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
-  Vec3 apart;              ///< of a contact ahead: from the counterpart's point to the tree's, as they are now
+  Vec3 separationVector;   ///< of a contact ahead: from the collider's point to the tree's, as they are now
   NodePair pair;           ///< of the traversal that found it; both roots where meshes told it, which know no leaves
   ContactId id;
-  bool isHeld = false;     ///< its id is in the manifold already
-  bool ofSpheres = false;  ///< of bounding spheres, not of what they hold, or ahead: not measured again
+  bool isInManifold = false;  ///< its id is in the manifold already
+  bool ofSpheres = false;     ///< of bounding spheres, not of what they hold, or ahead: not measured again
   /// Of an exact one: how far apart the bodies may be for all that. Both its points are on their surfaces, so it is no
   /// more than its depth: what has crossed in its direction may be past each other.
   float exactError = 0;
-  bool isExact = false;  ///< measured between source triangles
-  bool isAhead = false;  ///< will be one within the step: see `apart`; `gap` is where it would end, if nothing held it
-  bool isLater = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
-  bool treeIsLarger = false;  ///< of a contact ahead: the smaller body is the counterpart
-  bool isWhole = false;       ///< of whole bodies: whatever is nearest in its direction, so that its id may change
-  bool isGuard = false;       ///< of spheres that may not come nearer, whether what is in them touches or not
+  bool isExact = false;        ///< measured between source triangles
+  bool isSpeculative = false;  ///< will be one within the step: see `separationVector`; `separation` is where it would
+                               ///< end, if nothing held it
+  bool isSecondary = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
+  bool treeIsLarger = false;   ///< of a contact ahead: the smaller body is the collider
+  bool isRootContact = false;  ///< of whole bodies: whatever is nearest in its direction, so that its id may change
+  bool isGuard = false;        ///< of spheres that may not come nearer, whether what is in them touches or not
 
-  /// World length from the counterpart's point to the tree's along the normal.
-  float distance() const { return isAhead ? dot(normal, apart) : gap; }
+  /// World length from the collider's point to the tree's along the normal.
+  float distance() const { return isSpeculative ? dot(normal, separationVector) : separation; }
   Vec3 onTree() const {
-    if (isAhead) return treeIsLarger ? onCounterpart() + apart : position + normal * distance();
-    return position + normal * (0.5F * gap);
+    if (isSpeculative) return treeIsLarger ? onCollider() + separationVector : position + normal * distance();
+    return position + normal * (0.5F * separation);
   }
-  Vec3 onCounterpart() const {
-    if (isAhead) return treeIsLarger ? position - normal * distance() : onTree() - apart;
-    return position - normal * (0.5F * gap);
+  Vec3 onCollider() const {
+    if (isSpeculative) return treeIsLarger ? position - normal * distance() : onTree() - separationVector;
+    return position - normal * (0.5F * separation);
   }
 };
 
 /// Deepest first; ties in an order that depends on nothing but the pair.
 inline bool deeper(const Contact& x, const Contact& y) {
-  if (x.gap != y.gap) return x.gap < y.gap;
+  if (x.separation != y.separation) return x.separation < y.separation;
   return x.id < y.id;
 }
 

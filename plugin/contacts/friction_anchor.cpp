@@ -37,12 +37,12 @@ FrictionAnchor::FrictionAnchor(const btManifoldPoint& point)
 
 // Bullet keeps a point whose friction is within its cone, which this is not in. Its impulses stay: callbacks see them.
 void FrictionAnchor::release(btManifoldPoint& point) {
-  constexpr auto kLeastPull = btScalar(1e-18);  // its square is a number
+  constexpr auto kMinPull = btScalar(1e-18);  // its square is a number
   point.m_combinedFriction = 0;
   for (btScalar* impulse : {&point.m_appliedImpulse, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2})
     if (!std::isfinite(*impulse)) *impulse = 0;
   const btVector3 lateral(point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, 0);
-  if (lateral.length2() == 0) point.m_appliedImpulseLateral1 = kLeastPull;
+  if (lateral.length2() == 0) point.m_appliedImpulseLateral1 = kMinPull;
 }
 
 void FrictionAnchor::restore(const btPersistentManifold& manifold, btManifoldPoint& point) const {
@@ -60,8 +60,8 @@ void FrictionAnchor::hold(const btPersistentManifold& manifold, btManifoldPoint&
   btVector3 on0 = pose0 * local0_, on1 = pose1 * local1_;
   on0 -= normal * (on0 - point.m_positionWorldOnA).dot(normal);
   on1 -= normal * (on1 - point.m_positionWorldOnB).dot(normal);
-  const btVector3 apart = on0 - on1;
-  const btVector3 slid = apart - normal * apart.dot(normal);
+  const btVector3 separationVector = on0 - on1;
+  const btVector3 slid = separationVector - normal * separationVector.dot(normal);
   const btScalar most = manifold.getContactBreakingThreshold();
   if (slid.length2() > most * most || (on0 - point.m_positionWorldOnA).length2() > most * most) return;
   point.m_positionWorldOnA = on0;

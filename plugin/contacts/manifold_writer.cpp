@@ -33,7 +33,7 @@ ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
 }
 
 // The distance of a point until it is told again.
-constexpr btScalar kUntold = std::numeric_limits<btScalar>::infinity();
+constexpr btScalar kUnreported = std::numeric_limits<btScalar>::infinity();
 
 // A flag of all points but the one that Bullet is being told: a callback may change whatever that has. No flag of
 // Bullet's own.
@@ -51,9 +51,9 @@ using Anchors = std::array<FrictionAnchor, kMaxPoints>;
 
 // Contacts that round to one place replace one old point twice; the other is where it was a step ago. Returns how many
 // of the first `continued` are left, which stay the first.
-int dropUntold(btPersistentManifold& manifold, int continued, Anchors& anchors) {
+int dropUnreported(btPersistentManifold& manifold, int continued, Anchors& anchors) {
   for (int i = continued - 1; i >= 0; --i) {
-    if (manifold.getContactPoint(i).m_distance1 != kUntold) continue;
+    if (manifold.getContactPoint(i).m_distance1 != kUnreported) continue;
     --continued;
     std::swap(manifold.getContactPoint(i), manifold.getContactPoint(continued));
     std::swap(anchors[static_cast<std::size_t>(i)], anchors[static_cast<std::size_t>(continued)]);
@@ -64,15 +64,15 @@ int dropUntold(btPersistentManifold& manifold, int continued, Anchors& anchors) 
 
 }  // namespace
 
-HeldContacts heldBy(const btPersistentManifold& manifold, bool treeIsBody0) {
-  HeldContacts ids;
+ManifoldContacts contactsIn(const btPersistentManifold& manifold, bool treeIsBody0) {
+  ManifoldContacts ids;
   for (int i = 0; i < manifold.getNumContacts(); ++i)
     ids.id[static_cast<std::size_t>(ids.count++)] = idOf(manifold.getContactPoint(i), treeIsBody0);
   return ids;
 }
 
 btVector3 ManifoldWriter::localOnBody0(const btPersistentManifold& manifold, const Contact& contact) const {
-  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCounterpart();
+  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCollider();
   return manifold.getBody0()->getWorldTransform().invXform(origin_ + toBullet(onBody0));
 }
 
@@ -97,7 +97,7 @@ void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold&
 ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold,
                                                std::span<const Contact> chosen) const {
   Matching matching;
-  const HeldContacts old = heldBy(manifold, treeIsBody0_);
+  const ManifoldContacts old = contactsIn(manifold, treeIsBody0_);
   const btScalar near = btScalar(inheritance_) * btScalar(inheritance_);
   const auto join = [&](btScalar nearestSq, bool byId) {
     for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -138,11 +138,11 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
       FrictionAnchor::release(point);
     }
     point.m_localPointA = matching.local[static_cast<std::size_t>(matching.choiceOf[static_cast<std::size_t>(i)])];
-    point.m_distance1 = kUntold;
+    point.m_distance1 = kUnreported;
     ++point.m_lifeTime;
   }
   for (const Contact& contact : chosen) add(manifold, contact);
-  continued = dropUntold(manifold, continued, anchors);
+  continued = dropUnreported(manifold, continued, anchors);
   for (int i = 0; mayBeAnchored && i < continued; ++i)
     anchors[static_cast<std::size_t>(i)].restore(manifold, manifold.getContactPoint(i));
   if (gContactProcessedCallback)
@@ -166,14 +166,14 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     result_.setShapeIdentifiersB(id.treePart, id.treeIndex);
   }
   const Vec3 normal = treeIsBody0_ ? contact.normal : -contact.normal;
-  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCounterpart();
-  const Vec3 onBody1 = treeIsBody0_ ? contact.onCounterpart() : contact.onTree();
+  const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCollider();
+  const Vec3 onBody1 = treeIsBody0_ ? contact.onCollider() : contact.onTree();
   // Bullet refuses points as far off as one ahead can be, and takes two that are not in line for one: it is told the
   // point on body 0 as touching.
-  const btVector3 told = origin_ + toBullet(contact.isAhead ? onBody0 : onBody1);
-  const btScalar distance = contact.isAhead ? btScalar(0) : btScalar(contact.gap);
+  const btVector3 reported = origin_ + toBullet(contact.isSpeculative ? onBody0 : onBody1);
+  const btScalar distance = contact.isSpeculative ? btScalar(0) : btScalar(contact.separation);
   for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_contactPointFlags |= kNotThis;
-  result_.addContactPoint(toBullet(normal), told, distance);
+  result_.addContactPoint(toBullet(normal), reported, distance);
   result_.setPersistentManifold(before);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
@@ -181,14 +181,14 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     point.m_contactPointFlags &= ~kNotThis;
     if (!isThis) continue;
     if (contact.isGuard) point.m_contactPointFlags |= kGuardFlag;
-    if (point.m_positionWorldOnB != told || point.m_distance1 != distance) refresh(manifold, point);
-    if (contact.isAhead) placeAhead(manifold, point, contact, origin_ + toBullet(onBody1));
+    if (point.m_positionWorldOnB != reported || point.m_distance1 != distance) refresh(manifold, point);
+    if (contact.isSpeculative) placeSpeculative(manifold, point, contact, origin_ + toBullet(onBody1));
     tellSolver(point, contact);
   }
 }
 
-void ManifoldWriter::placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
-                                const btVector3& onBody1) {
+void ManifoldWriter::placeSpeculative(const btPersistentManifold& manifold, btManifoldPoint& point,
+                                      const Contact& contact, const btVector3& onBody1) {
   point.m_positionWorldOnB = onBody1;
   point.m_localPointB = manifold.getBody1()->getWorldTransform().invXform(onBody1);
   point.m_distance1 = btScalar(contact.distance());
@@ -197,10 +197,10 @@ void ManifoldWriter::placeAhead(const btPersistentManifold& manifold, btManifold
 // The solver goes by a point's distance alone; where the point is stays true. Spheres do not bounce: what they hold may
 // not touch at all.
 void ManifoldWriter::tellSolver(btManifoldPoint& point, const Contact& contact) const {
-  const bool mayBounce = contact.isAhead ? !contact.isLater : !contact.ofSpheres;
+  const bool mayBounce = contact.isSpeculative ? !contact.isSecondary : !contact.ofSpheres;
   const btScalar closing = mayBounce ? btScalar(motion_.closingSpeed(contact)) : btScalar(0);
-  point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.bend), closing, point.m_combinedRestitution,
-                                     btScalar(motion_.timeStep));
+  point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.curvatureCorrection), closing,
+                                     point.m_combinedRestitution, btScalar(motion_.timeStep));
 }
 
 }  // namespace cairn::bullet

@@ -16,7 +16,7 @@ namespace cairn::bullet {
 inline constexpr int kGuardFlag = 1 << 29;
 
 /// The ids of the contacts a manifold holds now.
-struct HeldContacts {
+struct ManifoldContacts {
   std::array<ContactId, kMaxPoints> id;
   int count = 0;
 
@@ -24,7 +24,7 @@ struct HeldContacts {
 };
 
 /// The ids of a manifold's points, the tree's first. `treeIsBody0`: in the order of its bodies.
-HeldContacts heldBy(const btPersistentManifold& manifold, bool treeIsBody0);
+ManifoldContacts contactsIn(const btPersistentManifold& manifold, bool treeIsBody0);
 
 /// Brings Bullet's manifolds of one pair to the contacts chosen in this step.
 ///
@@ -55,8 +55,8 @@ class ManifoldWriter {
                           btScalar nearestSq, const MayJoin& mayJoin);
   Matching match(const btPersistentManifold& manifold, std::span<const Contact> chosen) const;
   void add(btPersistentManifold& manifold, const Contact& contact);
-  static void placeAhead(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
-                         const btVector3& onBody1);
+  static void placeSpeculative(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
+                               const btVector3& onBody1);
   void tellSolver(btManifoldPoint& point, const Contact& contact) const;
 
   btManifoldResult& result_;

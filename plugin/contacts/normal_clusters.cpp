@@ -29,23 +29,23 @@ int freeCluster(const ClusterSeeds& seeds) {
   return -1;
 }
 
-// Weights are positive: every contact's gap is below `reach`.
-void recenter(std::span<const Contact> cluster, ClusterSeed& seed, float reach) {
+// Weights are positive: every contact's gap is below `maxSeparation`.
+void recenter(std::span<const Contact> cluster, ClusterSeed& seed, float maxSeparation) {
   Vec3 sum;
-  for (const Contact& c : cluster) sum += c.normal * (reach - c.gap);
+  for (const Contact& c : cluster) sum += c.normal * (maxSeparation - c.separation);
   const float norm = length(sum);
   if (norm > 0) seed.normal = sum / norm;
 }
 
 }  // namespace
 
-void ClusteredContacts::group(ClusterSeeds& seeds, float reach, float cosine) {
+void ClusteredContacts::group(ClusterSeeds& seeds, float maxSeparation, float cosine) {
   std::sort(list_.begin(), list_.end(), deeper);
   clusterOf_.assign(list_.size(), -1);
   keepLastClusters(seeds, cosine);
   openNewClusters(seeds, cosine);
   gather();
-  for (int k = 0; k < kMaxClusters; ++k) recenter(cluster(k), seeds[static_cast<std::size_t>(k)], reach);
+  for (int k = 0; k < kMaxClusters; ++k) recenter(cluster(k), seeds[static_cast<std::size_t>(k)], maxSeparation);
 }
 
 void ClusteredContacts::keepLastClusters(ClusterSeeds& seeds, float cosine) {
@@ -112,11 +112,11 @@ void ClusteredContacts::join(int into, int from) {
   std::sort(at(begin_[first]), at(end_[first]), deeper);
 }
 
-void ClusteredContacts::resort(int k, float reach) {
+void ClusteredContacts::resort(int k, float maxSeparation) {
   const std::span<Contact> members = cluster(k);
   if (!std::is_sorted(members.begin(), members.end(), deeper)) std::sort(members.begin(), members.end(), deeper);
   std::size_t& end = end_[static_cast<std::size_t>(k)];
-  while (end > begin_[static_cast<std::size_t>(k)] && list_[end - 1].gap >= reach) --end;
+  while (end > begin_[static_cast<std::size_t>(k)] && list_[end - 1].separation >= maxSeparation) --end;
 }
 
 }  // namespace cairn::bullet

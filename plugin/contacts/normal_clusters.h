@@ -38,17 +38,17 @@ class ClusteredContacts {
 
   /// Groups the list by normal: first around last step's seeds, then greedily from the deepest contact left over; what
   /// finds no free cluster joins the nearest one. Then each seed is the depth-weighted mean normal of its members, or
-  /// inactive. Every gap must be below `reach`. O(n log n).
+  /// inactive. Every gap must be below `maxSeparation`. O(n log n).
   /// `cosine`: of the angle within which normals share a cluster.
-  void group(ClusterSeeds& seeds, float reach, float cosine = kClusterCosine);
+  void group(ClusterSeeds& seeds, float maxSeparation, float cosine = kClusterCosine);
 
   /// Valid until the list changes.
   std::span<Contact> cluster(int k) {
     const auto i = static_cast<std::size_t>(k);
     return std::span(list_).subspan(begin_[i], end_[i] - begin_[i]);
   }
-  /// Sorts a cluster anew after its gaps changed, and drops those that are not below `reach` any more.
-  void resort(int k, float reach);
+  /// Sorts a cluster anew after its gaps changed, and drops those that are not below `maxSeparation` any more.
+  void resort(int k, float maxSeparation);
   /// Puts contacts into a cluster that is empty, sorted.
   void fill(int k, std::span<const Contact> contacts);
   /// Moves the second cluster's contacts into the first, which is sorted anew; the second is empty then.

@@ -17,7 +17,7 @@ namespace {
 constexpr float kLengthBonus = 1.1F;
 constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
 constexpr float kDepthBonus = 0.25F;
-constexpr float kLeastPart = 0.01F;
+constexpr float kMinPart = 0.01F;
 
 // Up to four contacts of a cluster, as indices into it.
 struct ContactChoice {
@@ -27,11 +27,12 @@ struct ContactChoice {
 
 class Chooser {
  public:
-  Chooser(std::span<const Contact> cluster, float separation, float reach)
-      : cluster_(cluster), separationSq_(separation * separation), reach_(reach) {}
+  Chooser(std::span<const Contact> cluster, float separation, float maxSeparation)
+      : cluster_(cluster), separationSq_(separation * separation), maxSeparation_(maxSeparation) {}
 
   ContactChoice run() {
-    pick([&](const Contact& c) { return (c.isHeld ? kDepthBonus * reach_ : 0) - c.gap; }, -kInfinity);
+    pick([&](const Contact& c) { return (c.isInManifold ? kDepthBonus * maxSeparation_ : 0) - c.separation; },
+         -kInfinity);
     if (cluster_.size() > 1) pickFarthest();
     if (choice_.count == 2) pickLargestTriangle();
     if (choice_.count == 3) pickLargestGain();
@@ -46,11 +47,11 @@ class Chooser {
   // What carries counts in full, what is apart by the speculative distance hardly at all: the far ends of the line a
   // cylinder lies on, not what is in front of it and behind.
   float share(const Contact& c) const {
-    const float lowest = std::max(cluster_[choice_.index[0]].gap, 0.0F);
-    return std::clamp(1 - (c.gap - lowest) / reach_, kLeastPart, 1.0F);
+    const float lowest = std::max(cluster_[choice_.index[0]].separation, 0.0F);
+    return std::clamp(1 - (c.separation - lowest) / maxSeparation_, kMinPart, 1.0F);
   }
 
-  bool isApart(const Contact& c) const {
+  bool isSeparated(const Contact& c) const {
     for (std::size_t k = 0; k < choice_.count; ++k)
       if (lengthSq(c.position - chosen(k)) < separationSq_) return false;
     return true;
@@ -63,7 +64,7 @@ class Chooser {
     float bestMerit = threshold;
     for (std::size_t i = 0; i < cluster_.size(); ++i) {
       const float m = merit(cluster_[i]);
-      if (m > bestMerit && isApart(cluster_[i])) {
+      if (m > bestMerit && isSeparated(cluster_[i])) {
         best = i;
         bestMerit = m;
       }
@@ -73,13 +74,13 @@ class Chooser {
 
   void pickFarthest() {
     const Vec3 p = chosen(0);
-    pick([&](const Contact& c) { return share(c) * lengthSq(c.position - p) * (c.isHeld ? kAreaBonus : 1); }, 0);
+    pick([&](const Contact& c) { return share(c) * lengthSq(c.position - p) * (c.isInManifold ? kAreaBonus : 1); }, 0);
   }
 
   void pickLargestTriangle() {
     const Vec3 p = chosen(0), q = chosen(1);
     const auto areaSq = [&](const Contact& c) {
-      return lengthSq(cross(c.position - p, q - p)) * (c.isHeld ? kAreaBonus * kAreaBonus : 1);
+      return lengthSq(cross(c.position - p, q - p)) * (c.isInManifold ? kAreaBonus * kAreaBonus : 1);
     };
     // A sliver thinner than the separation adds nothing that resists tipping.
     const float sliver = separationSq_ * lengthSq(p - q);
@@ -96,14 +97,14 @@ class Chooser {
         const Vec3& from = corner[k];
         outside = std::max(outside, dot(cross(c.position - from, corner[(k + 1) % 3] - from), normal));
       }
-      return outside * (c.isHeld ? kAreaBonus : 1);
+      return outside * (c.isInManifold ? kAreaBonus : 1);
     };
     pick([&](const Contact& c) { return gain(c) > separationSq_ ? share(c) * gain(c) : 0; }, 0);
   }
 
   std::span<const Contact> cluster_;
   float separationSq_;
-  float reach_;
+  float maxSeparation_;
   ContactChoice choice_;
 };
 
@@ -120,10 +121,10 @@ std::span<Contact> moveToFront(std::span<Contact> cluster, ContactChoice choice)
 }  // namespace
 
 std::span<Contact> chooseContacts(std::span<Contact> cluster, std::span<const ContactId> held, float separation,
-                                  float reach) {
+                                  float maxSeparation) {
   if (cluster.empty()) return {};
-  for (Contact& c : cluster) c.isHeld = std::find(held.begin(), held.end(), c.id) != held.end();
-  return moveToFront(cluster, Chooser(cluster, separation, reach).run());
+  for (Contact& c : cluster) c.isInManifold = std::find(held.begin(), held.end(), c.id) != held.end();
+  return moveToFront(cluster, Chooser(cluster, separation, maxSeparation).run());
 }
 
 }  // namespace cairn::bullet

@@ -13,9 +13,9 @@ struct RelativeMotion {
   Vec3 treeLinear, treeAngular, treeCenter;
   Vec3 otherLinear, otherAngular, otherCenter;
   RelativePlacement placement;
-  float timeStep = 0;     ///< seconds
-  float smallerSize = 0;  ///< of the smaller body, world length
-  float reach = 0;        ///< contacts with a gap below this are wanted
+  float timeStep = 0;       ///< seconds
+  float smallerSize = 0;    ///< of the smaller body, world length
+  float maxSeparation = 0;  ///< contacts with a gap below this are wanted
 
   /// No point within half the smaller body's size of a common centre moves faster against the other body.
   float greatestSpeed() const {
@@ -23,12 +23,12 @@ struct RelativeMotion {
   }
 
   /// Whether within a step nothing moves farther than a tenth of what contacts reach: bodies that rest, or creep.
-  bool isSlow() const { return greatestSpeed() * timeStep < 0.1F * reach; }
+  bool isSlow() const { return greatestSpeed() * timeStep < 0.1F * maxSeparation; }
 
   /// Speed at which the surfaces approach each other at a contact; negative when they part.
   float closingSpeed(const Contact& c) const {
-    const Vec3 tree = treeLinear + cross(treeAngular, (c.isAhead ? c.onTree() : c.position) - treeCenter);
-    const Vec3 other = otherLinear + cross(otherAngular, (c.isAhead ? c.onCounterpart() : c.position) - otherCenter);
+    const Vec3 tree = treeLinear + cross(treeAngular, (c.isSpeculative ? c.onTree() : c.position) - treeCenter);
+    const Vec3 other = otherLinear + cross(otherAngular, (c.isSpeculative ? c.onCollider() : c.position) - otherCenter);
     return dot(c.normal, other - tree);
   }
 
@@ -38,13 +38,13 @@ struct RelativeMotion {
   /// right to second order; taken three times, what only comes down within the step does not carry at its beginning,
   /// while it is still ahead and would brake. At most the way that turning alone brings the surfaces nearer, and the
   /// reach; 0 where turning parts them. See docs/algorithms/leaf-contacts.md.
-  float bend(const Contact& c) const {
+  float curvatureCorrection(const Contact& c) const {
     const Vec3 tree = cross(treeAngular, c.position - treeCenter);
     const Vec3 other = cross(otherAngular, c.position - otherCenter);
     const float nearer = timeStep * dot(c.normal, other - tree);
     const float arc =
         3 * 0.5F * timeStep * timeStep * dot(c.normal, cross(treeAngular, tree) - cross(otherAngular, other));
-    return std::clamp(arc, 0.0F, std::clamp(nearer, 0.0F, reach));
+    return std::clamp(arc, 0.0F, std::clamp(nearer, 0.0F, maxSeparation));
   }
 };
 

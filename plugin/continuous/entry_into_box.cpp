@@ -5,14 +5,15 @@
 
 namespace cairn::bullet {
 
-std::optional<float> entryIntoBox(const Vec3& lower, const Vec3& upper, const Vec3& point, const Vec3& way) {
+std::optional<float> entryIntoBox(const Vec3& lower, const Vec3& upper, const Vec3& point, const Vec3& displacement) {
   float from = 0, to = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    if (way[axis] == 0) {
+    if (displacement[axis] == 0) {
       if (point[axis] < lower[axis] || point[axis] > upper[axis]) return std::nullopt;
       continue;
     }
-    const float one = (lower[axis] - point[axis]) / way[axis], other = (upper[axis] - point[axis]) / way[axis];
+    const float one = (lower[axis] - point[axis]) / displacement[axis],
+                other = (upper[axis] - point[axis]) / displacement[axis];
     from = std::max(from, std::min(one, other));
     to = std::min(to, std::max(one, other));
   }

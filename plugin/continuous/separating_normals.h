@@ -12,12 +12,12 @@ namespace cairn::bullet {
 /// The directions along which two things may be apart. What finds no room is left out.
 class SeparatingNormals {
  public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
   void clear() { count_ = 0; }
   /// Unit; zero is ignored. `isFace`: of a face of either, not of a line between them.
   void add(const Vec3& normal, bool isFace) {
-    if (count_ == kMost || lengthSq(normal) == 0) return;
+    if (count_ == kMax || lengthSq(normal) == 0) return;
     normals_[count_] = normal;
     isFace_[count_++] = isFace;
   }
@@ -29,8 +29,8 @@ class SeparatingNormals {
   bool isFace(std::size_t i) const { return isFace_[i]; }
 
  private:
-  std::array<Vec3, kMost> normals_;
-  std::array<bool, kMost> isFace_;
+  std::array<Vec3, kMax> normals_;
+  std::array<bool, kMax> isFace_;
   std::size_t count_ = 0;
 };
 

@@ -22,7 +22,7 @@ constexpr btScalar kTurn = btScalar(0.2);
 constexpr std::uint32_t kTestCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr std::uint32_t kLeafCost = 2 * kSphereUpdateCost + kOverlapTestCost;
 // By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
-constexpr int kMostSlowSteps = 30;
+constexpr int kMaxSlowSteps = 30;
 // Two walls of a corner, after its floor.
 constexpr int kDeflections = 2;
 
@@ -49,14 +49,15 @@ const std::vector<Contact>& Sweep::run(const SweptPair& pair, Budget& budget) {
     sweep(pair, budget);
     return contacts_;
   }
-  sweep({other, pair.tree, pair.otherCourse, pair.treeCourse, pair.origin, pair.reach, pair.isFast}, budget);
+  sweep({other, pair.tree, pair.otherTrajectory, pair.treeTrajectory, pair.origin, pair.maxSeparation, pair.isFast},
+        budget);
   for (Contact& contact : contacts_) swapSides(contact);
   return contacts_;
 }
 
 void Sweep::swapSides(Contact& contact) {
   contact.normal = -contact.normal;
-  contact.apart = -contact.apart;
+  contact.separationVector = -contact.separationVector;
   contact.treeIsLarger = true;
   std::swap(contact.pair.a, contact.pair.b);
   contact.id = {contact.id.otherPart, contact.id.otherIndex, contact.id.treePart, contact.id.treeIndex};
@@ -76,7 +77,7 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
   const bool isIn = !sunkFloors_.empty();
   if (pair.isFast) deflect(pair, budget);
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
-  if ((isSunk || (isIn && anchor_)) && slowSteps_ < kMostSlowSteps) return;
+  if ((isSunk || (isIn && anchor_)) && slowSteps_ < kMaxSlowSteps) return;
   anchor_.reset();
   // Where it was set down in something it has never been in front of that.
   if (pair.isFast && !isIn) anchor_ = frame_->at(0);
@@ -103,7 +104,8 @@ const Sweep::Meeting* Sweep::firstMeeting() const {
 void Sweep::markLater() {
   const Meeting* const first = firstMeeting();
   if (!first) return;
-  for (Contact& contact : contacts_) contact.isLater = dot(contact.normal, first->contact.normal) < kSameNormalCosine;
+  for (Contact& contact : contacts_)
+    contact.isSecondary = dot(contact.normal, first->contact.normal) < kSameNormalCosine;
 }
 
 // What is stopped by a floor goes on along it, and may run into a wall of the same body within the step; then along
@@ -113,7 +115,7 @@ void Sweep::deflect(SweptPair pair, Budget& budget) {
     const Meeting* const first = firstMeeting();
     if (!first) return;
     const Vec3 normal = first->contact.normal;
-    pair.treeCourse = pair.treeCourse.along(toBullet(normal), pair.otherCourse);
+    pair.treeTrajectory = pair.treeTrajectory.along(toBullet(normal), pair.otherTrajectory);
     follow(pair, false, budget);
     for (const Meeting& m : meetings_)
       if (m.isContact && dot(m.contact.normal, normal) < kSameWayCosine) addContactsOf(m);
@@ -145,14 +147,14 @@ SweptPlace Sweep::placeAt(float part) const {
 void Sweep::cut(const SweptPair& pair, bool fromAnchor) {
   segments_.clear();
   const bool otherIsSmaller = !asSphereTree(pair.other) && otherReach_ < pair.tree->size();
-  frame_.emplace(pair.treeCourse, pair.otherCourse, otherIsSmaller);
+  frame_.emplace(pair.treeTrajectory, pair.otherTrajectory, otherIsSmaller);
   if (anchor_ && fromAnchor) append(pair, -1, 0, turnBetween(*anchor_, frame_->at(0)));
-  if (pair.isFast) append(pair, 0, 1, pair.treeCourse.turn() + pair.otherCourse.turn());
+  if (pair.isFast) append(pair, 0, 1, pair.treeTrajectory.turn() + pair.otherTrajectory.turn());
   btVector3 lower(SIMD_INFINITY, SIMD_INFINITY, SIMD_INFINITY), upper = -lower;
   for (const Segment& s : segments_) {
     const MovedNode root = moved(s, kRootNode);
-    const float out = root.ball.radius + root.slack + pair.reach;
-    for (const Vec3& inFrame : {root.ball.center, root.ball.center + root.way}) {
+    const float out = root.ball.radius + root.slack + pair.maxSeparation;
+    for (const Vec3& inFrame : {root.ball.center, root.ball.center + root.displacement}) {
       const Vec3 center = transpose(s.otherAxes) * inFrame;
       lower.setMin(toBullet(center - Vec3(out, out, out)));
       upper.setMax(toBullet(center + Vec3(out, out, out)));
@@ -201,8 +203,8 @@ void Sweep::enter(const Segment& segment, const NodePair& pair) {
   node.ball.radius += node.slack + margin_;
   const Mat3 toOther = transpose(segment.otherAxes);
   const std::optional<float> at =
-      target_->entry({toOther * node.ball.center, node.ball.radius}, pair.b, toOther * node.way);
-  if (!at || isSettled(pair.a, segment.from + *at * (segment.to - segment.from))) return;
+      target_->entry({toOther * node.ball.center, node.ball.radius}, pair.b, toOther * node.displacement);
+  if (!at || isPastFirstHit(pair.a, segment.from + *at * (segment.to - segment.from))) return;
   heap_.push_back({*at, pair});
   std::push_heap(heap_.begin(), heap_.end());
 }
@@ -212,14 +214,14 @@ void Sweep::search(const SweptPair& pair, const Segment& segment, Budget& budget
   heap_.clear();
   margin_ = static_cast<float>(pair.tree->getMargin());
   for (std::uint32_t i = 0; i < target_->rootCount(); ++i) enter(segment, {kRootNode, i});
-  budget.chargeAnyway(std::uint64_t{kTestCost} * target_->rootCount());
+  budget.forceCharge(std::uint64_t{kTestCost} * target_->rootCount());
   while (!heap_.empty()) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Candidate candidate = heap_.back();
     heap_.pop_back();
-    if (isSettled(candidate.pair.a, segment.from + candidate.entry * (segment.to - segment.from))) continue;
+    if (isPastFirstHit(candidate.pair.a, segment.from + candidate.entry * (segment.to - segment.from))) continue;
     if (tests_ < kMaxTests && split(segment, candidate, budget)) continue;
-    budget.chargeAnyway(kLeafCost);
+    budget.forceCharge(kLeafCost);
     if (const std::optional<Hit> hit = hitOf(pair, segment, candidate)) note(pair, segment, candidate.pair, *hit);
   }
 }
@@ -239,7 +241,7 @@ bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& bu
     enter(segment, splitsTree ? NodePair{child, b} : NodePair{a, child});
   }
   tests_ += count;
-  budget.chargeAnyway(std::uint64_t{kTestCost} * count);
+  budget.forceCharge(std::uint64_t{kTestCost} * count);
   return count > 0;
 }
 
@@ -265,7 +267,7 @@ Sweep::Meeting& Sweep::makeMeeting(TreeParts::Part part) {
 }
 
 // Whether the part has met something by then.
-bool Sweep::isSettled(TreeParts::Part part, float at) const {
+bool Sweep::isPastFirstHit(TreeParts::Part part, float at) const {
   const Meeting* const known = meetingOf(part);
   return known && known->at <= at;
 }

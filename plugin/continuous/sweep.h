@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cairn/core/budget.h"
-#include "continuous/course.h"
-#include "continuous/meeting_place.h"
+#include "continuous/face_overlap.h"
 #include "continuous/swept_frame.h"
 #include "continuous/swept_target.h"
+#include "continuous/trajectory.h"
 #include "continuous/tree_parts.h"
 
 namespace cairn::bullet {
@@ -17,17 +17,17 @@ namespace cairn::bullet {
 struct SweptPair {
   const SphereTreeShape* tree;
   const btCollisionShape* other;
-  Course treeCourse, otherCourse;
-  btVector3 origin;     ///< of the pair frame, in the world
-  float reach = 0;      ///< what is nearer than this now is left to the contacts of where the bodies are
-  bool isFast = true;   ///< or slow again: only what has sunk in is looked for
-  int otherIndex = -1;  ///< which child of a compound the other is, -1 for none
+  Trajectory treeTrajectory, otherTrajectory;
+  btVector3 origin;         ///< of the pair frame, in the world
+  float maxSeparation = 0;  ///< what is nearer than this now is left to the contacts of where the bodies are
+  bool isFast = true;       ///< or slow again: only what has sunk in is looked for
+  int otherIndex = -1;      ///< which child of a compound the other is, -1 for none
 };
 
 /// Finds what a body runs into within a step, leaf by leaf: continuous collision by speculative contacts. Each leaf
-/// that would be passed through by the end of the step becomes a contact ahead (`Contact::isAhead`), with the plane
-/// that keeps the two regions apart for longest. The solver then lets each come as far as that plane, and all together
-/// stop the body wherever it is met first. See docs/algorithms/continuous.md.
+/// that would be passed through by the end of the step becomes a contact ahead (`Contact::isSpeculative`), with the
+/// plane that keeps the two regions apart for longest. The solver then lets each come as far as that plane, and all
+/// together stop the body wherever it is met first. See docs/algorithms/continuous.md.
 ///
 /// What has sunk in nevertheless is found again: a sweep remembers where the bodies stood when nothing had, and goes by
 /// way of there until that is so again. Of two trees the smaller one is moved.
@@ -38,7 +38,7 @@ class Sweep {
  public:
   static constexpr std::uint32_t kMaxTests = 1U << 16;
 
-  explicit Sweep(CounterpartKind kind) : target_(makeSweptTarget(kind)) {}
+  explicit Sweep(ColliderKind kind) : target_(makeSweptTarget(kind)) {}
 
   /// The contacts ahead, pair frame, in each direction it is looked in at most one for each leaf of the smaller tree,
   /// or for each triangle of a leaf that says too little, in an order that depends on nothing but the pair. Valid until
@@ -66,7 +66,7 @@ class Sweep {
   // that.
   struct MovedNode {
     Sphere ball;
-    Vec3 way;
+    Vec3 displacement;
     float slack = 0;
   };
   static MovedNode moved(const Segment& segment, TreeParts::Part part);
@@ -82,7 +82,7 @@ class Sweep {
   // What a part of the moved tree comes to first: on the way from the anchor, no contact if it is still in front of it.
   static constexpr float kNotMet = 2;  // beyond any part of the step
   struct Meeting {
-    static constexpr std::size_t kMostBeside = MeetingPlace::kMost - 1;
+    static constexpr std::size_t kMaxBeside = FaceOverlap::kMax - 1;
     float at = kNotMet;
     bool isContact = false;
     bool isAsked = false;  // whether it is a floor
@@ -90,7 +90,7 @@ class Sweep {
     Vec3 normal;  // in the frame
     Contact contact;
     // More contacts of the same two regions: so far beside the first.
-    std::array<Vec3, kMostBeside> beside{};
+    std::array<Vec3, kMaxBeside> beside{};
     std::size_t besideCount = 0;
   };
   struct Hit {
@@ -108,7 +108,7 @@ class Sweep {
     float height;  // along the normal
   };
   // Faces of one body that are known by then.
-  static constexpr std::size_t kMostFloors = 4;
+  static constexpr std::size_t kMaxFloors = 4;
 
   void cut(const SweptPair& pair, bool fromAnchor);
   void append(const SweptPair& pair, float from, float to, btScalar turn);
@@ -126,12 +126,12 @@ class Sweep {
   const Meeting* meetingOf(TreeParts::Part part) const;
   Meeting& makeMeeting(TreeParts::Part part);
   void makeMeetingsBelow(NodeId leaf, std::uint32_t count);
-  bool isSettled(TreeParts::Part part, float at) const;
+  bool isPastFirstHit(TreeParts::Part part, float at) const;
   bool split(const Segment& segment, const Candidate& candidate, Budget& budget);
   // From the other side's farthest point along a unit direction of the frame to the tree's farthest against it.
   Vec3 apartAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
   // How far apart two regions are along a unit direction of the frame; negative if they are not.
-  float gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
+  float separationAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const;
   struct Approach;
   std::size_t collectNormals(const Approach& approach);
   Hit flattest(const Approach& approach, Hit latest, std::size_t ofOther) const;
@@ -139,7 +139,7 @@ class Sweep {
   // A point of each, where the tree is at the segment's beginning, and all of the other's that are known.
   struct Points {
     Vec3 onTree, onOther;
-    MeetingPlace place;
+    FaceOverlap place;
   };
   Points pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) const;
   void note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit);
@@ -156,8 +156,8 @@ class Sweep {
   bool isFace(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal);
   float heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const;
   bool isLevel(const Floor& floor, const Segment& start, const NodePair& nodes) const;
-  bool isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float reach) const;
-  bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float reach);
+  bool isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float maxSeparation) const;
+  bool standsOn(const Floor& floor, const Segment& start, const Meeting& meeting, float maxSeparation);
   void meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting);
 
   std::unique_ptr<SweptTarget> target_;

@@ -21,7 +21,7 @@ void Sweep::keepAboveFloors(const SweptPair& pair) {
   const auto start = std::ranges::find_if(segments_, [](const Segment& s) { return s.from == 0; });
   if (start == segments_.end()) return;
   keepOffSunkFloors(pair, *start);
-  for (std::size_t i = 0; i < kMostFloors; ++i) {
+  for (std::size_t i = 0; i < kMaxFloors; ++i) {
     const Meeting* const next = nextMeeting();
     if (!next) return;
     const NodePair nodes = next->nodes;
@@ -41,7 +41,7 @@ void Sweep::keepAbove(const Floor& floor, const SweptPair& pair, const Segment& 
   for (Meeting& m : meetings_) {
     if (dot(m.normal, floor.normal) > kFloorCosine) {
       m.isAsked = m.isAsked || isLevel(floor, start, m.nodes);
-    } else if (standsOn(floor, start, m, pair.reach)) {
+    } else if (standsOn(floor, start, m, pair.maxSeparation)) {
       meetFloor(floor, pair, m);
     }
   }
@@ -93,17 +93,18 @@ bool Sweep::isLevel(const Floor& floor, const Segment& start, const NodePair& no
 }
 
 // Whether a part of the body on the floor is above it as the step begins, or no deeper than what slides is.
-bool Sweep::isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float reach) const {
+bool Sweep::isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float maxSeparation) const {
   const float radius = floor.isTrees ? target_->radius(nodes.b) : start.tree.sphere(nodes.a).radius;
-  return gapAlong(floor.normal, nodes, start.tree, start.otherAxes) >= -std::max(reach, kSunkFraction * radius);
+  return separationAlong(floor.normal, nodes, start.tree, start.otherAxes) >=
+         -std::max(maxSeparation, kSunkFraction * radius);
 }
 
 // Whether what it meets later is another region of that floor, which it was above as the step began.
-bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float reach) {
+bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float maxSeparation) {
   if (!m.isContact || m.at <= floor.at) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
   return isFace(floor.isTrees, start, m.nodes, floor.normal) && isLevel(floor, start, m.nodes) &&
-         isInFront(floor, start, m.nodes, reach);
+         isInFront(floor, start, m.nodes, maxSeparation);
 }
 
 // What lies in a floor already, set down or pressed into it, is held by ordinary contacts. Its edges are no obstacles,
@@ -118,7 +119,7 @@ void Sweep::noteSunkInto(bool isTrees, const Segment& start, const NodePair& nod
   const Vec3 middle = isTrees ? Vec3() : start.tree.sphere(kRootNode).center;
   collectFaces(isTrees, start, nodes);
   for (std::size_t i = 0; i < normals_.all().size(); ++i) {
-    if (sunkFloors_.size() == kMostFloors) return;
+    if (sunkFloors_.size() == kMaxFloors) return;
     if (!normals_.isFace(i)) continue;
     const Vec3& normal = normals_.all()[i];
     const Floor floor{nodes, normal, -1, isTrees, heightOf(isTrees, start, nodes, normal)};
@@ -142,7 +143,7 @@ void Sweep::keepOffSunkFloors(const SweptPair& pair, const Segment& start) {
   for (const Floor& floor : sunkFloors_) {
     for (Meeting& m : meetings_) {
       if (!m.isContact || m.at < 0 || !isEdgeOf(floor, start, m)) continue;
-      if (isInFront(floor, start, m.nodes, pair.reach)) {
+      if (isInFront(floor, start, m.nodes, pair.maxSeparation)) {
         meetFloor(floor, pair, m);
       } else {
         m.isContact = false;
@@ -158,10 +159,10 @@ void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meetin
   meeting = {};
   for (const Segment& s : segments_) {
     if (s.from < 0) continue;
-    const float gap = std::max(gapAlong(floor.normal, nodes, s.tree, s.otherAxes), 0.0F);
-    const float closing = gap - gapAlong(floor.normal, nodes, s.treeAtEnd, s.otherAxesAtEnd);
-    if (closing <= 0 || gap >= closing) continue;
-    meeting = meetingAt(pair, s, nodes, {gap / closing, floor.normal, closing});
+    const float separation = std::max(separationAlong(floor.normal, nodes, s.tree, s.otherAxes), 0.0F);
+    const float closing = separation - separationAlong(floor.normal, nodes, s.treeAtEnd, s.otherAxesAtEnd);
+    if (closing <= 0 || separation >= closing) continue;
+    meeting = meetingAt(pair, s, nodes, {separation / closing, floor.normal, closing});
     break;
   }
   meeting.isAsked = true;

@@ -5,7 +5,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "contacts/facing_corners.h"
-#include "continuous/side_by_side.h"
+#include "continuous/lateral_separation.h"
 #include "continuous/sweep.h"
 #include "placement/bullet_math.h"
 #include "placement/unit_vector.h"
@@ -17,7 +17,7 @@ namespace {
 // Of the way: what closes by less along a direction passes by.
 constexpr float kPassingFraction = 1e-4F;
 // What is left of a unit line beside the way, to make a direction of.
-constexpr float kLeastBeside = 0.1F;
+constexpr float kMinBeside = 0.1F;
 
 }  // namespace
 
@@ -25,7 +25,8 @@ Vec3 Sweep::apartAlong(const Vec3& normal, const NodePair& nodes, const TreePart
   return tree.support(nodes.a, -normal) - supportOf(*target_, nodes.b, otherAxes, normal);
 }
 
-float Sweep::gapAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree, const Mat3& otherAxes) const {
+float Sweep::separationAlong(const Vec3& normal, const NodePair& nodes, const TreeParts& tree,
+                             const Mat3& otherAxes) const {
   return dot(normal, apartAlong(normal, nodes, tree, otherAxes)) - target_->margin() - margin_;
 }
 
@@ -38,13 +39,15 @@ struct Sweep::Approach {
   float entry;  // part of the segment at which they are near
   float sunk;   // so deep they still count as apart
 
-  float gap(const Vec3& normal) const { return sweep.gapAlong(normal, nodes, segment.tree, segment.otherAxes); }
-  float gapAtEnd(const Vec3& normal) const {
-    return sweep.gapAlong(normal, nodes, segment.treeAtEnd, segment.otherAxesAtEnd);
+  float separation(const Vec3& normal) const {
+    return sweep.separationAlong(normal, nodes, segment.tree, segment.otherAxes);
   }
-  float closing(const Vec3& normal) const { return -dot(normal, node.way); }
-  bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.way); }
-  bool areApart(const Vec3& normal, float at) const { return gap(normal) - closing(normal) * at > -sunk; }
+  float separationAtEnd(const Vec3& normal) const {
+    return sweep.separationAlong(normal, nodes, segment.treeAtEnd, segment.otherAxesAtEnd);
+  }
+  float closing(const Vec3& normal) const { return -dot(normal, node.displacement); }
+  bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.displacement); }
+  bool areSeparated(const Vec3& normal, float at) const { return separation(normal) - closing(normal) * at > -sunk; }
   // Beside each other all the way, along a direction that is no face's: past an edge or a corner. `normal`: any.
   bool isPassing(const Vec3& normal) const {
     const auto start = [&](const Vec3& n) { return sweep.apartAlong(n, nodes, segment.tree, segment.otherAxes); };
@@ -55,12 +58,12 @@ struct Sweep::Approach {
       const Vec3 atStart = start(n), atEnd = end(n);
       return dot(n, atStart) < dot(n, atEnd) ? atStart : atEnd;
     };
-    return SideBySide(unitVector(node.way))
+    return LateralSeparation(unitVector(node.displacement))
         .direction(start(normal), sweep.target_->margin() + sweep.margin_, nearer)
         .has_value();
   }
   Hit hit(const Vec3& normal) const {
-    const float now = gap(normal), closes = now - gapAtEnd(normal);
+    const float now = separation(normal), closes = now - separationAtEnd(normal);
     return {closes > 0 ? std::clamp(now / closes, entry, 1.0F) : entry, normal, closes};
   }
 };
@@ -68,16 +71,16 @@ struct Sweep::Approach {
 // Returns how many of them are the other side's; those come first.
 std::size_t Sweep::collectNormals(const Approach& approach) {
   normals_.clear();
-  const Vec3& way = approach.node.way;
+  const Vec3& displacement = approach.node.displacement;
   const Mat3& otherAxes = approach.segment.otherAxes;
-  const Vec3 center = approach.node.ball.center + way * approach.entry;
+  const Vec3 center = approach.node.ball.center + displacement * approach.entry;
   target_->appendNormals(approach.nodes.b, transpose(otherAxes) * center, normals_);
   normals_.turn(otherAxes);
   const std::size_t ofOther = normals_.all().size();
   approach.segment.tree.appendFaces(approach.nodes.a, normals_);
   if (normals_.all().empty()) return ofOther;
-  const Vec3 along = unitVector(way), line = normals_.all().front(), beside = line - along * dot(along, line);
-  if (const float norm = length(beside); norm > kLeastBeside) normals_.add(beside / norm, false);
+  const Vec3 along = unitVector(displacement), line = normals_.all().front(), beside = line - along * dot(along, line);
+  if (const float norm = length(beside); norm > kMinBeside) normals_.add(beside / norm, false);
   return ofOther;
 }
 
@@ -85,18 +88,18 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
 // Nothing if that is to the end of the segment, or if they are in contact already.
 std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
   const MovedNode node = moved(segment, candidate.pair.a);
-  if (lengthSq(node.way) == 0) return std::nullopt;
+  if (lengthSq(node.displacement) == 0) return std::nullopt;
   const float radius = std::min(node.ball.radius, target_->radius(candidate.pair.b));
   const Approach approach{*this, segment,         candidate.pair,
-                          node,  candidate.entry, std::max(pair.reach, kSunkFraction * radius)};
+                          node,  candidate.entry, std::max(pair.maxSeparation, kSunkFraction * radius)};
   const std::size_t ofOther = collectNormals(approach);
   std::optional<Hit> latest;
   for (const Vec3& normal : normals_.all()) {
-    if (!approach.areApart(normal, candidate.entry)) continue;
-    if (approach.passes(normal) || approach.gap(normal) - node.slack + approach.sunk >= approach.closing(normal))
+    if (!approach.areSeparated(normal, candidate.entry)) continue;
+    if (approach.passes(normal) || approach.separation(normal) - node.slack + approach.sunk >= approach.closing(normal))
       return std::nullopt;
     // The slack is more than what turning brings nearer: at the segment's end it is known.
-    if (approach.gapAtEnd(normal) > -approach.sunk) return std::nullopt;
+    if (approach.separationAtEnd(normal) > -approach.sunk) return std::nullopt;
     const Hit hit = approach.hit(normal);
     if (!latest || hit.at > latest->at) latest = hit;
   }
@@ -116,7 +119,7 @@ Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofO
   for (std::size_t i = 0; i < (hasOtherFaces ? ofOther : normals_.all().size()); ++i) {
     const Vec3& normal = normals_.all()[i];
     if (!normals_.isFace(i) || approach.passes(normal) || approach.closing(normal) >= latest.closing) continue;
-    if (approach.areApart(normal, at)) latest = approach.hit(normal);
+    if (approach.areSeparated(normal, at)) latest = approach.hit(normal);
   }
   return latest;
 }
@@ -130,28 +133,28 @@ Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, con
     return supportOf(*target_, nodes.b, segment.otherAxes, direction);
   };
   const Vec3 onTree = treeSupport(-hit.normal), onOther = otherSupport(hit.normal);
-  const Vec3 way = moved(segment, nodes.a).way * hit.at;
-  const Vec3 apart = hit.normal * dot(hit.normal, onTree + way - onOther);
+  const Vec3 displacement = moved(segment, nodes.a).displacement * hit.at;
+  const Vec3 apart = hit.normal * dot(hit.normal, onTree + displacement - onOther);
   const float treeSize = 2 * segment.tree.sphere(nodes.a).radius, otherSize = 2 * target_->radius(nodes.b);
   Points points;
   FacingCorners ofTree, ofOther;
   if (!asSphereTree(pair.other) && std::isfinite(otherSize)) ofTree.look(-hit.normal, treeSize, treeSupport);
   if (ofTree.corners().size() > 1) {
     ofOther.look(hit.normal, otherSize, otherSupport);
-    ofTree.move(way);
+    ofTree.move(displacement);
     points.place.find(hit.normal, ofTree.corners(), ofOther.corners());
     points.onOther = points.place.points().front();
-    points.onTree = points.onOther - way + apart;
+    points.onTree = points.onOther - displacement + apart;
     return points;
   }
   const bool treeKnows = treeSize <= otherSize;
-  points.onTree = treeKnows ? onTree : onOther - way + apart;
-  points.onOther = treeKnows ? onTree + way - apart : onOther;
+  points.onTree = treeKnows ? onTree : onOther - displacement + apart;
+  points.onOther = treeKnows ? onTree + displacement - apart : onOther;
   return points;
 }
 
 void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
-  if (isSettled(nodes.a, segment.from + hit.at * (segment.to - segment.from))) return;
+  if (isPastFirstHit(nodes.a, segment.from + hit.at * (segment.to - segment.from))) return;
   const Meeting meeting = meetingAt(pair, segment, nodes, hit);
   makeMeeting(nodes.a) = meeting;
 }
@@ -163,27 +166,27 @@ Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, c
     pose.getOrigin() -= pair.origin;
     return pose;
   };
-  const btTransform tree = inPair(pair.treeCourse.at(0)), other = inPair(frame_->inWorld());
+  const btTransform tree = inPair(pair.treeTrajectory.at(0)), other = inPair(frame_->inWorld());
   const Mat3 otherTurn = toMat3(frame_->at(0).otherAxes) * transpose(segment.otherAxes);
   Contact contact;
-  contact.isAhead = contact.ofSpheres = true;
+  contact.isSpeculative = contact.ofSpheres = true;
   const NodeId leaf = TreeParts::nodeOf(nodes.a);
   contact.pair = {leaf, nodes.b};
   contact.normal = toVec3(other.getBasis() * toBullet(hit.normal));
   const Points points = pointsOf(pair, segment, nodes, hit);
   const Vec3 onTree = toVec3(tree * segment.treeInFrame.invXform(toBullet(points.onTree)));
   const Vec3 onOther = toVec3(other * toBullet(otherTurn * points.onOther));
-  contact.apart = onTree - onOther - contact.normal * (target_->margin() + margin_);
-  const float gap = dot(contact.normal, contact.apart);
+  contact.separationVector = onTree - onOther - contact.normal * (target_->margin() + margin_);
+  const float separation = dot(contact.normal, contact.separationVector);
   const bool isSunk = segment.from < 0;
-  if (!isSunk && gap < 0) contact.apart -= contact.normal * gap;  // it has turned in between
-  contact.position = onTree - contact.normal * dot(contact.normal, contact.apart);
-  contact.gap = -(1 - at) * hit.closing / length;
+  if (!isSunk && separation < 0) contact.separationVector -= contact.normal * separation;  // it has turned in between
+  contact.position = onTree - contact.normal * dot(contact.normal, contact.separationVector);
+  contact.separation = -(1 - at) * hit.closing / length;
   contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, pair.otherIndex};
   target_->name(nodes.b, contact);
 
-  const bool isLeftToOthers = segment.from == 0 && gap <= pair.reach;
-  Meeting meeting{at, isSunk ? gap < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
+  const bool isLeftToOthers = segment.from == 0 && separation <= pair.maxSeparation;
+  Meeting meeting{at, isSunk ? separation < 0 : !isLeftToOthers, false, nodes, hit.normal, contact};
   for (std::size_t i = 1; i < points.place.points().size(); ++i) {
     const Vec3 beside = points.place.points()[i] - points.onOther;
     meeting.beside[meeting.besideCount++] = toVec3(other.getBasis() * toBullet(otherTurn * beside));

@@ -18,9 +18,9 @@ float SweptConvex::radius(std::uint32_t /*element*/) const {
   return 0.5F * length(upper_ - lower_);
 }
 
-std::optional<float> SweptConvex::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& way) const {
+std::optional<float> SweptConvex::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& displacement) const {
   const Vec3 grow(ball.radius, ball.radius, ball.radius);
-  return entryIntoBox(lower_ - grow, upper_ + grow, ball.center, way);
+  return entryIntoBox(lower_ - grow, upper_ + grow, ball.center, displacement);
 }
 
 void SweptConvex::appendNormals(std::uint32_t /*element*/, const Vec3& center, SeparatingNormals& normals) {

@@ -23,11 +23,11 @@ float SweptField::radius(std::uint32_t /*element*/) const {
   return std::numeric_limits<float>::infinity();
 }
 
-std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& way) const {
-  const float norm = length(way);
+std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& displacement) const {
+  const float norm = length(displacement);
   float gone = 0;
   for (int i = 0; i < kMaxSteps; ++i) {
-    const Vec3 center = gone > 0 ? ball.center + way * (gone / norm) : ball.center;
+    const Vec3 center = gone > 0 ? ball.center + displacement * (gone / norm) : ball.center;
     const float apart = field_.leastDistance(center) - ball.radius;
     if (apart <= kNearFraction * ball.radius) break;
     gone += apart;

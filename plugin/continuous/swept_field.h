@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "colliders/distance_field.h"
 #include "continuous/swept_target.h"
-#include "counterparts/distance_field.h"
 
 namespace cairn::bullet {
 
@@ -12,7 +12,7 @@ class SweptField final : public SweptTarget {
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;
   float radius(std::uint32_t element) const override;
   /// By steps as long as the field allows.
-  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
+  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const override;
   /// Of what lies behind the plane that `appendNormals` found last.
   Vec3 support(std::uint32_t element, const Vec3& direction) const override;
   void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;

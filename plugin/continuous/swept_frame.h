@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include "continuous/course.h"
+#include "continuous/trajectory.h"
 
 namespace cairn::bullet {
 
@@ -21,7 +21,7 @@ btScalar turnBetween(const SweptPlace& x, const SweptPlace& y);
 class SweptFrame {
  public:
   /// `keepsAxes`: the other is the smaller one.
-  SweptFrame(const Course& tree, const Course& other, bool keepsAxes)
+  SweptFrame(const Trajectory& tree, const Trajectory& other, bool keepsAxes)
       : tree_(tree), other_(other), keepsAxes_(keepsAxes) {}
 
   /// How they stand after this part of the step, 0 to 1, if nothing stops them.
@@ -30,7 +30,7 @@ class SweptFrame {
   btTransform inWorld() const;
 
  private:
-  Course tree_, other_;
+  Trajectory tree_, other_;
   bool keepsAxes_;
 };
 

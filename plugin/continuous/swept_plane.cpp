@@ -19,10 +19,10 @@ float SweptPlane::radius(std::uint32_t /*element*/) const {
   return std::numeric_limits<float>::infinity();
 }
 
-std::optional<float> SweptPlane::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& way) const {
+std::optional<float> SweptPlane::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& displacement) const {
   const float height = dot(normal_, ball.center) - offset_ - ball.radius;
   if (height <= 0) return 0.0F;
-  const float closing = -dot(normal_, way);
+  const float closing = -dot(normal_, displacement);
   if (closing < height) return std::nullopt;
   return height / closing;
 }

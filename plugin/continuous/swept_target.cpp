@@ -9,18 +9,18 @@
 
 namespace cairn::bullet {
 
-std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind) {
+std::unique_ptr<SweptTarget> makeSweptTarget(ColliderKind kind) {
   switch (kind) {
-    case CounterpartKind::tree:
+    case ColliderKind::tree:
       return std::make_unique<SweptTree>();
-    case CounterpartKind::plane:
+    case ColliderKind::plane:
       return std::make_unique<SweptPlane>();
-    case CounterpartKind::convex:
+    case ColliderKind::convex:
       return std::make_unique<SweptConvex>();
-    case CounterpartKind::field:
+    case ColliderKind::field:
       return std::make_unique<SweptField>();
-    case CounterpartKind::terrain:
-    case CounterpartKind::triangles:
+    case ColliderKind::terrain:
+    case ColliderKind::triangles:
       break;
   }
   return std::make_unique<SweptTriangles>();

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "colliders/collider.h"
 #include "continuous/separating_normals.h"
-#include "counterparts/counterpart.h"
 
 namespace cairn::bullet {
 
@@ -34,7 +34,7 @@ class SweptTarget {
 
   /// At which part of the way (0 to 1) the ball comes near the element, at the latest when it touches it; nothing if it
   /// does not. 0 where it is near already.
-  virtual std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const = 0;
+  virtual std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const = 0;
   /// The element's point that lies farthest along a unit direction.
   virtual Vec3 support(std::uint32_t element, const Vec3& direction) const = 0;
   /// Directions, away from the element, along which something around `center` may be apart from it.
@@ -49,7 +49,7 @@ inline Vec3 supportOf(const SweptTarget& target, std::uint32_t element, const Ma
   return axes * target.support(element, transpose(axes) * direction);
 }
 
-/// For shapes that are met as that kind of counterpart.
-std::unique_ptr<SweptTarget> makeSweptTarget(CounterpartKind kind);
+/// For shapes that are met as that kind of collider.
+std::unique_ptr<SweptTarget> makeSweptTarget(ColliderKind kind);
 
 }  // namespace cairn::bullet

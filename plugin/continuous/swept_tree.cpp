@@ -22,17 +22,17 @@ SweptTarget::Children SweptTree::children(std::uint32_t element, float crude) co
 }
 
 // Two moving spheres: where the line through the centres' difference first comes as near as their radii.
-std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const {
+std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const {
   if (TreeParts::isTriangle(element))
-    return SweptTriangle(tree_.triangle(element)).entry({ball.center, ball.radius + margin_}, way);
+    return SweptTriangle(tree_.triangle(element)).entry({ball.center, ball.radius + margin_}, displacement);
   const Sphere own = tree_.sphere(element);
   const Vec3 from = ball.center - own.center;
   const float radius = ball.radius + own.radius + margin_;
   const float beyond = lengthSq(from) - radius * radius;
   if (beyond <= 0) return 0.0F;
-  const float along = -dot(from, way), waySq = lengthSq(way);
+  const float along = -dot(from, displacement), displacementSq = lengthSq(displacement);
   if (along <= 0) return std::nullopt;
-  const float root = along * along - waySq * beyond;
+  const float root = along * along - displacementSq * beyond;
   if (root < 0) return std::nullopt;
   const float at = beyond / (along + std::sqrt(root));
   if (at > 1) return std::nullopt;

@@ -13,7 +13,7 @@ class SweptTree final : public SweptTarget {
   Children children(std::uint32_t element, float crude) const override;
   float radius(std::uint32_t element) const override { return tree_.sphere(element).radius; }
   float margin() const override { return margin_; }
-  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const override;
+  std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const override;
   Vec3 support(std::uint32_t element, const Vec3& direction) const override {
     return tree_.support(element, direction);
   }

@@ -17,8 +17,8 @@ SweptTriangle::SweptTriangle(const Triangle& t) : triangle(t), normal(t.normal()
 }
 
 // Both its box and the slab around its plane have to be entered.
-std::optional<float> SweptTriangle::entry(const Sphere& ball, const Vec3& way) const {
-  const float height = dot(normal, ball.center - triangle.a), closing = -dot(normal, way);
+std::optional<float> SweptTriangle::entry(const Sphere& ball, const Vec3& displacement) const {
+  const float height = dot(normal, ball.center - triangle.a), closing = -dot(normal, displacement);
   float intoSlab = 0;
   if (std::abs(height) > ball.radius) {
     const float ahead = height > 0 ? height - ball.radius : height + ball.radius;
@@ -26,7 +26,7 @@ std::optional<float> SweptTriangle::entry(const Sphere& ball, const Vec3& way) c
     intoSlab = ahead / closing;
   }
   const Vec3 grow(ball.radius, ball.radius, ball.radius);
-  const std::optional<float> intoBox = entryIntoBox(lower - grow, upper + grow, ball.center, way);
+  const std::optional<float> intoBox = entryIntoBox(lower - grow, upper + grow, ball.center, displacement);
   if (!intoBox) return std::nullopt;
   return std::max(*intoBox, intoSlab);
 }

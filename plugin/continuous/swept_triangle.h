@@ -18,7 +18,7 @@ struct SweptTriangle {
   explicit SweptTriangle(const Triangle& t);
 
   /// See `SweptTarget::entry` and `SweptTarget::appendNormals`.
-  std::optional<float> entry(const Sphere& ball, const Vec3& way) const;
+  std::optional<float> entry(const Sphere& ball, const Vec3& displacement) const;
   void appendNormals(const Vec3& center, SeparatingNormals& normals) const;
 };
 

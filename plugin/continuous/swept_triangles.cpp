@@ -16,8 +16,8 @@ float SweptTriangles::radius(std::uint32_t element) const {
   return 0.5F * length(elements_[element].upper - elements_[element].lower);
 }
 
-std::optional<float> SweptTriangles::entry(const Sphere& ball, std::uint32_t element, const Vec3& way) const {
-  return elements_[element].entry(ball, way);
+std::optional<float> SweptTriangles::entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const {
+  return elements_[element].entry(ball, displacement);
 }
 
 Vec3 SweptTriangles::support(std::uint32_t element, const Vec3& direction) const {

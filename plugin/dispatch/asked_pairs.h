@@ -6,7 +6,7 @@
 
 #include "dispatch/step_tuning.h"
 #include "memory/written_room.h"
-#include "pairs/pair_fetch.h"
+#include "pairs/pair_prefetch.h"
 
 namespace cairn::bullet {
 
@@ -21,15 +21,16 @@ class AskedPairs {
     until_ = 0;
   }
   /// It asks about this one now. May be called from several threads.
-  void ask(TreePair& pair, bool isSurveyed) {
+  void ask(TreePair& pair, bool isEstimated) {
     using step_tuning::kCopiesAhead, step_tuning::kSubjectsAhead;
     const std::size_t at = until_++;
     if (at + kSubjectsAhead >= asked_.size()) return;
     // What one thread reads, another may have written.
     const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
     const auto load = [&](std::size_t i) { return asked(i).load(std::memory_order_relaxed); };
-    if (const TreePair* next = load(at + kSubjectsAhead)) fetch(*next, PairPart::subject);
-    if (const TreePair* next = load(at + kCopiesAhead)) fetch(*next, isSurveyed ? PairPart::need : PairPart::copies);
+    if (const TreePair* next = load(at + kSubjectsAhead)) prefetch(*next, PairPart::subject);
+    if (const TreePair* next = load(at + kCopiesAhead))
+      prefetch(*next, isEstimated ? PairPart::estimate : PairPart::copies);
     asked(at).store(&pair, std::memory_order_relaxed);
   }
 

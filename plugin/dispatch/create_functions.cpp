@@ -87,7 +87,7 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
     const btCollisionShape& shape1 = *body1->getCollisionShape();
     const bool isTree0 = asSphereTree(&shape0) != nullptr;
     const bool hasTree = isTree0 || asSphereTree(&shape1);
-    const std::optional<CounterpartKind> kind = hasTree ? kindOf(isTree0 ? shape1 : shape0) : std::nullopt;
+    const std::optional<ColliderKind> kind = hasTree ? kindOf(isTree0 ? shape1 : shape0) : std::nullopt;
     if (!kind)
       return original(shape0.getShapeType(), shape1.getShapeType())->CreateCollisionAlgorithm(info, body0, body1);
     void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(TreeAlgorithm));

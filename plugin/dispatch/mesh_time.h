@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "dispatch/step_tuning.h"
-#include "pairs/emission_pace.h"
+#include "pairs/cost_model.h"
 
 namespace cairn::bullet {
 
@@ -17,11 +17,11 @@ class MeshTime {
  public:
   /// Nanoseconds. `operations`: as expected of the pair, nothing where it was never asked.
   double expected(std::optional<std::uint64_t> operations) const {
-    return pace_.expectedNanoseconds(operations.value_or(static_cast<std::uint64_t>(firstOperations_)));
+    return cost_.expectedNanoseconds(operations.value_or(static_cast<std::uint64_t>(firstOperations_)));
   }
   /// A pair with that expectation was asked.
   void took(std::optional<std::uint64_t> operations, std::chrono::nanoseconds time) {
-    pace_.finished(expected(operations), time);
+    cost_.finished(expected(operations), time);
     (operations ? known_ : first_).wasAsked = true;
   }
   /// What the first question to a pair took.
@@ -32,9 +32,9 @@ class MeshTime {
   void wasRefused(bool isKnown) { (isKnown ? known_ : first_).wasRefused = true; }
   /// A disturbance must not keep meshes silent for ever, nor one that is larger than others.
   void endStep() {
-    if (known_.isSilenced()) pace_.lower(step_tuning::kHope);
-    if (first_.isSilenced()) firstOperations_ *= 1 - step_tuning::kHope;
-    pace_.endStep();
+    if (known_.isStarved()) cost_.lower(step_tuning::kHope);
+    if (first_.isStarved()) firstOperations_ *= 1 - step_tuning::kHope;
+    cost_.endStep();
     known_ = first_ = {};
   }
 
@@ -42,10 +42,10 @@ class MeshTime {
   // Questions of this step.
   struct Questions {
     bool wasAsked = false, wasRefused = false;
-    bool isSilenced() const { return wasRefused && !wasAsked; }
+    bool isStarved() const { return wasRefused && !wasAsked; }
   };
 
-  EmissionPace pace_{step_tuning::kMeshPace, step_tuning::kMeshWeight};
+  CostModel cost_{step_tuning::kMeshCost, step_tuning::kMeshWeight};
   double firstOperations_ = step_tuning::kFirstMeshOperations;
   Questions known_, first_;  // to pairs that were asked before, and to others
 };

@@ -10,9 +10,9 @@
 #include "dispatch/narrow_phase_impl.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_collect.h"
+#include "pairs/pair_cull.h"
+#include "pairs/pair_estimation.h"
 #include "pairs/pair_finish.h"
-#include "pairs/pair_settle.h"
-#include "pairs/pair_survey.h"
 
 namespace cairn::bullet {
 
@@ -71,9 +71,9 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
   if (mayDefer && isOfCompound && !isRetired_ && !pair.notes.isOfCompound) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {
     if (isCollecting_) asked_.ask(pair, step_.rules.isPlanned());
-    if (isCollecting_ && settleApart(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.outlook())) {
-      ++settledPairs_;
-      if (pair.is(PairStage::broken)) broken_.count();
+    if (isCollecting_ && cullSeparated(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.horizon())) {
+      ++culledPairs_;
+      if (pair.is(PairStage::nonFinite)) nonFinite_.count();
       return;
     }
     if (isCollecting_ && collect(pair, body0, body1)) return;
@@ -86,7 +86,7 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1) {
   if (!bullet::collect(pair, body0, body1)) return false;
   // While it is in the cache.
-  if (step_.rules.isPlanned()) survey(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
+  if (step_.rules.isPlanned()) estimate(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
   const std::lock_guard lock(mutex_);
   step_.pairs.add(pair);
   return true;
@@ -95,7 +95,7 @@ bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& 
 void NarrowPhase::Impl::noteCompound(TreePair& pair) {
   pair.notes.isOfCompound = true;
   const std::lock_guard lock(mutex_);
-  broken_.watch(pair);
+  nonFinite_.watch(pair);
 }
 
 // False, and nothing done, for what is answered at once: pairs of ghosts, and those nested too deep to be remembered.
@@ -113,11 +113,11 @@ bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObject
 void NarrowPhase::Impl::answerAtOnce(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                      btManifoldResult& result) {
-  if (settleBroken(pair, body0, body1)) return broken_.count();
+  if (cullNonFinite(pair, body0, body1)) return nonFinite_.count();
   Budget budget = Budget::unlimited();
   ContactScratch scratch;  // queries may come from any thread
-  if (!begin(pair, body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold, Remeasured::all,
-             budget, scratch))
+  if (!begin(pair, body0, body1, {.timeStep = info.m_timeStep}, result.m_closestPointDistanceThreshold,
+             RefreshPolicy::all, budget, scratch))
     return;
   pair.traversal().refine(budget);
   finish(pair, step_.dispatcher, result, step_.rules.policyAtOnce(), budget, scratch);

@@ -53,7 +53,7 @@ void NarrowPhase::Impl::setPriority(std::unique_ptr<Priority> priority) {
 }
 
 const StepStatistics& NarrowPhase::Impl::lastStep() {
-  return step_.rules.end() == StepEnd::told ? step_.tally.statistics : open_.lastStep();
+  return step_.rules.end() == StepEnd::reported ? step_.tally.statistics : open_.lastStep();
 }
 
 // A user's callback may set a budget, and may do so in every step.
@@ -82,7 +82,7 @@ void NarrowPhase::Impl::endAnswering() {
   if (const auto room = std::exchange(nextRoom_, std::nullopt)) reserve(*room);
 }
 
-TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
+TreePair* NarrowPhase::Impl::acquire(ColliderKind kind) {
   const std::lock_guard lock(mutex_);
   return pool_.take(kind);
 }
@@ -90,11 +90,11 @@ TreePair* NarrowPhase::Impl::acquire(CounterpartKind kind) {
 void NarrowPhase::Impl::release(TreePair* pair) {
   const std::lock_guard lock(mutex_);
   if (pair->notes.isCollected()) {
-    withdrawPromise(*pair, step_.left);
+    cancelReservation(*pair, step_.left);
     step_.pairs.dismiss(pair->notes.collectedAt);
   }
   open_.forget(*pair);
-  broken_.forget(*pair);
+  nonFinite_.forget(*pair);
   pool_.giveBack(*pair);
 }
 
@@ -104,14 +104,14 @@ void NarrowPhase::Impl::endStep() {
   isAnswering_ = true;
   StepStatistics& statistics = (step_.tally = {}).statistics;
   statistics.deadlineMicroseconds = clock_.deadline();
-  statistics.pairs = settledPairs_.exchange(0);
-  statistics.brokenPairs = broken_.takeCount();
-  statistics.brokenPairs += broken_.settleLeftOvers(false);
+  statistics.pairs = culledPairs_.exchange(0);
+  statistics.nonFinitePairs = nonFinite_.takeCount();
+  statistics.nonFinitePairs += nonFinite_.cullLeftOvers(false);
   answerCollected();
   if (hasThreads_) orderManifolds(step_.dispatcher);
   endAnswering();
   refinement_.endStep();
-  holding_.endStep();
+  carryOver_.endStep();
   step_.endStep();
   {
     const std::lock_guard lock(mutex_);
@@ -133,11 +133,11 @@ void NarrowPhase::Impl::answerCollected() {
   const std::uint64_t operationsBefore = step_.left.used();
   refinement_.beginPairs();
   // However short the time, some turns are given: pairs without an answer would hold each other off for ever.
-  if (step_.rules.limit().microseconds.value_or(0) > 0) step_.left.guarantee(step_tuning::kLeastOperations);
+  if (step_.rules.limit().microseconds.value_or(0) > 0) step_.left.guarantee(step_tuning::kMinOperations);
   refinement_.refinePairs();
   refinement_.finishBegunPairs();
   refinement_.learnUpdates(operationsBefore, began);
-  holding_.holdPairs();
+  carryOver_.carryOverPairs();
 }
 
 }  // namespace cairn::bullet

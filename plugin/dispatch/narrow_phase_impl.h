@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "dispatch/asked_pairs.h"
-#include "dispatch/broken_pairs.h"
 #include "dispatch/create_functions.h"
+#include "dispatch/non_finite_pairs.h"
 #include "dispatch/open_step_answers.h"
 #include "dispatch/pair_pool.h"
 #include "dispatch/step_answers.h"
@@ -42,7 +42,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 
-  TreePair* acquire(CounterpartKind kind);
+  TreePair* acquire(ColliderKind kind);
   void release(TreePair* pair);
   /// `mayDefer`: false for query algorithms.
   void process(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
@@ -66,15 +66,15 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};
 
   StepState step_;
-  StepHolding holding_{step_};
+  StepCarryOver carryOver_{step_};
   StepAnswers answers_{step_};
-  StepRefinement refinement_{step_, holding_, answers_};
-  BrokenPairs broken_;
-  OpenStepAnswers open_{step_, refinement_, holding_, broken_};
+  StepRefinement refinement_{step_, carryOver_, answers_};
+  NonFinitePairs nonFinite_;
+  OpenStepAnswers open_{step_, refinement_, carryOver_, nonFinite_};
   std::mutex mutex_;  // guards pool and lists of pairs while algorithms run
   PairPool pool_;
   AskedPairs asked_;
-  std::atomic<std::uint32_t> settledPairs_{0};
+  std::atomic<std::uint32_t> culledPairs_{0};
   const bool hasThreads_;  // Bullet's own pairs are answered by several
   bool isRetired_ = false;
   bool isCollecting_ = false;

@@ -38,7 +38,7 @@ void OpenStep::answered(TreePair& pair, bool wasExpected) {
   pair.notes.answeredIn = number_;
   if (!wasExpected) ++newcomers_;
   // What is no number is never where it was.
-  if (witnesses_.size() < kMaxWitnesses && !pair.is(PairStage::broken)) witnesses_.push_back(&pair);
+  if (witnesses_.size() < kMaxWitnesses && !pair.is(PairStage::nonFinite)) witnesses_.push_back(&pair);
   if (pair.notes.knownAt != PairNotes::kNowhere) return;
   pair.notes.knownAt = known_.size();
   known_.push_back(&pair);

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "pairs/pair_begin.h"
+#include "pairs/pair_carry_over.h"
 #include "pairs/pair_collect.h"
+#include "pairs/pair_cull.h"
 #include "pairs/pair_finish.h"
-#include "pairs/pair_hold.h"
-#include "pairs/pair_settle.h"
 
 namespace cairn::bullet {
 
@@ -47,40 +47,40 @@ bool OpenStepAnswers::answer(TreePair& pair, const btCollisionObjectWrapper& bod
     steps_.forget(pair);
     return false;
   }
-  if (!isPrepared) settleApart(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.outlook());
-  if (settle(pair, wasExpected)) return true;
+  if (!isPrepared) cullSeparated(pair, body0, body1, step_.rules.mayBeInterrupted(), step_.horizon());
+  if (cull(pair, wasExpected)) return true;
   if (isPrepared || refineNewcomer(pair, body0, body1)) tell(pair, result);
   return true;
 }
 
 // Notes that it came. Whether there is nothing more to do.
-bool OpenStepAnswers::settle(TreePair& pair, bool wasExpected) {
-  steps_.answered(pair, wasExpected || pair.isSettled());
+bool OpenStepAnswers::cull(TreePair& pair, bool wasExpected) {
+  steps_.answered(pair, wasExpected || pair.isCulled());
   pair.notes.lastReport = {};
-  if (!pair.isSettled()) return false;
+  if (!pair.isCulled()) return false;
   ++step_.tally.statistics.pairs;
-  if (pair.is(PairStage::broken)) broken_.count();
-  step_.tally.statistics.brokenPairs += broken_.takeCount();
+  if (pair.is(PairStage::nonFinite)) nonFinite_.count();
+  step_.tally.statistics.nonFinitePairs += nonFinite_.takeCount();
   return true;
 }
 
 // What was held back for it.
 void OpenStepAnswers::withdraw(TreePair& pair) {
-  const Promise own = std::exchange(pair.work.promised, {});
-  held_.operations -= std::min(own.operations, held_.operations);
-  held_.nanoseconds -= own.nanoseconds;
+  const Reservation own = std::exchange(pair.work.reserved, {});
+  heldBack_.operations -= std::min(own.operations, heldBack_.operations);
+  heldBack_.nanoseconds -= own.nanoseconds;
 }
 
 void OpenStepAnswers::tell(TreePair& pair, btManifoldResult& result) {
   const auto began = Budget::Clock::now();
   Budget budget = StepRules::budgetOf(left_);
-  budget.promise(held_);  // triangles leave the others what they need to be answered
-  const Promise own = pair.work.promised;
-  held_.operations -= own.operations;
-  held_.nanoseconds -= own.nanoseconds;
+  budget.reserve(heldBack_);  // triangles leave the others what they need to be answered
+  const Reservation own = pair.work.reserved;
+  heldBack_.operations -= own.operations;
+  heldBack_.nanoseconds -= own.nanoseconds;
   ++step_.tally.statistics.pairs;
-  if (isBetterHeld(pair)) {
-    pair.notes.lastReport = holding_.hold(pair, result, budget, false);
+  if (isBetterCarriedOver(pair)) {
+    pair.notes.lastReport = carryOver_.carryOver(pair, result, budget, false);
   } else {
     const ScheduledPair before = scheduled(pair);
     const PairReport report = finish(pair, step_.dispatcher, result, step_.rules.answerPolicy(), budget, step_.scratch);
@@ -96,30 +96,30 @@ void OpenStepAnswers::beginStep() {
   endStep();
   dropUnanswered();
   refinement_.endStep();
-  holding_.endStep();
+  carryOver_.endStep();
   step_.endStep();
   step_.tally = {};
   left_ = step_.rules.limit();
   step_.tally.statistics.deadlineMicroseconds = left_.microseconds;
-  broken_.settleLeftOvers(true);  // those Bullet asks about are counted when it does
+  nonFinite_.cullLeftOvers(true);  // those Bullet asks about are counted when it does
 
   const auto began = Budget::Clock::now();
   steps_.begin(step_.dispatcher, step_.pairs);
-  const double reserve = steps_.reserve(settleExpected());
+  const double reserve = steps_.reserve(cullExpected());
   step_.left = StepRules::budgetOf(fractionOf(left_, 1 - reserve));
   refineExpected(reserve);
   bookRefinement(step_.left, began);
 }
 
 // How many of them are not settled. Contacts end: users' callbacks may destroy any pair.
-std::size_t OpenStepAnswers::settleExpected() {
+std::size_t OpenStepAnswers::cullExpected() {
   std::size_t near = 0;
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
     TreePair* const pair = step_.pairs[i];
     if (!pair) continue;
-    const bool isSettled =
-        settleApart(*pair, pair->bodies.body0(), pair->bodies.body1(), step_.rules.mayBeInterrupted(), step_.outlook());
-    near += isSettled ? 0 : 1;
+    const bool isCulled = cullSeparated(*pair, pair->bodies.body0(), pair->bodies.body1(),
+                                        step_.rules.mayBeInterrupted(), step_.horizon());
+    near += isCulled ? 0 : 1;
   }
   return near;
 }
@@ -133,14 +133,14 @@ void OpenStepAnswers::refineExpected(double reserve) {
   refinement_.refinePairs();
   step_.tally.statistics.pairs = 0;  // they are counted as they come
   refinement_.learnUpdates(operationsBefore, planned);
-  holding_.withdraw();
+  carryOver_.withdraw();
   // What was held back is left for the pairs as they come.
   const StepBudget kept = fractionOf(step_.rules.limit(), reserve);
-  held_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
+  heldBack_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
   for (const TreePair* pair : step_.pairs.list())
     if (pair) {
-      held_.operations += pair->work.promised.operations;
-      held_.nanoseconds += pair->work.promised.nanoseconds;
+      heldBack_.operations += pair->work.reserved.operations;
+      heldBack_.nanoseconds += pair->work.reserved.nanoseconds;
     }
 }
 
@@ -151,8 +151,8 @@ void OpenStepAnswers::endStep() {
 }
 
 const StepStatistics& OpenStepAnswers::lastStep() {
-  told_ = withOutstanding();
-  return told_.statistics;
+  reported_ = withOutstanding();
+  return reported_.statistics;
 }
 
 // Bullet's order may begin with a pair that looked like the last of the step before: it was answered there, and comes
@@ -163,8 +163,8 @@ StepTally OpenStepAnswers::withOutstanding() const {
     const TreePair* const pair = step_.pairs[i];
     if (!pair) continue;
     ++tally.statistics.pairs;
-    if (pair->is(PairStage::broken)) ++tally.statistics.brokenPairs;
-    if (!pair->isSettled()) tally.add(pair->notes.lastReport);
+    if (pair->is(PairStage::nonFinite)) ++tally.statistics.nonFinitePairs;
+    if (!pair->isCulled()) tally.add(pair->notes.lastReport);
   }
   return tally;
 }
@@ -188,8 +188,8 @@ bool OpenStepAnswers::refineNewcomer(TreePair& pair, const btCollisionObjectWrap
     share.operations =
         std::min(*left_.operations, std::max<std::int64_t>(*share.operations, Scheduler::kTurnOperations));
   Budget budget = StepRules::budgetOf(share);
-  const Remeasured remeasured = step_.rules.mayBeInterrupted() ? Remeasured::allIfFew : Remeasured::all;
-  const bool hasBegun = begin(pair, body0, body1, step_.outlook(), 0, remeasured, budget, step_.scratch);
+  const RefreshPolicy refresh = step_.rules.mayBeInterrupted() ? RefreshPolicy::allIfFew : RefreshPolicy::all;
+  const bool hasBegun = begin(pair, body0, body1, step_.horizon(), 0, refresh, budget, step_.scratch);
   if (hasBegun) pair.traversal().refine(budget);
   bookRefinement(budget, began);
   return hasBegun;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include "dispatch/broken_pairs.h"
+#include "dispatch/non_finite_pairs.h"
 #include "dispatch/open_step.h"
 #include "dispatch/step_refinement.h"
 
@@ -11,8 +11,8 @@ namespace cairn::bullet {
 /// step comes, and answered one by one as they come.
 class OpenStepAnswers {
  public:
-  OpenStepAnswers(StepState& step, StepRefinement& refinement, StepHolding& holding, BrokenPairs& broken)
-      : step_(step), refinement_(refinement), holding_(holding), broken_(broken) {}
+  OpenStepAnswers(StepState& step, StepRefinement& refinement, StepCarryOver& carryOver, NonFinitePairs& nonFinite)
+      : step_(step), refinement_(refinement), carryOver_(carryOver), nonFinite_(nonFinite) {}
 
   /// False, and nothing done, for what is nested too deep to be remembered.
   bool answer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
@@ -26,10 +26,10 @@ class OpenStepAnswers {
 
  private:
   void beginStep();
-  std::size_t settleExpected();
+  std::size_t cullExpected();
   void refineExpected(double reserve);
   void dropUnanswered();
-  bool settle(TreePair& pair, bool wasExpected);
+  bool cull(TreePair& pair, bool wasExpected);
   bool refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
   void withdraw(TreePair& pair);
   void tell(TreePair& pair, btManifoldResult& result);
@@ -39,12 +39,12 @@ class OpenStepAnswers {
 
   StepState& step_;
   StepRefinement& refinement_;
-  StepHolding& holding_;
-  BrokenPairs& broken_;
+  StepCarryOver& carryOver_;
+  NonFinitePairs& nonFinite_;
   OpenStep steps_;
-  StepTally told_;   // what was last told
-  StepBudget left_;  // for refinement in the step at hand, triangles included
-  Promise held_;     // of it, for pairs that have still to come: their contacts, and newcomers
+  StepTally reported_;    // what was last told
+  StepBudget left_;       // for refinement in the step at hand, triangles included
+  Reservation heldBack_;  // of it, for pairs that have still to come: their contacts, and newcomers
 };
 
 }  // namespace cairn::bullet

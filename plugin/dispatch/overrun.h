@@ -16,15 +16,15 @@ class Overrun {
   double plannable(double allowed) {
     if (allowed > kAlike * allowed_ || kAlike * allowed < allowed_) expected_ = 0;
     allowed_ = allowed;
-    return allowed - std::min(expected_, kMostShare * allowed);
+    return allowed - std::min(expected_, kMaxShare * allowed);
   }
   /// A step that was planned to take `planned`, as `plannable` said last, took `taken`.
   void learn(double taken, double planned) {
-    expected_ = std::min(std::max(taken - planned, kKept * expected_), kMostShare * allowed_);
+    expected_ = std::min(std::max(taken - planned, kKept * expected_), kMaxShare * allowed_);
   }
 
  private:
-  static constexpr double kMostShare = 0.25, kKept = 0.95, kAlike = 2;
+  static constexpr double kMaxShare = 0.25, kKept = 0.95, kAlike = 2;
   double expected_ = 0;
   double allowed_ = 0;
 };

@@ -2,17 +2,17 @@
 #include "dispatch/pair_pool.h"
 
 #include "dispatch/step_tuning.h"
-#include "pairs/pair_fetch.h"
+#include "pairs/pair_prefetch.h"
 
 namespace cairn::bullet {
 
-TreePair* PairPool::take(CounterpartKind kind) {
+TreePair* PairPool::take(ColliderKind kind) {
   std::vector<TreePair*>& idle = idle_[static_cast<std::size_t>(kind)];
   if (idle.empty()) return all_.emplace_back(std::make_unique<TreePair>(kind)).get();
   TreePair* const pair = idle.back();
   idle.pop_back();
   using step_tuning::kIdleAhead;
-  if (idle.size() >= kIdleAhead) fetch(*idle[idle.size() - kIdleAhead], PairPart::state);
+  if (idle.size() >= kIdleAhead) prefetch(*idle[idle.size() - kIdleAhead], PairPart::state);
   return pair;
 }
 
@@ -25,7 +25,7 @@ std::size_t PairPool::reserve(const PairCounts& pairs) {
   for (std::size_t kind = 0; kind < pairs.size(); ++kind) {
     idle_[kind].reserve(pairs[kind]);
     while (idle_[kind].size() < pairs[kind])
-      idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<CounterpartKind>(kind))).get());
+      idle_[kind].push_back(all_.emplace_back(std::make_unique<TreePair>(static_cast<ColliderKind>(kind))).get());
     for (TreePair* const pair : idle_[kind]) pair->contacts.expectInterruptions();
   }
   return all_.size();

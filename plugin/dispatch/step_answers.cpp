@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "pairs/pair_begin.h"
-#include "pairs/pair_hold.h"
+#include "pairs/pair_carry_over.h"
 #include "pairs/pair_write.h"
 
 namespace cairn::bullet {
@@ -47,7 +47,7 @@ void StepAnswers::answerAll() {
 void StepAnswers::answerBegun() {
   if (works_.empty()) return;
   takeRules();
-  for (Work& work : works_) work.share = step_.pairs[work.pair]->work.promised.operations;
+  for (Work& work : works_) work.share = step_.pairs[work.pair]->work.reserved.operations;
   const std::size_t late = shareOut();
   run(0, late);
   std::size_t last = late;
@@ -89,7 +89,7 @@ std::size_t StepAnswers::shareOut() {
 std::optional<std::uint64_t> StepAnswers::meshCostOf(const Work& work) const {
   const TreePair& pair = *step_.pairs[work.pair];
   if (policy_.finest != Finest::triangles || !pair.isDone()) return 0;
-  return pair.counterpart->expectedMeshCost(pair.motion.relative.placement);
+  return pair.collider->expectedMeshCost(pair.motion.relative.placement);
 }
 
 // One thread writes a pair while it is in the cache.
@@ -103,7 +103,7 @@ void StepAnswers::run(std::size_t first, std::size_t last) {
 void StepAnswers::runTogether(std::span<Work> works) {
   workers_.forget();
   for (const Work& work : works)
-    if (TreePair* const pair = step_.pairs[work.pair]; pair && pair->isBegun()) withdrawPromise(*pair, step_.left);
+    if (TreePair* const pair = step_.pairs[work.pair]; pair && pair->isBegun()) cancelReservation(*pair, step_.left);
   workers_.forEach(works.size(), [&](ContactScratch& scratch, std::size_t i) { work(works[i], scratch); });
   for (Work& work : works) write(work);
 }
@@ -117,23 +117,23 @@ bool StepAnswers::asksForUsersCode(const TreePair& pair) const {
 }
 
 void StepAnswers::work(Work& work, ContactScratch& scratch) const {
-  if (workers_.count() == 1) step_.pairs.fetchAfter(work.pair);
+  if (workers_.count() == 1) step_.pairs.prefetchAfter(work.pair);
   const TreePair* const pair = step_.pairs[work.pair];
-  if (pair && !pair->isSettled() && !asksForUsersCode(*pair)) measure(work, scratch);
+  if (pair && !pair->isCulled() && !asksForUsersCode(*pair)) measure(work, scratch);
 }
 
 // What is not begun is so from the beginning, without a budget.
 void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
   TreePair& pair = *step_.pairs[work.pair];
   if (areNew_ && policy_.finest == Finest::triangles)
-    if (const std::optional<StandsStill> still = standsStill(pair)) {
-      work.outcome = Outcome::carried;
+    if (const std::optional<Unmoved> still = unmoved(pair)) {
+      work.outcome = Outcome::reused;
       work.still = *still;
       return;
     }
   Budget budget = Budget::operations(work.share);
   if (areNew_) {
-    if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, Remeasured::all, budget, scratch))
+    if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.horizon(), 0, RefreshPolicy::all, budget, scratch))
       return;
     pair.traversal().refine(budget);
   }
@@ -147,23 +147,23 @@ void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
 // Callbacks may have destroyed pairs meanwhile. Those begun before are counted already.
 void StepAnswers::write(Work& work) {
   TreePair* const pair = step_.pairs[work.pair];
-  if (!pair || pair->isSettled()) return;
+  if (!pair || pair->isCulled()) return;
   if (work.outcome == Outcome::none) measure(work, workers_.own());
   if (work.outcome != Outcome::none) {
     if (areNew_) ++step_.tally.statistics.pairs;
-    const Told told = tell(*pair, work);
-    step_.count(told.report, told.seen);
+    const Reported reported = tell(*pair, work);
+    step_.count(reported.report, reported.seen);
   }
   step_.pairs.dismiss(work.pair);
 }
 
 // Its own callbacks may destroy a pair that is written.
-StepAnswers::Told StepAnswers::tell(TreePair& pair, const Work& work) {
-  if (work.outcome == Outcome::carried) {
-    const PairReport report = carryOver(pair, work.still);
+StepAnswers::Reported StepAnswers::tell(TreePair& pair, const Work& work) {
+  if (work.outcome == Outcome::reused) {
+    const PairReport report = reuse(pair, work.still);
     return {report, seen(pair)};
   }
-  step_.left.chargeAnyway(work.operations);
+  step_.left.forceCharge(work.operations);
   step_.learnUsual(charge(pair, work.operations));
   const ScheduledPair before = seen(pair);
   btManifoldResult result(&pair.bodies.body0(), &pair.bodies.body1());

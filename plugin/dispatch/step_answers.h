@@ -8,8 +8,8 @@
 
 #include "dispatch/step_state.h"
 #include "dispatch/workers.h"
-#include "pairs/pair_carry.h"
 #include "pairs/pair_measure.h"
+#include "pairs/pair_reuse.h"
 
 namespace cairn::bullet {
 
@@ -31,7 +31,7 @@ class StepAnswers {
   void answerBegun();
 
  private:
-  enum class Outcome : std::uint8_t { none, carried, measured };
+  enum class Outcome : std::uint8_t { none, reused, measured };
 
   struct Work {
     std::size_t pair = 0;
@@ -39,12 +39,12 @@ class StepAnswers {
     bool asksMeshes = true;                    // they are in its share
     std::uint64_t share = Budget::kUnlimited;  // operations it may use
     std::uint64_t operations = 0;              // it used
-    StandsStill still{};                       // of what is carried over
+    Unmoved still{};                           // of what is carried over
     PairAnswer answer;
   };
 
   // What a pair told, and how it is seen.
-  struct Told {
+  struct Reported {
     PairReport report;
     ScheduledPair seen;
   };
@@ -58,7 +58,7 @@ class StepAnswers {
   void work(Work& work, ContactScratch& scratch) const;
   void measure(Work& work, ContactScratch& scratch) const;
   void write(Work& work);
-  Told tell(TreePair& pair, const Work& work);
+  Reported tell(TreePair& pair, const Work& work);
 
   StepState& step_;
   Workers workers_;

@@ -5,7 +5,7 @@
 
 #include "dispatch/step_tuning.h"
 #include "memory/written_room.h"
-#include "pairs/pair_fetch.h"
+#include "pairs/pair_prefetch.h"
 
 namespace cairn::bullet {
 
@@ -44,17 +44,17 @@ void StepPairs::order() {
 void StepPairs::nameNew() {
   newPairs_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (const TreePair* next = after(i, step_tuning::kNamesAhead)) fetch(*next, PairPart::notes);
+    if (const TreePair* next = after(i, step_tuning::kNamesAhead)) prefetch(*next, PairPart::notes);
     if (pairs_[i]->notes.isUnnamed()) newPairs_.push_back({pairs_[i]->bodies.key(i), pairs_[i]});
   }
   std::ranges::sort(newPairs_, {}, &NewPair::key);
   for (const NewPair& fresh : newPairs_) fresh.pair->notes.id = nextName_++;
 }
 
-void StepPairs::fetchAfter(std::size_t index) const {
-  if (const TreePair* pair = after(index, step_tuning::kStatesAhead)) fetch(*pair, PairPart::state);
-  if (const TreePair* pair = after(index, step_tuning::kListsAhead)) fetch(*pair, PairPart::lists);
-  if (const TreePair* pair = after(index, step_tuning::kLeafPairsAhead)) fetch(*pair, PairPart::leafPairs);
+void StepPairs::prefetchAfter(std::size_t index) const {
+  if (const TreePair* pair = after(index, step_tuning::kStatesAhead)) prefetch(*pair, PairPart::state);
+  if (const TreePair* pair = after(index, step_tuning::kListsAhead)) prefetch(*pair, PairPart::lists);
+  if (const TreePair* pair = after(index, step_tuning::kLeafPairsAhead)) prefetch(*pair, PairPart::leafPairs);
 }
 
 std::size_t StepPairs::waiting() const {

@@ -29,7 +29,7 @@ class StepPairs {
     return index + ahead < pairs_.size() ? pairs_[index + ahead] : nullptr;
   }
   /// Has the machine fetch what those that come after it need as they are begun.
-  void fetchAfter(std::size_t index) const;
+  void prefetchAfter(std::size_t index) const;
   std::size_t waiting() const;
   /// It needs nothing more in this step.
   void dismiss(std::size_t index);

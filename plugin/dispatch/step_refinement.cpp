@@ -7,10 +7,10 @@
 
 #include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
-#include "pairs/pair_carry.h"
+#include "pairs/pair_carry_over.h"
+#include "pairs/pair_estimation.h"
 #include "pairs/pair_finish.h"
-#include "pairs/pair_hold.h"
-#include "pairs/pair_survey.h"
+#include "pairs/pair_reuse.h"
 
 namespace cairn::bullet {
 
@@ -20,22 +20,22 @@ void StepRefinement::planStep() {
   const Priority& priority = step_.rules.priority();
   plan.clear();
   if (!step_.rules.isPlanned()) return;
-  for (std::size_t i = 0; i < pairs.size(); ++i) plan.add(needOf(i));
-  if (priority.hasImportances() && plan.isTooMuchFor(step_.means(), updatePace_))
+  for (std::size_t i = 0; i < pairs.size(); ++i) plan.add(estimateOf(i));
+  if (priority.hasImportances() && plan.isTooMuchFor(step_.means(), updateCost_))
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (pairs[i] && !pairs[i]->isSettled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
+      if (pairs[i] && !pairs[i]->isCulled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
   const bool hasNoTime = step_.rules.limit().microseconds == 0;  // nor any that is given all the same
   const bool mayServeNone =
-      step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < step_tuning::kMostStepsWithoutTurn);
-  plan.decide(step_.means(), updatePace_, holding_.pace(), mayServeNone);
+      step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < step_tuning::kMaxStepsWithoutTurn);
+  plan.decide(step_.means(), updateCost_, carryOver_.cost(), mayServeNone);
 }
 
 // Nothing of what is settled or carried over.
-PairNeed StepRefinement::needOf(std::size_t index) {
-  if (!step_.pairs[index] || step_.pairs[index]->isSettled() || carriesOver(index)) return {};
+PairEstimate StepRefinement::estimateOf(std::size_t index) {
+  if (!step_.pairs[index] || step_.pairs[index]->isCulled() || reuses(index)) return {};
   TreePair& pair = *step_.pairs[index];
-  if (!pair.is(PairStage::surveyed)) survey(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
-  return pair.work.need;
+  if (!pair.is(PairStage::estimated)) estimate(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
+  return pair.work.estimate;
 }
 
 void StepRefinement::beginPairs() {
@@ -50,7 +50,7 @@ void StepRefinement::beginPairs() {
     return;
   }
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
-    step_.pairs.fetchAfter(i);
+    step_.pairs.prefetchAfter(i);
     if (step_.pairs[i]) beginPair(i);
   }
 }
@@ -71,32 +71,32 @@ void StepRefinement::lookCoarsely() {
 void StepRefinement::beginPair(std::size_t index) {
   TreePair& pair = *step_.pairs[index];
   // Where steps are planned, what is carried over was before.
-  if (pair.isSettled() || (!step_.rules.isPlanned() && carriesOver(index))) return;
+  if (pair.isCulled() || (!step_.rules.isPlanned() && reuses(index))) return;
   if (pair.isBegun()) {
     step_.pairs.scheduled()[index] = scheduled(pair);
     return;
   }
-  if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.outlook(), 0, step_.remeasuredOf(pair), step_.left,
-             step_.scratch))
+  if (!begin(pair, pair.bodies.body0(), pair.bodies.body1(), step_.horizon(), 0, step_.refreshPolicyOf(pair),
+             step_.left, step_.scratch))
     return step_.pairs.dismiss(index);
   ++step_.tally.statistics.pairs;
   ++updated_;
   // Without a limit nobody has to wait for a turn.
   if (!step_.rules.mayBeInterrupted()) pair.traversal().refine(step_.left);
-  promise(pair, step_.left, pace_);
+  reserve(pair, step_.left, cost_);
   if (pair.isDone() && step_.rules.finishesResolvedAtOnce()) return finishPair(index);
   bookTo(pair);
   step_.pairs.scheduled()[index] = scheduled(pair);
 }
 
-bool StepRefinement::carriesOver(std::size_t index) {
-  if (!step_.rules.carriesPairsOver()) return false;
+bool StepRefinement::reuses(std::size_t index) {
+  if (!step_.rules.reusesPairs()) return false;
   TreePair& pair = *step_.pairs[index];
-  const std::optional<StandsStill> still = standsStill(pair);
+  const std::optional<Unmoved> still = unmoved(pair);
   if (!still) return false;
   ++step_.tally.statistics.pairs;
-  const PairReport carried = carryOver(pair, *still);
-  step_.count(carried, seen(pair));
+  const PairReport reused = reuse(pair, *still);
+  step_.count(reused, seen(pair));
   step_.pairs.dismiss(index);
   return true;
 }
@@ -104,7 +104,7 @@ bool StepRefinement::carriesOver(std::size_t index) {
 void StepRefinement::bookTo(TreePair& pair) {
   // In an open step a pair that is done is finished later, from another budget.
   const bool isFinishedLater = step_.rules.end() == StepEnd::open && pair.isDone();
-  const std::uint64_t later = isFinishedLater ? pair.work.promised.operations : 0;
+  const std::uint64_t later = isFinishedLater ? pair.work.reserved.operations : 0;
   step_.learnUsual(charge(pair, step_.left.used() - bookedUntil_ + later));
   bookedUntil_ = step_.left.used();
 }
@@ -112,7 +112,7 @@ void StepRefinement::bookTo(TreePair& pair) {
 void StepRefinement::turnEnded(std::size_t index, Progress progress, Budget& budget) {
   TreePair* const pair = step_.pairs[index];
   if (!pair) return;
-  promise(*pair, budget, pace_);
+  reserve(*pair, budget, cost_);
   bookTo(*pair);
   if (progress == Progress::done && step_.rules.finishesResolvedAtOnce()) finishPair(index);
 }
@@ -132,8 +132,8 @@ void StepRefinement::finishPair(std::size_t index) {
 // Meshes are asked where there is time for them. They are not promised any: they would keep others from their leaves.
 PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result) {
   AnswerPolicy policy = step_.rules.answerPolicy();
-  const double promised = pair.work.promised.nanoseconds;
-  const auto expected = pair.counterpart->expectedMeshCost(pair.motion.relative.placement);
+  const double reserved = pair.work.reserved.nanoseconds;
+  const auto expected = pair.collider->expectedMeshCost(pair.motion.relative.placement);
   const bool mayAsk = policy.finest == Finest::triangles && pair.isDone() && expected != 0;
   const bool asks = mayAsk && meshTime_.expected(expected) <= step_.left.nanosecondsFree();
   if (mayAsk && !asks) {
@@ -148,20 +148,20 @@ PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result
   if (report.isOfMesh)
     operationsOnMeshes_ += used;
   else
-    pace_.finished(promised, Budget::Clock::now() - began - report.onTriangles);
+    cost_.finished(reserved, Budget::Clock::now() - began - report.onTriangles);
   if (report.onTriangles.count() > 0) meshTime_.took(expected, report.onTriangles);
   if (!expected && report.isOfMesh) meshTime_.learnFirst(used);
   return report;
 }
 
 void StepRefinement::refinePairs() {
-  holding_.promise();
+  carryOver_.reserve();
   Progress progress = scheduler_.run(step_.pairs.scheduled(), step_.rules.priority(), step_.left, this);
   // What was promised to those that are done is more than triangles take.
   if (progress != Progress::done && finishResolvedPairs()) progress = resumePairs();
   while (step_.plan.isScarce() && progress == Progress::done) {
-    if (!step_.plan.decideOnMore(step_.means(), updatePace_)) break;
-    holding_.promise();
+    if (!step_.plan.decideOnMore(step_.means(), updateCost_)) break;
+    carryOver_.reserve();
     for (const std::size_t i : step_.plan.chosen()) progress = serveAlone(i);
   }
   stepsWithoutTurn_ = step_.plan.servesNone() ? stepsWithoutTurn_ + 1 : 0;
@@ -184,12 +184,12 @@ Progress StepRefinement::resumePairs() {
 
 // In an open step Bullet asks for them one by one.
 bool StepRefinement::finishResolvedPairs() {
-  if (step_.rules.end() != StepEnd::told) return false;
+  if (step_.rules.end() != StepEnd::reported) return false;
   return finishPairs([](const TreePair& pair) { return pair.isDone(); });
 }
 
 void StepRefinement::finishBegunPairs() {
-  (void)finishPairs([](const TreePair& pair) { return !isBetterHeld(pair); });
+  (void)finishPairs([](const TreePair& pair) { return !isBetterCarriedOver(pair); });
 }
 
 // One by one where a step ends at a time: what each takes is learnt from.
@@ -214,15 +214,15 @@ bool StepRefinement::finishPairs(const IsAsked& isAsked) {
 void StepRefinement::learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began) {
   if (!step_.left.hasDeadline() || updated_ == 0) return;
   const std::uint64_t operations = step_.left.used() - operationsBefore - operationsOnMeshes_;
-  const double expected = updatePace_.expectedNanoseconds(operations) +
-                          static_cast<double>(updated_ - 1) * updatePace_.expectedNanoseconds(0);
-  updatePace_.finished(expected, Budget::Clock::now() - began - onMeshes_, updated_);
+  const double expected = updateCost_.expectedNanoseconds(operations) +
+                          static_cast<double>(updated_ - 1) * updateCost_.expectedNanoseconds(0);
+  updateCost_.finished(expected, Budget::Clock::now() - began - onMeshes_, updated_);
 }
 
 void StepRefinement::endStep() {
-  pace_.endStep();
+  cost_.endStep();
   meshTime_.endStep();
-  updatePace_.endStep();
+  updateCost_.endStep();
 }
 
 }  // namespace cairn::bullet

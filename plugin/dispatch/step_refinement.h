@@ -4,7 +4,7 @@
 #include "cairn/core/scheduler.h"
 #include "dispatch/mesh_time.h"
 #include "dispatch/step_answers.h"
-#include "dispatch/step_holding.h"
+#include "dispatch/step_carry_over.h"
 
 namespace cairn::bullet {
 
@@ -12,8 +12,8 @@ namespace cairn::bullet {
 /// turns, finishes them.
 class StepRefinement final : private TurnListener {
  public:
-  StepRefinement(StepState& step, StepHolding& holding, StepAnswers& answers)
-      : step_(step), holding_(holding), answers_(answers) {}
+  StepRefinement(StepState& step, StepCarryOver& carryOver, StepAnswers& answers)
+      : step_(step), carryOver_(carryOver), answers_(answers) {}
 
   /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
   /// not finished.
@@ -26,10 +26,10 @@ class StepRefinement final : private TurnListener {
   void endStep();
 
  private:
-  PairNeed needOf(std::size_t index);
+  PairEstimate estimateOf(std::size_t index);
   void beginPair(std::size_t index);
   void lookCoarsely();
-  bool carriesOver(std::size_t index);
+  bool reuses(std::size_t index);
   void finishPair(std::size_t index);
   PairReport finishInTime(TreePair& pair, btManifoldResult& result);
   bool finishResolvedPairs();
@@ -41,12 +41,12 @@ class StepRefinement final : private TurnListener {
   void bookTo(TreePair& pair);
 
   StepState& step_;
-  StepHolding& holding_;
+  StepCarryOver& carryOver_;
   StepAnswers& answers_;
   Scheduler scheduler_;
-  EmissionPace pace_;
+  CostModel cost_;
   // Of all that is done for a pair that is not held, but for its meshes.
-  EmissionPace updatePace_{step_tuning::kUpdatePace, step_tuning::kUpdateWeight};
+  CostModel updateCost_{step_tuning::kUpdateCost, step_tuning::kUpdateWeight};
   MeshTime meshTime_;
   Budget::Clock::duration onMeshes_{};    // in this step
   std::uint64_t operationsOnMeshes_ = 0;  // the same

@@ -12,7 +12,7 @@
 namespace cairn::bullet {
 
 /// Whether somebody says when a step ends. If not, pairs are answered as they come: see `open_step.h`.
-enum class StepEnd : std::uint8_t { told, open };
+enum class StepEnd : std::uint8_t { reported, open };
 
 /// What users ask of a narrow phase's steps.
 class StepRules {
@@ -39,9 +39,9 @@ class StepRules {
   bool asksTriangles() const { return finest_ == Finest::triangles; }
   /// Whether pairs are finished while they are in the cache. In an open step they are when they come; and what goes on
   /// to triangles first leaves the others what they need to find their leaves.
-  bool finishesResolvedAtOnce() const { return end_ == StepEnd::told && !(asksTriangles() && mayBeInterrupted()); }
+  bool finishesResolvedAtOnce() const { return end_ == StepEnd::reported && !(asksTriangles() && mayBeInterrupted()); }
   /// In an open step Bullet asks for a pair's points later, and about where the bodies are then.
-  bool carriesPairsOver() const { return end_ == StepEnd::told && asksTriangles(); }
+  bool reusesPairs() const { return end_ == StepEnd::reported && asksTriangles(); }
   /// Not while other policies than guards stand in: their answers cannot wait.
   bool isPlanned() const { return mayBeInterrupted() && policy_ == Unresolved::guard; }
   AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }

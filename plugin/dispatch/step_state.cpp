@@ -17,11 +17,11 @@ void StepState::learnUsual(std::uint64_t operations) {
   if (operations > 0) usual_ += step_tuning::kLearning * (static_cast<double>(operations) - usual_);
 }
 
-Remeasured StepState::remeasuredOf(const TreePair& pair) const {
-  if (plan.isScarce()) return Remeasured::allIfFew;
+RefreshPolicy StepState::refreshPolicyOf(const TreePair& pair) const {
+  if (plan.isScarce()) return RefreshPolicy::allIfFew;
   const bool isThrifty =
       wasScarce_ && rules.mayBeInterrupted() && (pair.notes.id + steps_) % step_tuning::kStepsOfThrift != 0;
-  return isThrifty ? Remeasured::touching : Remeasured::all;
+  return isThrifty ? RefreshPolicy::touching : RefreshPolicy::all;
 }
 
 void StepState::endStep() {

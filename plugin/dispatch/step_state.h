@@ -5,7 +5,7 @@
 #include "dispatch/step_plan.h"
 #include "dispatch/step_rules.h"
 #include "dispatch/step_tally.h"
-#include "pairs/outlook.h"
+#include "pairs/step_horizon.h"
 
 class btCollisionDispatcher;
 
@@ -24,7 +24,7 @@ struct StepState {
   ContactScratch scratch;
   btScalar timeStep = 0, sweptTime = 0;  ///< seconds
 
-  Outlook outlook() const {
+  StepHorizon horizon() const {
     const bool asksTriangles = rules.asksTriangles();
     return {timeStep, sweptTime, asksTriangles ? timeStep : btScalar(0), asksTriangles};
   }
@@ -39,7 +39,7 @@ struct StepState {
 
   /// How an answer that is kept is measured. While budgets leave pairs unresolved, those that have an answer take turns
   /// in looking for what else came near.
-  Remeasured remeasuredOf(const TreePair& pair) const;
+  RefreshPolicy refreshPolicyOf(const TreePair& pair) const;
   void endStep();
 
  private:

@@ -21,26 +21,26 @@ inline constexpr double kCoarseShare = 0.4;
 inline constexpr std::uint64_t kStepsOfThrift = 4;
 /// So many steps in a row may serve no pair that can be held, where time is short: without a turn now and then none
 /// would ever be finished.
-inline constexpr std::uint32_t kMostStepsWithoutTurn = 7;
+inline constexpr std::uint32_t kMaxStepsWithoutTurn = 7;
 /// Operations that are given however short the time: two turns, some three microseconds with contacts.
-inline constexpr std::uint64_t kLeastOperations = 160;
+inline constexpr std::uint64_t kMinOperations = 160;
 
 /// What measuring a held pair's finds takes, as a part of a step: from there on it is measured as it is found. Held
 /// back from refinement, it would leave the next steps nothing to refine with
 /// (`HeldPairs.ThatCostMoreThanAStepHasComeToAnAnswer`).
-inline constexpr double kMostOfAStep = 0.75;
+inline constexpr double kLargeShareOfStep = 0.75;
 /// Nanoseconds an operation, of a pair that is held, until it is known better: 150 nanoseconds a pair.
-inline constexpr double kHoldPace = 5;
+inline constexpr double kCarryOverCost = 5;
 /// Pairs that are held between two looks at the clock: more end a step later, fewer spend it on looking.
-inline constexpr std::size_t kHeldBetweenLooks = 8;
+inline constexpr std::size_t kCarriedBetweenClockLooks = 8;
 
 /// Nanoseconds an operation of pairs that are brought up to date, until these are known better, and a pair's own share
 /// in operations: 1 to 2 microseconds beside 5 to 10 nanoseconds an operation. With a smaller share, what many small
 /// pairs take makes large ones look as if they never fit.
-inline constexpr double kUpdatePace = 20, kUpdateWeight = 200;
+inline constexpr double kUpdateCost = 20, kUpdateWeight = 200;
 /// Nanoseconds an operation that meshes take, a pair's own share in operations, and what a first question takes. As on
 /// a machine of 2 GHz, for meshes of 1500 triangles, until they are known better.
-inline constexpr double kMeshPace = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
+inline constexpr double kMeshCost = 20, kMeshWeight = 200, kFirstMeshOperations = 2000;
 /// Of what meshes are expected to take, so much is taken off in each step in which there was too little time to ask:
 /// by half in twelve seconds (`MeshTime.IsHopedToBeLessWhereNothingIsAsked`).
 inline constexpr double kHope = 0.001;
@@ -54,9 +54,9 @@ inline constexpr std::size_t kStepsToLookAtAll = 256;
 
 /// In Bullet's pass: what tells whether anything has to be done, and what is copied.
 inline constexpr std::size_t kSubjectsAhead = 8, kCopiesAhead = 4;
-inline constexpr std::size_t kNamesAhead = 8;                                             ///< as pairs are put in order
-inline constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;      ///< as they are begun
-inline constexpr std::size_t kHeldAhead = 5, kHeldBodiesAhead = 3, kHeldPointsAhead = 2;  ///< as they are held
+inline constexpr std::size_t kNamesAhead = 8;                                         ///< as pairs are put in order
+inline constexpr std::size_t kStatesAhead = 3, kListsAhead = 2, kLeafPairsAhead = 1;  ///< as they are begun
+inline constexpr std::size_t kCarriedAhead = 5, kCarriedBodiesAhead = 3, kCarriedPointsAhead = 2;  ///< as they are held
 inline constexpr std::size_t kIdleAhead = 2;  ///< as they are made, often many at a time
 
 }  // namespace cairn::bullet::step_tuning

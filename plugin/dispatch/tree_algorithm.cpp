@@ -10,7 +10,7 @@
 namespace cairn::bullet {
 
 TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                             std::shared_ptr<NarrowPhase::Impl> narrowPhase, CounterpartKind kind, bool mayDefer)
+                             std::shared_ptr<NarrowPhase::Impl> narrowPhase, ColliderKind kind, bool mayDefer)
     : btCollisionAlgorithm(info),
       narrowPhase_(std::move(narrowPhase)),
       pair_(narrowPhase_->acquire(kind)),

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cairn/bullet/narrow_phase.h"
-#include "counterparts/counterpart.h"
+#include "colliders/collider.h"
 
 namespace cairn::bullet {
 
@@ -19,7 +19,7 @@ struct TreePair;
 class TreeAlgorithm final : public btCollisionAlgorithm {
  public:
   TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, std::shared_ptr<NarrowPhase::Impl> narrowPhase,
-                CounterpartKind kind, bool mayDefer);
+                ColliderKind kind, bool mayDefer);
   ~TreeAlgorithm() override;
   TreeAlgorithm(const TreeAlgorithm&) = delete;
   TreeAlgorithm& operator=(const TreeAlgorithm&) = delete;

@@ -9,8 +9,8 @@
 #include <cassert>
 
 #include "dispatch/compound_algorithm.h"
+#include "dispatch/forwarding_broadphase.h"
 #include "dispatch/narrow_phase_impl.h"
-#include "dispatch/passing_broadphase.h"
 #include "dispatch/tree_algorithm.h"
 
 namespace cairn::bullet {
@@ -53,7 +53,7 @@ void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher, const I
 WorldHook::WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase)
     : world_(world),
       dispatcher_(dispatcher),
-      broadphase_(std::make_unique<PassingBroadphase>(*world.getBroadphase(), dispatcher, narrowPhase)) {
+      broadphase_(std::make_unique<ForwardingBroadphase>(*world.getBroadphase(), dispatcher, narrowPhase)) {
   forgetAlgorithms(world_, dispatcher_, [](const btBroadphasePair& pair) { return isOfTree(pair); });
   world_.setBroadphase(broadphase_.get());
 }

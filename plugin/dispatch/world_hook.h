@@ -10,7 +10,7 @@ class btCollisionWorld;
 
 namespace cairn::bullet {
 
-class PassingBroadphase;
+class ForwardingBroadphase;
 
 /// Has a narrow phase's steps begin and end with a world's own pass over its pairs, by standing in for the world's
 /// broad phase. On construction, pairs with a sphere-tree lose the algorithms Bullet knew for them, and on destruction
@@ -26,7 +26,7 @@ class WorldHook {
  private:
   btCollisionWorld& world_;
   btCollisionDispatcher& dispatcher_;
-  std::unique_ptr<PassingBroadphase> broadphase_;
+  std::unique_ptr<ForwardingBroadphase> broadphase_;
 };
 
 }  // namespace cairn::bullet

@@ -14,7 +14,7 @@ namespace {
 
 // Of the momentum that closes. What is still ahead by a whole step and told to have no say still gets what gravity adds
 // in a step; a blow at the end of a long rod is a hundredth.
-constexpr btScalar kLeastPart = btScalar(1e-3);
+constexpr btScalar kMinPart = btScalar(1e-3);
 
 bool isSame(const Impact& a, const Impact& b) {
   const btCollisionObject *a0 = a.sides[0].object, *a1 = a.sides[1].object;
@@ -23,7 +23,7 @@ bool isSame(const Impact& a, const Impact& b) {
 }
 
 bool hasBite(const Impact& impact) {
-  return impact.impulse * impact.closingSpeed > kLeastPart * 2 * impact.energy();
+  return impact.impulse * impact.closingSpeed > kMinPart * 2 * impact.energy();
 }
 
 // The surfaces still close fast, where they closed fastest.

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "cairn/effects/effect_set.h"
-#include "memory/fetch_ahead.h"
+#include "memory/prefetch.h"
 #include "surface_motion.h"
 
 namespace cairn::effects {
@@ -73,15 +73,15 @@ void rememberMotion(Impact& impact) {
 
 // Whom a manifold is about and how many points it has it says behind its points, in the 32 bytes before this field, far
 // from the next one's; where there are points, the first one's places and its normal are looked at too.
-void fetchAhead(btPersistentManifold* const* manifolds, int i, int count) {
+void prefetch(btPersistentManifold* const* manifolds, int i, int count) {
   constexpr int kFirst = 8, kSecond = 4, kBytes = 32;
   if (i + kFirst >= count) return;
   const auto* behind = reinterpret_cast<const char*>(&manifolds[i + kFirst]->m_companionIdA);
-  bullet::fetchAhead(behind - kBytes, kBytes);
+  bullet::prefetch(behind - kBytes, kBytes);
   const btPersistentManifold& near = *manifolds[i + kSecond];
   if (near.getNumContacts() == 0) return;
   const btManifoldPoint& point = near.getContactPoint(0);
-  bullet::fetchAhead(&point.m_positionWorldOnB, 3 * sizeof(btVector3));
+  bullet::prefetch(&point.m_positionWorldOnB, 3 * sizeof(btVector3));
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void StepContacts::gather(btDispatcher& dispatcher, SideBook& book, WantedContac
   const int count = dispatcher.getNumManifolds();
   btPersistentManifold** manifolds = dispatcher.getInternalManifoldPointer();
   for (int i = 0; i < count; ++i) {
-    fetchAhead(manifolds, i, count);
+    prefetch(manifolds, i, count);
     add(*manifolds[i], book, wanted);
   }
   formImpacts(book, wanted);

@@ -76,7 +76,7 @@ std::optional<ContactKernel::Answer> ContactKernel::answer(const SurfacePair& su
   deepOverlap_.append(surfaces, limits, regions, contacts_);
   memory.overlapCost_ = budget.used() - before;
   if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
-  return Answer{contacts_, memory.apart_ - memory.near_->movedBy(placement)};
+  return Answer{contacts_, memory.minSeparation_ - memory.near_->movedBy(placement)};
 }
 
 std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedSurface& surface, ConvexBody& body,
@@ -120,11 +120,11 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
     const std::uint64_t before = budget.used();
     if (!lister_.findNear(memory.patches_, budget)) return {};
     memory.findingCost_ = budget.used() - before;
-    memory.apart_ = lister_.apart();
+    memory.minSeparation_ = lister_.minSeparation();
     memory.near_ = {placement, limits.reach, skin};
   }
   const float sincePatches = memory.near_->movedBy(placement), left = memory.near_->skin - sincePatches;
-  const float least = tuning::kCarried * limits.contactDistance;
+  const float least = tuning::kReused * limits.contactDistance;
   const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, least), left), moved);
   lister_.setSkin(skin);
   if (!lister_.list(memory.patches_, sincePatches, Asked::all, lists_, budget)) return {};

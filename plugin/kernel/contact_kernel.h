@@ -59,9 +59,9 @@ class KernelMemory {
 
   std::optional<Listed> near_, features_;
   std::vector<PatchPair> patches_;
-  KeptFeatures kept_;       // where `features_` says so
-  std::size_t listed_ = 0;  // features, last time
-  float apart_ = 0;         // of what is not listed, where the patches were
+  CachedFeatures kept_;      // where `features_` says so
+  std::size_t listed_ = 0;   // features, last time
+  float minSeparation_ = 0;  // of what is not listed, where the patches were
   // Operations: to find the patches, and what overlaps, last time; and what was too few.
   std::uint64_t findingCost_ = 0, overlapCost_ = 0, tooFew_ = 0;
   RelativePlacement lastAt_;
@@ -74,7 +74,7 @@ class ContactKernel {
   /// What `run` finds. Valid until the next one.
   struct Answer {
     std::span<const FeatureContact> contacts;
-    float apart = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
+    float minSeparation = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
   };
 
   /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.

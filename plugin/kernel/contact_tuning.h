@@ -23,7 +23,7 @@ inline constexpr float kTrustedThickness = 0.5F;
 /// What could cross half of a shell's wall in a step is met that much ahead, up to this many walls, so that a fast body
 /// is not asked about all of the other. Without, one of 18 bodies leaves a shaken cup, and a plate passes a ball
 /// (`ThinWall.IsNotCrossedByWhatIsFasterThanItIsThick`).
-inline constexpr float kMostWalls = 4;
+inline constexpr float kMaxWalls = 4;
 
 /// How far beside a face or an edge a point may lie and still touch it, where the surfaces are apart. Contact
 /// distances. Rounding, and corners that lie on corners. Where they overlap it is the depth, up to one contact
@@ -56,7 +56,7 @@ inline constexpr float kDeepPart = 0.3F;
 /// An area that is this part of what it is summed from, or less, is its rounding: a rod through a plate.
 inline constexpr float kNoArea = 1e-3F;
 /// Regions narrower than so many contact distances are left alone: what is in contact crosses by that much.
-inline constexpr float kLeastWidth = 0.5F;
+inline constexpr float kMinWidth = 0.5F;
 /// Near patches are looked for so much farther than contacts reach, and found again once bodies have moved by that.
 /// Sizes. Their features are listed for about so many steps like the last one. Matters of time alone: with more, each
 /// step asks more of them; with less, they are listed more often (`ContactKernel.ListsLastForSomeSteps`).
@@ -66,22 +66,22 @@ inline constexpr float kListSteps = 3;
 /// Until the bodies have moved so far against each other since the last look, their contacts stay as they are. Contact
 /// distances: below one, what comes to touch meanwhile is told in time. At a tenth heaps take twice the time at rest;
 /// at one, four of five heaps of blocks stay awake, at half one.
-inline constexpr float kCarried = 0.5F;
+inline constexpr float kReused = 0.5F;
 
 /// Of a body that comes near one of Bullet's meshes so many vertices, evenly spread over its list, say whether it is
 /// inside: a ring's middle, or a few vertices, may be inside what it hangs on (`MeshGround.HoldsFromBothSides`).
 inline constexpr std::size_t kAskedVertices = 24;
 /// Larger meshes of Bullet's are told by leaves: what is derived takes about half a kilobyte and three microseconds a
 /// triangle, in the step in which a body first comes near (`GroundSurface.IsNotOfHugeMeshes`).
-inline constexpr std::size_t kMostTriangles = 200000;
+inline constexpr std::size_t kMaxTriangles = 200000;
 
 /// Hulls of more corners are asked by GJK: a question of faces takes some ten nanoseconds a corner
 /// (`ConvexSurface.AsksHugeHullsByGjk`).
-inline constexpr int kMostHullVertices = 512;
+inline constexpr int kMaxHullVertices = 512;
 /// Places along an edge that are looked at for where a convex body is nearest, or where a face of it ends: a thousandth
 /// of the edge where they halve it. With five, one nearest contact of seven is off by more than rounding, or missing
 /// (`ConvexContacts.TellWhatIsNearest`).
-inline constexpr int kMostLooks = 10;
+inline constexpr int kMaxLooks = 10;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees cups that stand in each other do not
 /// come to rest (`Mechanisms.CupsStandInEachOther`).

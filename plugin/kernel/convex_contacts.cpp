@@ -39,7 +39,7 @@ bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t si
 // Where between a place where it holds and one where it does not a condition ends.
 template <class Holds>
 float endOf(float holds, float fails, const Holds& isHeld) {
-  for (int i = 0; i < tuning::kMostLooks; ++i) {
+  for (int i = 0; i < tuning::kMaxLooks; ++i) {
     const float middle = 0.5F * (holds + fails);
     (isHeld(middle) ? holds : fails) = middle;
   }
@@ -96,7 +96,7 @@ bool ConvexContacts::listPatches(Budget& budget) {
     waiting_.pop_back();
     for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
       const Box there = family.box(lane);
-      if (!(there.gapTo(box) <= 0)) continue;
+      if (!(there.separationTo(box) <= 0)) continue;
       if (!family.isPatch(lane))
         waiting_.push_back(family.child[lane]);
       else if (isNear(there))
@@ -108,8 +108,8 @@ bool ConvexContacts::listPatches(Budget& budget) {
 
 // Whether the body's middle is inside, and nothing that touches it says so.
 bool ConvexContacts::isSwallowed() {
-  const bool isTold = !isDeep_ && std::ranges::any_of(contacts_, [](const auto& c) { return c.separation < 0; });
-  return !isTold && ray_.isInside(surface_->mesh, surface_->fromPair(middleOfBody_));
+  const bool isReported = !isDeep_ && std::ranges::any_of(contacts_, [](const auto& c) { return c.separation < 0; });
+  return !isReported && ray_.isInside(surface_->mesh, surface_->fromPair(middleOfBody_));
 }
 
 // The way from the body's middle to the nearest point of the surface: all that the body turns the other way has to come
@@ -136,8 +136,8 @@ Vec3 ConvexContacts::nearestOnSurface(const Vec3& inMesh) {
     const PatchFamily& family = surface_->patches().families()[waiting_.back()];
     waiting_.pop_back();
     for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
-      const float gap = family.box(lane).gapTo({inMesh, inMesh});
-      if (!(gap * std::abs(gap) < distanceSq)) continue;
+      const float separation = family.box(lane).separationTo({inMesh, inMesh});
+      if (!(separation * std::abs(separation) < distanceSq)) continue;
       if (!family.isPatch(lane)) {
         waiting_.push_back(family.child[lane]);
         continue;
@@ -215,7 +215,7 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
     stretch = {1, to.nearest};
   } else if (slopeOf(from.nearest) < -flat) {
     Stretch falls{0, from.nearest}, rises{1, to.nearest};
-    for (int i = 0; i < tuning::kMostLooks; ++i) {
+    for (int i = 0; i < tuning::kMaxLooks; ++i) {
       const float fall = slopeOf(falls.nearest), rise = slopeOf(rises.nearest);
       const float cut =
           (rises.nearest.distance - falls.nearest.distance + fall * falls.at - rise * rises.at) / (fall - rise);
@@ -288,7 +288,7 @@ void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const 
 }
 
 // No point of a triangle is farther from its nearest corner than its longest side over the root of three.
-bool ConvexContacts::isFaceApart(std::uint32_t index) {
+bool ConvexContacts::isFaceSeparated(std::uint32_t index) {
   constexpr float kFarthest = std::numbers::inv_sqrt3_v<float>;
   const auto& [a, b, c] = surface_->mesh.triangles[index];
   const Seen at = seen(a), bt = seen(b), ct = seen(c);
@@ -300,7 +300,7 @@ bool ConvexContacts::isFaceApart(std::uint32_t index) {
 
 void ConvexContacts::appendFace(std::uint32_t index) {
   const SurfaceFace& face = surface_->features().faces()[index];
-  if (face.normal == Vec3() || isFaceApart(index)) return;
+  if (face.normal == Vec3() || isFaceSeparated(index)) return;
   const Vec3 outward = surface_->directionToPair(face.normal);
   const Vec3 on = surface_->toPair * surface_->vertex(surface_->mesh.triangles[index][0]);
   const Vec3 lowest = body_->support(-outward);

@@ -56,7 +56,7 @@ class ConvexContacts {
   void appendVertex(std::uint32_t vertex);
   void appendEdge(std::uint32_t edge);
   void appendFace(std::uint32_t face);
-  bool isFaceApart(std::uint32_t face);
+  bool isFaceSeparated(std::uint32_t face);
   bool isOverFace(std::uint32_t face, const Vec3& inMesh, float separation);
   Stretch nearestStretch(const Seen& from, const Seen& to);
   static void meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& way, const Vec3& place,

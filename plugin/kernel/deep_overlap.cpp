@@ -53,7 +53,7 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
     const bool isTouching = isWrapped(region) && deep_.size() < region.points.size();
     if (deep_.empty() || isTouching) continue;
     const Vec3 way = wayOut(surfaces, region);
-    if (way == Vec3() || widthAlong(way).width() < tuning::kLeastWidth * limits.contactDistance) continue;
+    if (way == Vec3() || widthAlong(way).width() < tuning::kMinWidth * limits.contactDistance) continue;
     const Vec3 out = narrowest(surfaces, way);
     dropOpposed(region, out, limits.contactDistance, contacts);
     appendAlong(out, contacts);

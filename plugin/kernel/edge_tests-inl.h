@@ -96,14 +96,14 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     const auto down = hn::And(hn::Le(alongB, slack), hn::Ge(alongA, hn::Neg(slack)));
     mask = hn::And(mask, hn::Or(up, down));
     if ((bitsOf(mask) & nearHere) == 0) continue;
-    const Points apart = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
-    const auto gap = hn::Sqrt(dotOf(apart, apart)), upwards = dotOf(apart, across);
+    const Points minSeparation = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
+    const auto separation = hn::Sqrt(dotOf(minSeparation, minSeparation)), upwards = dotOf(minSeparation, across);
     // The normal of two edges turns by no more than a quarter radian, where they are not nearly parallel: what is
     // clearly in front stays so, and lines pass each other where they do, but for a little.
     const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, 4 * turn), lengths));
     const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
-    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, gap))), isClear);
-    auto margin = hn::Sub(gap, hn::IfThenElse(isInFront, hn::Set(d, ahead), hn::Set(d, around)));
+    const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, separation))), isClear);
+    auto margin = hn::Sub(separation, hn::IfThenElse(isInFront, hn::Set(d, ahead), hn::Set(d, around)));
     const auto cosecant = hn::Div(lengths, hn::Max(norm, hn::Set(d, std::numeric_limits<float>::min())));
     const auto turned = hn::Mul(hn::Set(d, 4 * grown * turn), cosecant);
     const auto beyond = hn::Sub(beyondEnds(minus(p, r), way, wayB, lengthSqA, lengthSqB),

@@ -27,7 +27,7 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
   const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
   auto least = infinity;
   for (std::uint32_t at = 0; at < PatchFamily::kWidth; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
-    auto margin = hn::Neg(infinity), apart = margin;
+    auto margin = hn::Neg(infinity), minSeparation = margin;
     for (int axis = 0; axis < 3; ++axis) {
       const auto low = hn::LoadU(d, family.normalLower[axis] + at), high = hn::LoadU(d, family.normalUpper[axis] + at);
       const auto lower = hn::LoadU(d, family.lower[axis] + at), upper = hn::LoadU(d, family.upper[axis] + at);
@@ -36,7 +36,7 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
       const auto downwards = hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)));
       const auto upwards = hn::Max(zero, hn::Max(hn::Mul(reach, high), hn::Mul(deep, low)));
       margin = hn::Max(margin, hn::Max(hn::Add(below, downwards), hn::Sub(above, upwards)));
-      apart = hn::Max(apart, hn::Max(below, above));
+      minSeparation = hn::Max(minSeparation, hn::Max(below, above));
     }
     margin = hn::Sub(margin, beside);
     hn::StoreU(margin, d, result.margin + at);
@@ -44,9 +44,9 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, isNear, bytes);
     result.near |= static_cast<std::uint32_t>(bytes[0]) << at;
-    least = hn::Min(least, hn::IfThenElse(isNear, infinity, apart));
+    least = hn::Min(least, hn::IfThenElse(isNear, infinity, minSeparation));
   }
-  result.apart = hn::GetLane(hn::MinOfLanes(d, least));
+  result.minSeparation = hn::GetLane(hn::MinOfLanes(d, least));
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE

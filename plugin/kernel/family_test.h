@@ -18,7 +18,7 @@ struct FamilyTest {
   std::uint32_t near = 0;  ///< a bit for each that may touch it once bodies have moved by the skin
   /// Of each: what may touch it is so far outside the box. Not positive where it may do so now.
   float margin[PatchFamily::kWidth];
-  float apart = 0;  ///< the others are no nearer; infinite if there are none
+  float minSeparation = 0;  ///< the others are no nearer; infinite if there are none
 };
 
 /// In the family's frame and unit. The same bits on every instruction set.

@@ -23,7 +23,7 @@ class FeatureLister {
   /// Replaces `near` by all pairs of patches that may touch. False when the budget does not cover what is compared.
   bool findNear(std::vector<PatchPair>& near, Budget& budget);
   /// How far apart the surfaces are outside of what was found last, at least; world length.
-  float apart() const { return nearPatches_.apart(); }
+  float minSeparation() const { return nearPatches_.minSeparation(); }
   /// Replaces `lists` by features of these pairs, each pair of features once. False as above. Patches may have been
   /// found with a wider skin, when the bodies stood elsewhere, or by something else. `moved`: as far as bodies may have
   /// moved since, a world length.

@@ -70,7 +70,7 @@ struct FeatureSpans {
 };
 
 /// Lists that are kept from step to step, in one block hardly larger than they are.
-class KeptFeatures {
+class CachedFeatures {
  public:
   void keep(FeatureSpans lists) {
     std::size_t size = 0;

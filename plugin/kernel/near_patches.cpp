@@ -38,7 +38,7 @@ bool NearPatches::descend(const PlacedSurface& surface, const PlacedBox& box, co
     const PatchFamily& family = families[waiting_.back()];
     waiting_.pop_back();
     const FamilyTest test = testFamily(family, box, limits);
-    apart_ = std::min(apart_, test.apart * surface.scale);
+    minSeparation_ = std::min(minSeparation_, test.minSeparation * surface.scale);
     for (std::uint32_t lanes = test.near; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (!mayTouch(family, lane)) continue;
@@ -56,10 +56,10 @@ bool NearPatches::findNearOfA(const SurfacePair& surfaces, const PlacedPatches& 
   nearOfA_.clear();
   const PlacedBox allOfB = placed(surfaces.b.patches().box(), surfaces.b.toOther);
   const auto mayTouch = [&](const PatchFamily& family, std::uint32_t lane) {
-    budget.chargeAnyway(kOverlapTestCost * PatchFamily::kWidth);
+    budget.forceCharge(kOverlapTestCost * PatchFamily::kWidth);
     const PlacedBox box = placed(family.box(lane), surfaces.a.toOther);
     const FamilyTest test = testFamily(surfaces.b.patches().families()[0], box, b.limits());
-    apart_ = std::min(apart_, test.apart * surfaces.b.scale);
+    minSeparation_ = std::min(minSeparation_, test.minSeparation * surfaces.b.scale);
     return test.near != 0;
   };
   return descend(surfaces.a, allOfB, a.limits(), budget, mayTouch,
@@ -69,7 +69,7 @@ bool NearPatches::findNearOfA(const SurfacePair& surfaces, const PlacedPatches& 
 bool NearPatches::find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
                        Budget& budget) {
   found.clear();
-  apart_ = std::numeric_limits<float>::infinity();
+  minSeparation_ = std::numeric_limits<float>::infinity();
   if (!findNearOfA(surfaces, a, b, budget)) return false;
   for (const std::uint32_t ofA : nearOfA_) {
     a.place(ofA);
@@ -78,15 +78,15 @@ bool NearPatches::find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatc
       b.place(ofB);
       const PlacedPatch& here = a[ofA];
       const Box& there = b[ofB].placed;
-      const float marginInA = there.gapTo(here.near);
+      const float marginInA = there.separationTo(here.near);
       if (marginInA <= a.limits().skin)
         found.push_back({ofA, ofB, std::max(margin * b.scale(), marginInA * a.scale())});
       else
-        apart_ = std::min(apart_, there.gapTo(here.patch.box) * a.scale());
+        minSeparation_ = std::min(minSeparation_, there.separationTo(here.patch.box) * a.scale());
     };
     if (!descend(surfaces.b, asPlaced(a[ofA].placed), b.limits(), budget, always, onPatch)) return false;
   }
-  apart_ -= a.margins();
+  minSeparation_ -= a.margins();
   return true;
 }
 

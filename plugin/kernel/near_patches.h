@@ -19,7 +19,7 @@ class NearPatches {
   bool find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
             Budget& budget);
   /// How far apart the surfaces are outside of what was found last, at least; world length.
-  float apart() const { return apart_; }
+  float minSeparation() const { return minSeparation_; }
 
  private:
   // Those of A near any of the boxes at the root of B's.
@@ -31,7 +31,7 @@ class NearPatches {
                const MayTouch& mayTouch, const OnPatch& onPatch);
 
   std::vector<std::uint32_t> waiting_, nearOfA_;  // families; patches
-  float apart_ = 0;
+  float minSeparation_ = 0;
 };
 
 }  // namespace cairn::bullet

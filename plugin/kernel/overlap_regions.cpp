@@ -65,7 +65,7 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(question);
-  budget.chargeAnyway(kAskedCost * asked_);
+  budget.forceCharge(kAskedCost * asked_);
   gather(question);
   return regions_;
 }

@@ -220,7 +220,7 @@ HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pa
 HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
   const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
   const float skinA = question.a.limits().skin, skinB = question.b.limits().skin;
-  if (a.placed.gapTo(b.near) > skinB || b.placed.gapTo(a.near) > skinA) return;
+  if (a.placed.separationTo(b.near) > skinB || b.placed.separationTo(a.near) > skinA) return;
   TestedPair pair{a, b, PlacedColumns(a), PlacedColumns(b), {}, {}};
   const std::int32_t beyondB = codesOf(pair.aInB, b, skinB, pair.codesA);
   if ((beyondB & kNear) != 0) return;

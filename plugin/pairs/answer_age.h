@@ -11,7 +11,7 @@ class AnswerAge {
  public:
   /// Everything is too far apart for contacts: that is an answer. `centers`: from the other body's centre to the
   /// tree's.
-  void settleApart(const Vec3& centers) {
+  void cullSeparated(const Vec3& centers) {
     isAnswered_ = true;
     answer_ = {0, centers};
   }
@@ -46,12 +46,14 @@ class AnswerAge {
 
   /// Whether what was said last is an answer still.
   bool isAnsweredWithin(float moved, float size) const {
-    return isAnswered_ && answer_.approach + moved <= kHeldFraction * size;
+    return isAnswered_ && answer_.approach + moved <= kFollowedFraction * size;
   }
   /// Whether the traversal's spheres still are.
-  bool isTraversedWithin(float moved, float size) const { return traversal_.approach + moved <= kHeldFraction * size; }
+  bool isTraversedWithin(float moved, float size) const {
+    return traversal_.approach + moved <= kFollowedFraction * size;
+  }
   /// Whether it is too old to tell that nothing touches: what was apart then may be in each other by now.
-  bool isSilenceOld(float moved, float size) const { return answer_.approach + moved > kApproachFraction * size; }
+  bool isAbsenceStale(float moved, float size) const { return answer_.approach + moved > kApproachFraction * size; }
 
  private:
   struct Epoch {
@@ -63,7 +65,7 @@ class AnswerAge {
   // nothing. For a body of one metre and steps of 1/60 s this is 0.5 m/s in a single step, or less speed for longer.
   static constexpr float kApproachFraction = 0.008F;
   // How far bodies may move, as a fraction of the same, while contacts that follow them stand for an answer.
-  static constexpr float kHeldFraction = 0.03F;
+  static constexpr float kFollowedFraction = 0.03F;
 
   bool isAnswered_ = false;   // was a traversal ever done
   bool hadContacts_ = false;  // and did it find any

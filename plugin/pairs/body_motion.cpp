@@ -83,13 +83,13 @@ float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
   const float travel =
       closingSpeed(*body0.getCollisionObject(), *body1.getCollisionObject(), disc) * static_cast<float>(time);
   const bool mayCross = travel > tuning::kTrustedThickness * thinner;
-  return mayCross ? std::min(travel, tuning::kMostWalls * thinner) : 0;
+  return mayCross ? std::min(travel, tuning::kMaxWalls * thinner) : 0;
 }
 
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {
   const Vec3 apart = toVec3(first.getWorldTransform().getOrigin() - second.getWorldTransform().getOrigin());
-  const Vec3 carried = cross(angularVelocity(second), apart);
-  return length(linearVelocity(first) - linearVelocity(second) - carried) +
+  const Vec3 reused = cross(angularVelocity(second), apart);
+  return length(linearVelocity(first) - linearVelocity(second) - reused) +
          length(angularVelocity(first) - angularVelocity(second)) * disc;
 }
 
@@ -98,7 +98,7 @@ float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWra
                         static_cast<float>(smaller.getCollisionShape()->getAngularMotionDisc()));
 }
 
-bool isBroken(const btCollisionObject& object) {
+bool isNonFinite(const btCollisionObject& object) {
   if (!std::isfinite(sumOf(object.getWorldTransform()))) return true;
   const btRigidBody* const body = btRigidBody::upcast(&object);
   if (!body || !isMoved(*body)) return false;
@@ -106,8 +106,8 @@ bool isBroken(const btCollisionObject& object) {
       sumOf(body->getLinearVelocity() + body->getAngularVelocity() + body->getTotalForce() + body->getTotalTorque()));
 }
 
-bool isBroken(const btCollisionObjectWrapper& wrapper) {
-  return !std::isfinite(sumOf(wrapper.getWorldTransform())) || isBroken(*wrapper.getCollisionObject());
+bool isNonFinite(const btCollisionObjectWrapper& wrapper) {
+  return !std::isfinite(sumOf(wrapper.getWorldTransform())) || isNonFinite(*wrapper.getCollisionObject());
 }
 
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second) {

@@ -38,9 +38,9 @@ float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWra
 
 /// Whether its place, or, of a body that moves, its speeds or the forces on it are no number or endless: the solver
 /// would hand that on to whatever it touches.
-bool isBroken(const btCollisionObject& object);
+bool isNonFinite(const btCollisionObject& object);
 /// The same of a body, or of a part of one, that stands elsewhere.
-bool isBroken(const btCollisionObjectWrapper& body);
+bool isNonFinite(const btCollisionObjectWrapper& body);
 
 /// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
 /// is not its own alone, counts as held fast.

@@ -52,10 +52,10 @@ class CellsBelow {
   Cell* cellBelow(const Vec3d& at);
   void look(const Cell& cell, bool isUpper, Plane& plane) const;
 
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
   const TerrainLattice* lattice_ = nullptr;
-  Plane plane_;                    // where there is none
-  std::array<Cell, kMost> cells_;  // those looked up last
+  Plane plane_;                   // where there is none
+  std::array<Cell, kMax> cells_;  // those looked up last
   std::size_t count_ = 0;
 };
 
@@ -70,7 +70,7 @@ CellsBelow::CellsBelow(const btCollisionObjectWrapper& ground) {
 }
 
 CellsBelow::Cell* CellsBelow::cellBelow(const Vec3d& at) {
-  const std::size_t known = std::min(count_, kMost);
+  const std::size_t known = std::min(count_, kMax);
   for (std::size_t i = 0; i < known; ++i)
     if (cells_[i].contains(at)) return &cells_[i];
   TerrainLattice::Over over;
@@ -78,7 +78,7 @@ CellsBelow::Cell* CellsBelow::cellBelow(const Vec3d& at) {
   const auto from = [](std::span<const btScalar> points, std::int64_t i) {
     return double(points[static_cast<std::size_t>(i)]);
   };
-  Cell& cell = cells_[count_++ % kMost];
+  Cell& cell = cells_[count_++ % kMax];
   cell.fromX = from(lattice_->xs(), over.column);
   cell.toX = from(lattice_->xs(), over.column + 1);
   cell.fromY = from(lattice_->ys(), over.row);
@@ -115,7 +115,7 @@ struct TreeOverGround {
   Pose pairFromTree, groundFromTree;
   Mat3d treeFromGround;  // turns
   Mat3d pairFromGround;
-  double margin, reach;
+  double margin, maxSeparation;
 
   TreeOverGround(const btCollisionObjectWrapper& treeBody, const btCollisionObjectWrapper& ground, btScalar wanted)
       : TreeOverGround(*asSphereTree(treeBody.getCollisionShape()), treeBody.getWorldTransform(), ground, wanted) {}
@@ -126,7 +126,7 @@ struct TreeOverGround {
         pairFromTree(treePose(shape, btTransform(body.getBasis()))),
         pairFromGround(toMat3d(ground.getWorldTransform().getBasis())),
         margin(double(shape.getMargin())),
-        reach(double(wanted)) {
+        maxSeparation(double(wanted)) {
     const Mat3d groundFromPair = transpose(pairFromGround);
     const Vec3d way = toVec3d(body.getOrigin()) - toVec3d(ground.getWorldTransform().getOrigin());
     groundFromTree = {groundFromPair * pairFromTree.rotation, groundFromPair * (way + pairFromTree.translation),
@@ -143,15 +143,15 @@ bool TreeOverGround::contact(NodeId node, Contact& contact) {
   const Vec3d center = groundFromTree * Vec3d(ball.center);
   const CellsBelow::Plane* plane = cells.planeBelow(center);
   if (!plane) return false;
-  if (plane->over(center) > double(ball.radius) * groundFromTree.scale + margin + reach) return false;
+  if (plane->over(center) > double(ball.radius) * groundFromTree.scale + margin + maxSeparation) return false;
   const SupportBlock& points = tree.support(node);
   const Vec3 point = points.point(supportLane(points, Vec3(treeFromGround * -plane->normal)));
   const Vec3d at = groundFromTree * Vec3d(point);
   plane = cells.planeBelow(at);
   if (!plane) return false;
   const double height = plane->over(at);
-  contact.gap = static_cast<float>(height - margin);
-  if (double(contact.gap) >= reach) return false;
+  contact.separation = static_cast<float>(height - margin);
+  if (double(contact.separation) >= maxSeparation) return false;
   contact.normal = Vec3(pairFromGround * plane->normal);
   contact.position = Vec3(pairFromTree * Vec3d(point)) - contact.normal * static_cast<float>(0.5 * (height + margin));
   contact.pair = {node, 0};
@@ -162,8 +162,8 @@ bool TreeOverGround::contact(NodeId node, Contact& contact) {
 }  // namespace
 
 CoarseGround::CoarseGround(const btCollisionObjectWrapper& tree, const btCollisionObjectWrapper& ground,
-                           btScalar reach) {
-  TreeOverGround placed(tree, ground, reach);
+                           btScalar maxSeparation) {
+  TreeOverGround placed(tree, ground, maxSeparation);
   const std::uint32_t family = placed.tree.childFamily(kRootNode);
   const std::uint32_t nodes = placed.tree.familySize(family);
   for (std::uint32_t lane = 0; lane < nodes; ++lane)
@@ -181,11 +181,11 @@ bool isClearOfGround(const btCollisionObjectWrapper& tree, const btCollisionObje
   const Vec3d way = toVec3d(body.getOrigin()) - toVec3d(groundPose.getOrigin());
   const Vec3d inGround = transpose(toMat3d(groundPose.getBasis())) * (way + toVec3d(arm));
   const btScalar wanted = radius + btScalar(kSpeculativeFraction) * shape.size() + travel;
-  const auto reach = double(wanted + btScalar(kOverlapSlack) * 4 * (arm.length() + wanted));
+  const auto maxSeparation = double(wanted + btScalar(kOverlapSlack) * 4 * (arm.length() + wanted));
   // What is no higher than that is no farther either; most that are asked about stand on the ground.
   const TerrainLattice& lattice = latticeOf(ground);
-  if (inGround.z - lattice.heightOver(inGround.x, inGround.y) <= reach) return false;
-  return groundBelow(lattice, inGround, reach).leastDistance() > reach;
+  if (inGround.z - lattice.heightOver(inGround.x, inGround.y) <= maxSeparation) return false;
+  return groundBelow(lattice, inGround, maxSeparation).leastDistance() > maxSeparation;
 }
 
 }  // namespace cairn::bullet

@@ -18,11 +18,11 @@ namespace cairn::bullet {
 /// is left out is what other points would say.
 class CoarseGround {
  public:
-  /// Finds them, nearest first: of each node whose sphere comes within `reach` (world length) of the plane of the
-  /// triangle below its centre, the extreme point of its region against that plane's normal, if it is within `reach` of
-  /// the ground below it. The pair frame is the tree's. Cost: two triangles and sixteen points a node; no allocation.
-  /// Precondition: a tree and a terrain or a static plane.
-  CoarseGround(const btCollisionObjectWrapper& tree, const btCollisionObjectWrapper& ground, btScalar reach);
+  /// Finds them, nearest first: of each node whose sphere comes within `maxSeparation` (world length) of the plane of
+  /// the triangle below its centre, the extreme point of its region against that plane's normal, if it is within
+  /// `maxSeparation` of the ground below it. The pair frame is the tree's. Cost: two triangles and sixteen points a
+  /// node; no allocation. Precondition: a tree and a terrain or a static plane.
+  CoarseGround(const btCollisionObjectWrapper& tree, const btCollisionObjectWrapper& ground, btScalar maxSeparation);
 
   std::span<Contact> contacts() { return std::span(contacts_).first(count_); }
 

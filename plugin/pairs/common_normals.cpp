@@ -9,7 +9,7 @@ namespace {
 
 // Those that are touched now, deepest first; contacts ahead, whose directions are known, come after them.
 std::span<Contact> ofNow(std::span<Contact> cluster) {
-  const auto end = std::partition(cluster.begin(), cluster.end(), [](const Contact& c) { return !c.isAhead; });
+  const auto end = std::partition(cluster.begin(), cluster.end(), [](const Contact& c) { return !c.isSpeculative; });
   const auto now = cluster.first(static_cast<std::size_t>(end - cluster.begin()));
   if (now.size() < cluster.size()) std::sort(now.begin(), now.end(), deeper);
   return now;
@@ -22,22 +22,23 @@ void CommonNormals::keep(ClusteredContacts& contacts) {
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k);
-    const auto measured = std::ranges::find(cluster, false, &Contact::isAhead);
+    const auto measured = std::ranges::find(cluster, false, &Contact::isSpeculative);
     normals_[static_cast<std::size_t>(k)] = measured == cluster.end() ? Vec3() : measured->normal;
   }
 }
 
-void CommonNormals::flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts, Strays& strays) {
-  strays.now.clear();
+void CommonNormals::alignNormals(Collider& collider, float maxSeparation, ClusteredContacts& contacts,
+                                 Outliers& outliers) {
+  outliers.now.clear();
   const std::array<Vec3, kMaxClusters> lasts = normals_;
   for (int k = 0; k < kMaxClusters; ++k) {
     const std::span<Contact> cluster = contacts.cluster(k), now = ofNow(cluster);
     Vec3& common = normals_[static_cast<std::size_t>(k)];
-    common = now.empty() ? Vec3() : counterpart.flatten(now, lasts, strays.now);
+    common = now.empty() ? Vec3() : collider.alignNormals(now, lasts, outliers.now);
     // Along the common normal some turn out to be farther apart than what is wanted.
-    if (lengthSq(common) > 0 || now.size() < cluster.size()) contacts.resort(k, reach);
+    if (lengthSq(common) > 0 || now.size() < cluster.size()) contacts.resort(k, maxSeparation);
   }
-  clusterStrays(counterpart, reach, lasts, contacts, strays);
+  clusterOutliers(collider, maxSeparation, lasts, contacts, outliers);
   joinSameNormals(contacts);
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k)
@@ -46,19 +47,19 @@ void CommonNormals::flatten(Counterpart& counterpart, float reach, ClusteredCont
 
 // Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
 // sides of a groove hold against different motions.
-void CommonNormals::clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts,
-                                  ClusteredContacts& contacts, Strays& strays) {
-  std::sort(strays.now.begin(), strays.now.end(), deeper);  // they are of several clusters
-  for (int k = 0; k < kMaxClusters && !strays.now.empty(); ++k) {
+void CommonNormals::clusterOutliers(Collider& collider, float maxSeparation, std::span<const Vec3> lasts,
+                                    ClusteredContacts& contacts, Outliers& outliers) {
+  std::sort(outliers.now.begin(), outliers.now.end(), deeper);  // they are of several clusters
+  for (int k = 0; k < kMaxClusters && !outliers.now.empty(); ++k) {
     if (!contacts.cluster(k).empty()) continue;
     Vec3& common = normals_[static_cast<std::size_t>(k)];
-    strays.next.clear();
-    common = counterpart.flatten(strays.now, lasts, strays.next);
+    outliers.next.clear();
+    common = collider.alignNormals(outliers.now, lasts, outliers.next);
     if (lengthSq(common) == 0) return;
-    contacts.fill(k, strays.now);
-    contacts.resort(k, reach);
+    contacts.fill(k, outliers.now);
+    contacts.resort(k, maxSeparation);
     seeds_[static_cast<std::size_t>(k)] = {common, true};
-    strays.now.swap(strays.next);
+    outliers.now.swap(outliers.next);
   }
 }
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "colliders/collider.h"
 #include "contacts/normal_clusters.h"
-#include "counterparts/counterpart.h"
 
 namespace cairn::bullet {
 
 /// Contacts that do not fit the direction found for their cluster: at hand, and left over by the next one. Working
 /// memory.
-struct Strays {
+struct Outliers {
   std::vector<Contact> now, next;
 };
 
@@ -30,11 +30,11 @@ class CommonNormals {
   /// What the meshes said has its directions already.
   void keep(ClusteredContacts& contacts);
   /// Finds one for each cluster of leaves' contacts.
-  void flatten(Counterpart& counterpart, float reach, ClusteredContacts& contacts, Strays& strays);
+  void alignNormals(Collider& collider, float maxSeparation, ClusteredContacts& contacts, Outliers& outliers);
 
  private:
-  void clusterStrays(Counterpart& counterpart, float reach, std::span<const Vec3> lasts, ClusteredContacts& contacts,
-                     Strays& strays);
+  void clusterOutliers(Collider& collider, float maxSeparation, std::span<const Vec3> lasts,
+                       ClusteredContacts& contacts, Outliers& outliers);
   void joinSameNormals(ClusteredContacts& contacts);
 
   ClusterSeeds seeds_{};

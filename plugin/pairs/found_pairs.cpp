@@ -6,13 +6,13 @@
 namespace cairn::bullet {
 
 void FoundPairs::makeRoom() {
-  pairs_.reserve(kMost);
-  gaps_.reserve(kMost);
+  pairs_.reserve(kMax);
+  separations_.reserve(kMax);
 }
 
 void FoundPairs::clear() {
   pairs_.clear();
-  gaps_.clear();
+  separations_.clear();
 }
 
 void FoundPairs::add(std::span<const Contact> contacts) {
@@ -22,19 +22,19 @@ void FoundPairs::add(std::span<const Contact> contacts) {
 void FoundPairs::put(const Contact& contact) {
   const auto same = std::ranges::find(pairs_, contact.pair);
   if (same != pairs_.end()) {
-    float& gap = gaps_[static_cast<std::size_t>(same - pairs_.begin())];
-    gap = std::min(gap, contact.gap);
+    float& separation = separations_[static_cast<std::size_t>(same - pairs_.begin())];
+    separation = std::min(separation, contact.separation);
     return;
   }
-  if (pairs_.size() < kMost) {
+  if (pairs_.size() < kMax) {
     pairs_.push_back(contact.pair);
-    gaps_.push_back(contact.gap);
+    separations_.push_back(contact.separation);
     return;
   }
-  const auto shallowest = std::ranges::max_element(gaps_);
-  if (contact.gap >= *shallowest) return;
-  pairs_[static_cast<std::size_t>(shallowest - gaps_.begin())] = contact.pair;
-  *shallowest = contact.gap;
+  const auto shallowest = std::ranges::max_element(separations_);
+  if (contact.separation >= *shallowest) return;
+  pairs_[static_cast<std::size_t>(shallowest - separations_.begin())] = contact.pair;
+  *shallowest = contact.separation;
 }
 
 }  // namespace cairn::bullet

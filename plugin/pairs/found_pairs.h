@@ -12,7 +12,7 @@ namespace cairn::bullet {
 /// stand for the rest when all of it is told, so that what is measured then is bounded however many there were.
 class FoundPairs {
  public:
-  static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMax = 32;
 
   /// Allocates, once, all that `add` needs.
   void makeRoom();
@@ -26,7 +26,7 @@ class FoundPairs {
   void put(const Contact& contact);
 
   std::vector<NodePair> pairs_;
-  std::vector<float> gaps_;  // of `pairs_`, when they were measured
+  std::vector<float> separations_;  // of `pairs_`, when they were measured
 };
 
 }  // namespace cairn::bullet

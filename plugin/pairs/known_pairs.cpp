@@ -15,24 +15,24 @@ void KnownPairs::remember(const NodePair& leaves) {
   if (std::ranges::find(pairs_, leaves) == pairs_.end()) pairs_.push_back(leaves);
 }
 
-void KnownPairs::rememberDeepest(const Counterpart& counterpart, std::vector<Contact>& contacts) {
-  const std::size_t count = std::min(contacts.size(), kMost);
+void KnownPairs::rememberDeepest(const Collider& collider, std::vector<Contact>& contacts) {
+  const std::size_t count = std::min(contacts.size(), kMax);
   std::partial_sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count), contacts.end(), deeper);
-  for (std::size_t i = 0; i < count && pairs_.size() < kMost; ++i)
-    if (!contacts[i].ofSpheres) remember(counterpart.leavesOf(contacts[i]));
+  for (std::size_t i = 0; i < count && pairs_.size() < kMax; ++i)
+    if (!contacts[i].ofSpheres) remember(collider.leavesOf(contacts[i]));
 }
 
 // Each pair may have dozens of contacts; beyond what there is room for, the deepest are kept. The room is made at once:
 // bodies that roll would else need a little more for minutes.
-void KnownPairs::retest(Counterpart& counterpart, Budget& budget, std::vector<Contact>& all) {
+void KnownPairs::retest(Collider& collider, Budget& budget, std::vector<Contact>& all) {
   if (isRetested_) return;
   isRetested_ = true;
-  budget.chargeAnyway(kContactCost * static_cast<std::uint32_t>(pairs_.size()));
+  budget.forceCharge(kContactCost * static_cast<std::uint32_t>(pairs_.size()));
   all.clear();
-  counterpart.appendContacts(pairs_, all);
-  if (all.size() > kMostRetested) std::partial_sort(all.begin(), all.begin() + kMostRetested, all.end(), deeper);
-  const std::size_t count = std::min(all.size(), kMostRetested);
-  retested_.reserve(count <= kMostOfAll ? kMostOfAll : kMostRetested);
+  collider.appendContacts(pairs_, all);
+  if (all.size() > kMaxRetested) std::partial_sort(all.begin(), all.begin() + kMaxRetested, all.end(), deeper);
+  const std::size_t count = std::min(all.size(), kMaxRetested);
+  retested_.reserve(count <= kMaxOfAll ? kMaxOfAll : kMaxRetested);
   retested_.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
 }
 

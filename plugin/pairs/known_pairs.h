@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "colliders/collider.h"
 #include "contacts/normal_clusters.h"
 #include "contacts/reduction.h"
-#include "counterparts/counterpart.h"
-#include "memory/fetch_ahead.h"
+#include "memory/prefetch.h"
 
 namespace cairn::bullet {
 
@@ -16,11 +16,11 @@ class KnownPairs {
  public:
   /// To so many they are topped up with what was not handed to Bullet. Bounds, with what was, the work of a pair that
   /// gets no budget.
-  static constexpr std::size_t kMost = 32;
-  static constexpr std::size_t kMostOfAll = kMost + kMaxClusters * kMaxPoints;
+  static constexpr std::size_t kMax = 32;
+  static constexpr std::size_t kMaxOfAll = kMax + kMaxClusters * kMaxPoints;
 
   // Bodies may roll for minutes before as much is known of a pair as can be.
-  KnownPairs() { pairs_.reserve(kMostOfAll); }
+  KnownPairs() { pairs_.reserve(kMaxOfAll); }
 
   void reset();
   /// Forgets the pairs, not what they said.
@@ -31,26 +31,26 @@ class KnownPairs {
   void remember(const NodePair& leaves);
   /// Tops them up with the deepest of the contacts that were not chosen, for steps that may be interrupted.
   /// Reorders the contacts.
-  void rememberDeepest(const Counterpart& counterpart, std::vector<Contact>& contacts);
+  void rememberDeepest(const Collider& collider, std::vector<Contact>& contacts);
   /// Allocates, once, what only steps that may be interrupted need.
-  void makeRoom() { retested_.reserve(kMostOfAll); }
+  void makeRoom() { retested_.reserve(kMaxOfAll); }
 
   /// What they say is of an earlier step.
   void beginStep() { isRetested_ = false; }
   /// Asks them, once a step; `all`: working memory.
-  void retest(Counterpart& counterpart, Budget& budget, std::vector<Contact>& all);
+  void retest(Collider& collider, Budget& budget, std::vector<Contact>& all);
   bool isRetested() const { return isRetested_; }
   std::span<const Contact> contacts() const { return retested_; }
 
-  /// See `fetchAhead`.
-  void fetch() const { fetchAhead(pairs_.data(), pairs_.size() * sizeof(NodePair)); }
+  /// See `prefetch`.
+  void prefetchData() const { prefetch(pairs_.data(), pairs_.size() * sizeof(NodePair)); }
 
  private:
   // A flat leaf touches with its corners, four as a rule.
-  static constexpr std::size_t kMostRetested = 4 * kMostOfAll;
+  static constexpr std::size_t kMaxRetested = 4 * kMaxOfAll;
 
   std::vector<NodePair> pairs_;
-  std::vector<Contact> retested_;  // at most `kMostRetested`, whatever each known pair has to say
+  std::vector<Contact> retested_;  // at most `kMaxRetested`, whatever each known pair has to say
   bool isRetested_ = false;
 };
 

@@ -16,28 +16,28 @@ void endWaiting(TreePair& pair, const PairSides& sides) {
       static_cast<float>(PairMotion::placementOf(sides).displacementSince(pair.motion.relative.placement));
   pair.contacts.age().approached(moved, moved);
   pair.age.error += pair.sizes.fraction(moved);
-  pair.age.isHeld = false;
+  pair.age.isCarriedOver = false;
 }
 
 void lookAhead(TreePair& pair, const PairPlacement& placement, const PairSides& sides, btScalar sweptTime,
                Budget& budget) {
-  PairCourse& course = pair.course;
-  course.ahead = {};
-  if (!course.isFast && !course.isAnchored()) return;
-  if (!course.sweep) course.sweep = std::make_unique<Sweep>(pair.kind);
-  course.ahead = course.sweep->run(
-      {placement.treeShape, placement.otherShape, Course(sides.tree, sweptTime), Course(sides.other, sweptTime),
-       pair.motion.origin, placement.reach, course.isFast, placement.otherIndex},
+  PairTrajectory& trajectory = pair.trajectory;
+  trajectory.speculative = {};
+  if (!trajectory.isFast && !trajectory.isAnchored()) return;
+  if (!trajectory.sweep) trajectory.sweep = std::make_unique<Sweep>(pair.kind);
+  trajectory.speculative = trajectory.sweep->run(
+      {placement.treeShape, placement.otherShape, Trajectory(sides.tree, sweptTime), Trajectory(sides.other, sweptTime),
+       pair.motion.origin, placement.maxSeparation, trajectory.isFast, placement.otherIndex},
       budget);
 }
 
 PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, btScalar timeStep) {
-  pair.sizes = PairSizes::of(*sides.shape(), pair.counterpart->size(sides.otherShape()), threshold);
+  pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), threshold);
   PairPlacement placement = pair.motion.place(sides, pair.sizes);
   pair.motion.set(sides, pair.sizes, timeStep);
   const auto seconds = static_cast<float>(timeStep);
   placement.travel = pair.motion.closingSpeed * seconds;
-  const bool isMeshOnTree = pair.kind == CounterpartKind::triangles && !pair.sizes.treeIsSmaller;
+  const bool isMeshOnTree = pair.kind == ColliderKind::triangles && !pair.sizes.treeIsSmaller;
   placement.slip = isMeshOnTree ? speedIn(sides.tree, sides.other) * seconds : placement.travel;
   return placement;
 }
@@ -45,25 +45,26 @@ PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, 
 }  // namespace
 
 bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-           const Outlook& outlook, btScalar threshold, Remeasured remeasured, Budget& budget, ContactScratch& scratch) {
-  pair.work.promised = {};  // of a step that an exception ended
+           const StepHorizon& horizon, btScalar threshold, RefreshPolicy refresh, Budget& budget,
+           ContactScratch& scratch) {
+  pair.work.reserved = {};  // of a step that an exception ended
   const PairSides sides = PairSides::of(body0, body1);
   pair.treeIsBody0 = &sides.tree == &body0;
   if (!pair.adopt(sides)) return false;
   pair.manifolds.setBodies(body0.getCollisionObject(), body1.getCollisionObject());
-  pair.age.untold = pair.age.isHeld ? 0 : pair.age.moved;
-  if (pair.age.isHeld) endWaiting(pair, sides);
-  pair.course.isFast = fastTravel(sides.tree, sides.other, outlook.sweptTime) > 0;
-  const auto ahead = btScalar(pair.course.isFast ? 0 : wallTravel(sides.tree, sides.other, outlook.wallTime));
-  const PairPlacement placement = place(pair, sides, std::max(threshold, ahead), outlook.timeStep);
-  pair.lookForJump(pair.motion.relative.placement, sides, outlook.timeStep);
+  pair.age.uncounted = pair.age.isCarriedOver ? 0 : pair.age.moved;
+  if (pair.age.isCarriedOver) endWaiting(pair, sides);
+  pair.trajectory.isFast = fastTravel(sides.tree, sides.other, horizon.sweptTime) > 0;
+  const auto speculative = btScalar(pair.trajectory.isFast ? 0 : wallTravel(sides.tree, sides.other, horizon.wallTime));
+  const PairPlacement placement = place(pair, sides, std::max(threshold, speculative), horizon.timeStep);
+  pair.lookForJump(pair.motion.relative.placement, sides, horizon.timeStep);
   pair.age.isPlaced = true;
   pair.enter(PairStage::begun);
-  pair.age.moved = pair.age.unseenWay = 0;
-  pair.counterpart->place(placement);
-  lookAhead(pair, placement, sides, outlook.sweptTime, budget);
-  const PairContacts::Beginning beginning{remeasured, pair.saysItsLast()};
-  if (pair.contacts.begin(*pair.counterpart, pair.motion.relative, beginning, budget, scratch)) pair.work.spent = 0;
+  pair.age.moved = pair.age.unseenMotion = 0;
+  pair.collider->place(placement);
+  lookAhead(pair, placement, sides, horizon.sweptTime, budget);
+  const PairContacts::Beginning beginning{refresh, pair.mayRepeatLast()};
+  if (pair.contacts.begin(*pair.collider, pair.motion.relative, beginning, budget, scratch)) pair.work.spent = 0;
   return true;
 }
 
@@ -79,20 +80,20 @@ ScheduledPair scheduled(TreePair& pair) {
 
 std::uint64_t charge(TreePair& pair, std::uint64_t operations) {
   pair.work.spent += operations;
-  if (!pair.isDone() || pair.contacts.isKept()) return 0;
-  return pair.work.ofLastWhole = pair.work.spent;
+  if (!pair.isDone() || pair.contacts.isCached()) return 0;
+  return pair.work.ofLastComplete = pair.work.spent;
 }
 
-void promise(TreePair& pair, Budget& budget, const EmissionPace& pace) {
-  withdrawPromise(pair, budget);
-  Promise& promised = pair.work.promised;
-  promised.operations = pair.contacts.measuringCost(*pair.counterpart);
-  promised.nanoseconds = pace.expectedNanoseconds(promised.operations + pair.contacts.standInCost(*pair.counterpart));
-  budget.promise(promised);
+void reserve(TreePair& pair, Budget& budget, const CostModel& cost) {
+  cancelReservation(pair, budget);
+  Reservation& reserved = pair.work.reserved;
+  reserved.operations = pair.contacts.measuringCost(*pair.collider);
+  reserved.nanoseconds = cost.expectedNanoseconds(reserved.operations + pair.contacts.fallbackCost(*pair.collider));
+  budget.reserve(reserved);
 }
 
-void withdrawPromise(TreePair& pair, Budget& budget) {
-  budget.redeem(std::exchange(pair.work.promised, {}));
+void cancelReservation(TreePair& pair, Budget& budget) {
+  budget.release(std::exchange(pair.work.reserved, {}));
 }
 
 }  // namespace cairn::bullet

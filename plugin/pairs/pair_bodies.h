@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "memory/fetch_ahead.h"
+#include "memory/prefetch.h"
 #include "pairs/body_snapshot.h"
 
 namespace cairn::bullet {
@@ -44,9 +44,9 @@ class PairBodies {
   const btCollisionObject* object1() const { return body1().getCollisionObject(); }
   PairKey key(std::size_t arrival) const;
 
-  /// See `fetchAhead`.
-  void fetch() const {
-    for (const BodySnapshot& body : bodies_) fetchAhead(&body, kCopyBytes);
+  /// See `prefetch`.
+  void prefetchData() const {
+    for (const BodySnapshot& body : bodies_) prefetch(&body, kCopyBytes);
   }
 
  private:

@@ -4,14 +4,14 @@
 namespace cairn::bullet {
 
 bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
-  pair.age.holdsStill = false;
+  pair.age.repeatsLast = false;
   pair.enter(PairStage::collected);
   pair.handles.note(PairSides::of(body0, body1).tree);
   return pair.bodies.take(body0, body1);
 }
 
 bool follow(TreePair& pair) {
-  pair.age.holdsStill = false;
+  pair.age.repeatsLast = false;
   pair.enter(PairStage::collected);
   return pair.bodies.follow();
 }

@@ -21,7 +21,7 @@ std::size_t putChosenFirst(std::vector<Contact>& guards) {
   std::sort(guards.begin(), guards.end(), deeper);
   std::size_t count = 0;
   const auto choose = [&](const auto& isChoice) {
-    for (std::size_t i = count; i < guards.size() && count < PairGuards::kMost; ++i) {
+    for (std::size_t i = count; i < guards.size() && count < PairGuards::kMax; ++i) {
       if (!isChoice(guards[i])) continue;
       const auto first = guards.begin() + static_cast<std::ptrdiff_t>(count);
       const auto it = guards.begin() + static_cast<std::ptrdiff_t>(i);
@@ -34,7 +34,7 @@ std::size_t putChosenFirst(std::vector<Contact>& guards) {
     std::rotate(guards.begin(), certain, certain + 1);
     ++count;
   }
-  choose([](const Contact& c) { return c.isWhole; });
+  choose([](const Contact& c) { return c.isRootContact; });
   choose([&](const Contact& c) {
     return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
                         [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameWayCosine; });
@@ -45,19 +45,19 @@ std::size_t putChosenFirst(std::vector<Contact>& guards) {
 
 }  // namespace
 
-PairGuards::Guard PairGuards::noted(const Contact& guard, float allowedGap) {
-  return {guard.id, guard.isWhole, guard.normal, allowedGap, std::max(-guard.gap, 0.0F)};
+PairGuards::Guard PairGuards::noted(const Contact& guard, float allowedSeparation) {
+  return {guard.id, guard.isRootContact, guard.normal, allowedSeparation, std::max(-guard.separation, 0.0F)};
 }
 
 void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std::vector<Contact>& contacts) {
   const std::size_t count = putChosenFirst(candidates);
-  std::array<Guard, kMost> now;
+  std::array<Guard, kMax> now;
   for (std::size_t i = 0; i < count; ++i) {
     Contact& guard = candidates[i];
-    const float allowed = allowedGap(guard, smallerSize);
+    const float allowed = allowedSeparation(guard, smallerSize);
     // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
-    guard.gap -= allowed;
-    if (guard.certainDepth > 0) guard.gap = std::min(guard.gap, -guard.certainDepth);
+    guard.separation -= allowed;
+    if (guard.certainDepth > 0) guard.separation = std::min(guard.separation, -guard.certainDepth);
     now[i] = noted(guard, allowed);
     guard.isGuard = true;
     contacts.push_back(guard);
@@ -72,7 +72,7 @@ const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
   float cosine = kSameWayCosine;
   for (const Guard& g : guards_) {
     const float c = dot(g.normal, guard.normal);
-    if (!guard.isWhole || !g.isWhole || c <= cosine) continue;
+    if (!guard.isRootContact || !g.isRootContact || c <= cosine) continue;
     best = &g;
     cosine = c;
   }
@@ -85,9 +85,10 @@ const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
 // it was and reports what its spheres have sunk since; when they part, it follows, all but a little. Where refinement
 // has replaced the spheres by finer ones, those inherit what the guards that faced the same way had sunk: else every
 // step of a slow traversal would start anew from zero, and bodies creep through each other.
-float PairGuards::allowedGap(const Contact& guard, float smallerSize) const {
-  const float now = std::min(guard.gap, 0.0F);
-  if (const Guard* last = lastOf(guard)) return std::max(last->allowedGap, now - kUnfollowedFraction * smallerSize);
+float PairGuards::allowedSeparation(const Contact& guard, float smallerSize) const {
+  const float now = std::min(guard.separation, 0.0F);
+  if (const Guard* last = lastOf(guard))
+    return std::max(last->allowedSeparation, now - kUnfollowedFraction * smallerSize);
   float sunk = 0;
   for (const Guard& g : guards_) {
     if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
@@ -95,15 +96,15 @@ float PairGuards::allowedGap(const Contact& guard, float smallerSize) const {
   return now + sunk;
 }
 
-Contact PairGuards::holdWhole(Contact whole, float smallerSize) {
-  const float allowed = allowedGap(whole, smallerSize);
+Contact PairGuards::guardByRoot(Contact whole, float smallerSize) {
+  const float allowed = allowedSeparation(whole, smallerSize);
   const Guard* const last = lastOf(whole);
-  whole.gap -= allowed;
-  whole.isGuard = whole.isWhole = true;
+  whole.separation -= allowed;
+  whole.isGuard = whole.isRootContact = true;
   const Guard guard = noted(whole, allowed);
   if (last)
     guards_[static_cast<std::size_t>(last - guards_.data())] = guard;
-  else if (guards_.size() < kMost)
+  else if (guards_.size() < kMax)
     guards_.push_back(guard);
   else
     guards_.back() = guard;

@@ -12,10 +12,10 @@ namespace cairn::bullet {
 /// are resolved.
 class PairGuards {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   // Bodies may roll for minutes before there are as many as can be.
-  PairGuards() { guards_.reserve(kMost); }
+  PairGuards() { guards_.reserve(kMax); }
 
   bool isEmpty() const { return guards_.empty(); }
   void clear() { guards_.clear(); }
@@ -26,21 +26,21 @@ class PairGuards {
   void choose(std::vector<Contact>& candidates, float smallerSize, std::vector<Contact>& contacts);
   /// The spheres of whole bodies as a guard, in place of what faced the same way: reports what they have sunk since
   /// they were first seen.
-  Contact holdWhole(Contact whole, float smallerSize);
+  Contact guardByRoot(Contact whole, float smallerSize);
 
  private:
   // How far a pair of spheres already overlapped when it was first seen, and what it has sunk since.
   struct Guard {
-    ContactId id;  // of the counterpart's own elements, whose positions in a traversal may change
-    bool isWhole;
+    ContactId id;  // of the collider's own elements, whose positions in a traversal may change
+    bool isRootContact;
     Vec3 normal;
-    float allowedGap;
+    float allowedSeparation;
     float sunk;
   };
 
-  static Guard noted(const Contact& guard, float allowedGap);
+  static Guard noted(const Contact& guard, float allowedSeparation);
   const Guard* lastOf(const Contact& guard) const;
-  float allowedGap(const Contact& guard, float smallerSize) const;
+  float allowedSeparation(const Contact& guard, float smallerSize) const;
 
   std::vector<Guard> guards_;
 };

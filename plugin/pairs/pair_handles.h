@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "memory/fetch_ahead.h"
+#include "memory/prefetch.h"
 
 namespace cairn::bullet {
 
@@ -22,12 +22,12 @@ struct PairHandles {
     treeObject.store(tree.getCollisionObject(), std::memory_order_relaxed);
     treeShape.store(tree.getCollisionShape(), std::memory_order_relaxed);
   }
-  /// See `fetchAhead`.
-  void fetchAlgorithm() const { fetchAhead(algorithm.load(std::memory_order_relaxed), 1); }
-  void fetchBody() const {
+  /// See `prefetch`.
+  void prefetchAlgorithm() const { prefetch(algorithm.load(std::memory_order_relaxed), 1); }
+  void prefetchBody() const {
     constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities
-    fetchAhead(treeObject.load(std::memory_order_relaxed), kBodyBytes);
-    fetchAhead(treeShape.load(std::memory_order_relaxed), sizeof(SphereTreeShape));
+    prefetch(treeObject.load(std::memory_order_relaxed), kBodyBytes);
+    prefetch(treeShape.load(std::memory_order_relaxed), sizeof(SphereTreeShape));
   }
 };
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "contacts/manifold_writer.h"
-#include "memory/fetch_ahead.h"
+#include "memory/prefetch.h"
 #include "pairs/body_motion.h"
 
 namespace cairn::bullet {
@@ -65,7 +65,7 @@ btPersistentManifold* PairManifolds::make(int cluster, btDispatcher& dispatcher,
   btPersistentManifold*& m = manifolds_[static_cast<std::size_t>(cluster)];
   if (!m) {
     m = dispatcher.getNewManifold(bodies_[0], bodies_[1]);
-    if (m) fetchAhead(m + 1, sizeof(btPersistentManifold));  // the next, as long as Bullet's pool is in order
+    if (m) prefetch(m + 1, sizeof(btPersistentManifold));  // the next, as long as Bullet's pool is in order
   }
   if (m) m->setContactBreakingThreshold(farthest);
   return m;
@@ -99,19 +99,19 @@ std::uint32_t PairManifolds::countFilled() const {
   return static_cast<std::uint32_t>(std::ranges::count_if(manifolds_, isFilled));
 }
 
-bool PairManifolds::areOfBroken() const {
+bool PairManifolds::areOfNonFinite() const {
   return std::ranges::any_of(manifolds_, [](const btPersistentManifold* m) {
-    return m && m->getNumContacts() > 0 && (isBroken(*m->getBody0()) || isBroken(*m->getBody1()));
+    return m && m->getNumContacts() > 0 && (isNonFinite(*m->getBody0()) || isNonFinite(*m->getBody1()));
   });
 }
 
-void PairManifolds::follow(std::optional<btScalar> farthest, bool keepsStandIn) {
+void PairManifolds::follow(std::optional<btScalar> farthest, bool keepsFallback) {
   const btMatrix3x3& axes = bodies_[1]->getWorldTransform().getBasis();
   // A turn by nothing, step for step, would add its rounding up.
   const btMatrix3x3 turned = axes == axes_ ? btMatrix3x3::getIdentity() : axes * axes_.transpose();
   constexpr btScalar kAnywhere = std::numeric_limits<btScalar>::max();
   for (int k = 0; k < kMaxClusters; ++k) {
-    const bool keepsAll = keepsStandIn && k == standIn_;
+    const bool keepsAll = keepsFallback && k == fallback_;
     if (btPersistentManifold* const m = at(k))
       followBodies(*m, turned, keepsAll ? kAnywhere : farthest.value_or(kAnywhere));
   }
@@ -133,16 +133,16 @@ void PairManifolds::forgetImpulses() {
   forEachPoint(manifolds_, [](btManifoldPoint& point, const auto&) { point.m_appliedImpulse = 0; });
 }
 
-void PairManifolds::chooseStandIn(bool amongFullest) {
-  if (hasStandIn()) return;
+void PairManifolds::chooseFallback(bool amongFullest) {
+  if (hasFallback()) return;
   const int sign = amongFullest ? -1 : 1;
   const auto points = [&](const btPersistentManifold* m) { return m ? sign * m->getNumContacts() : 0; };
-  standIn_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
+  fallback_ = static_cast<int>(std::ranges::min_element(manifolds_, {}, points) - manifolds_.begin());
 }
 
 void PairManifolds::clearOthers() {
   for (int k = 0; k < kMaxClusters; ++k)
-    if (btPersistentManifold* const m = at(k); m && k != standIn_ && m->getNumContacts() > 0) m->clearManifold();
+    if (btPersistentManifold* const m = at(k); m && k != fallback_ && m->getNumContacts() > 0) m->clearManifold();
 }
 
 bool PairManifolds::areGuardsLoaded() const {
@@ -160,14 +160,14 @@ void PairManifolds::stayAwake() const {
   }
 }
 
-void PairManifolds::fetchCounts() const {
+void PairManifolds::prefetchCounts() const {
   for (const btPersistentManifold* m : manifolds_)
-    if (m) fetchAhead(&m->m_companionIdA, sizeof(int));  // how many points it holds is told beside these
+    if (m) prefetch(&m->m_companionIdA, sizeof(int));  // how many points it holds is told beside these
 }
 
-void PairManifolds::fetchPoints() const {
+void PairManifolds::prefetchPoints() const {
   for (const btPersistentManifold* m : manifolds_)
-    if (m) fetchAhead(m, static_cast<std::size_t>(m->getNumContacts()) * sizeof(btManifoldPoint));
+    if (m) prefetch(m, static_cast<std::size_t>(m->getNumContacts()) * sizeof(btManifoldPoint));
 }
 
 }  // namespace cairn::bullet

@@ -34,14 +34,14 @@ class PairManifolds {
   /// Users may have taken some away.
   std::uint32_t countPoints() const;
   std::uint32_t countFilled() const;
-  /// Whether a body `isBroken` that has points.
-  bool areOfBroken() const;
+  /// Whether a body `isNonFinite` that has points.
+  bool areOfNonFinite() const;
 
   /// Normals stand where body 1 has its axes now.
   void noteAxes() { axes_ = bodies_[1]->getWorldTransform().getBasis(); }
   /// All points follow the bodies. Those farther apart than `farthest` are dropped; none of the stand-in's if it is
-  /// `keepsStandIn`.
-  void follow(std::optional<btScalar> farthest, bool keepsStandIn);
+  /// `keepsFallback`.
+  void follow(std::optional<btScalar> farthest, bool keepsFallback);
   /// Bullet refreshes the points of a compound's children before it asks for new ones, and drops what slid or parted by
   /// more than the manifold's threshold: nothing would be left to hold.
   void surviveRefresh(btScalar farthest);
@@ -50,12 +50,12 @@ class PairManifolds {
   void forgetImpulses();
 
   /// The one for what stands in: of those that have fewest points, or most, if there is none yet.
-  void chooseStandIn(bool amongFullest);
-  void endStandIn() { standIn_ = kNone; }
-  bool hasStandIn() const { return standIn_ != kNone; }
+  void chooseFallback(bool amongFullest);
+  void endFallback() { fallback_ = kNone; }
+  bool hasFallback() const { return fallback_ != kNone; }
   /// Precondition: it has.
-  int standIn() const { return standIn_; }
-  bool saysStandIn() const { return hasStandIn() && at(standIn_) && at(standIn_)->getNumContacts() > 0; }
+  int fallback() const { return fallback_; }
+  bool reportsFallback() const { return hasFallback() && at(fallback_) && at(fallback_)->getNumContacts() > 0; }
   /// Not what the stand-in is about to continue: for the user the bodies stay in contact.
   void clearOthers();
 
@@ -65,9 +65,9 @@ class PairManifolds {
   /// what the user sends to sleep goes.
   void stayAwake() const;
 
-  /// See `fetchAhead`: how many points there are, then these.
-  void fetchCounts() const;
-  void fetchPoints() const;
+  /// See `prefetch`: how many points there are, then these.
+  void prefetchCounts() const;
+  void prefetchPoints() const;
 
  private:
   static constexpr int kNone = -1;
@@ -75,7 +75,7 @@ class PairManifolds {
   std::array<btPersistentManifold*, kMaxClusters> manifolds_{};
   std::array<const btCollisionObject*, 2> bodies_{};
   btMatrix3x3 axes_ = btMatrix3x3::getIdentity();  // of body 1, where the normals stand
-  int standIn_ = kNone;
+  int fallback_ = kNone;
 };
 
 }  // namespace cairn::bullet

@@ -15,7 +15,7 @@ bool isOfMeshes(const Contact& contact) {
 // What a step that can be interrupted goes on with.
 void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy) {
   if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfMeshes(chosen))) return;
-  pair.contacts.known().remember(pair.counterpart->leavesOf(chosen));
+  pair.contacts.known().remember(pair.collider->leavesOf(chosen));
 }
 
 double errorFractionOf(TreePair& pair, const Contact& chosen) {
@@ -43,8 +43,8 @@ void choose(TreePair& pair, const AnswerPolicy& policy, ContactScratch& scratch,
 // Of what the traversal reached, and of what it had ruled out before the bodies came here; but no more than that of
 // whole bodies.
 float errorOf(TreePair& pair) {
-  const float reached = PairContacts::frontError(*pair.counterpart);
-  if (pair.contacts.isKept()) return reached;
+  const float reached = PairContacts::frontError(*pair.collider);
+  if (pair.contacts.isCached()) return reached;
   return std::min(reached + pair.contacts.age().sinceTraversal(),
                   std::max(reached, pair.traversal().pairError({kRootNode, 0})));
 }
@@ -52,22 +52,22 @@ float errorOf(TreePair& pair) {
 }  // namespace
 
 PairAnswer measure(TreePair& pair, const AnswerPolicy& policy, Budget& budget, ContactScratch& scratch) {
-  budget.redeem(std::exchange(pair.work.promised, {}));
+  budget.release(std::exchange(pair.work.reserved, {}));
   PairAnswer answer;
   PairReport& report = answer.report;
   pair.work.wasDone = pair.isDone();
   report.isUnresolved = !pair.work.wasDone;
   report.errorFraction = pair.sizes.fraction(errorOf(pair));
-  pair.contacts.finish(*pair.counterpart, policy, pair.motion.relative, pair.sizes.reach, pair.course.ahead, budget,
-                       scratch);
+  pair.contacts.finish(*pair.collider, policy, pair.motion.relative, pair.sizes.maxSeparation,
+                       pair.trajectory.speculative, budget, scratch);
   report.onTriangles = pair.contacts.onTriangles();
   report.isOfMesh = pair.contacts.isOfTriangles();
   choose(pair, policy, scratch, answer);
   if (policy.mayBeInterrupted) {
     pair.contacts.expectInterruptions();
-    pair.contacts.known().rememberDeepest(*pair.counterpart, scratch.contacts.list());
+    pair.contacts.known().rememberDeepest(*pair.collider, scratch.contacts.list());
   }
-  report.errorFraction += double(pair.contacts.overlooked() / pair.sizes.smaller);
+  report.errorFraction += double(pair.contacts.staleness() / pair.sizes.smaller);
   if (pair.work.wasDone) pair.age.waited = 0;
   return answer;
 }

@@ -30,7 +30,7 @@ PairSizes PairSizes::of(const SphereTreeShape& tree, float otherSize, btScalar t
   PairSizes sizes;
   sizes.smaller = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;
   sizes.speculative = static_cast<float>(kSpeculativeFraction) * sizes.smaller;
-  sizes.reach = sizes.speculative + static_cast<float>(threshold);
+  sizes.maxSeparation = sizes.speculative + static_cast<float>(threshold);
   sizes.treeIsSmaller = !(otherSize > 0 && otherSize < treeSize);
   return sizes;
 }
@@ -61,8 +61,8 @@ PairPlacement PairMotion::place(const PairSides& sides, const PairSizes& sizes) 
   placement.other = sides.other.getWorldTransform();
   placement.other.getOrigin() -= origin;
   placement.otherIndex = sides.other.m_index;
-  placement.reach = sizes.reach;
-  placement.ownReach = sizes.speculative;
+  placement.maxSeparation = sizes.maxSeparation;
+  placement.speculativeDistance = sizes.speculative;
   center = toVec3d(origin) + smallerCenter(placement, sizes.treeIsSmaller);
   return placement;
 }
@@ -87,7 +87,7 @@ void PairMotion::set(const PairSides& sides, const PairSizes& sizes, btScalar ti
   closingSpeed = cairn::bullet::closingSpeed(tree, other, disc);
   reducedMass = cairn::bullet::reducedMass(tree, other);
   relative.smallerSize = sizes.smaller;
-  relative.reach = sizes.reach;
+  relative.maxSeparation = sizes.maxSeparation;
   relative.placement = placementOf(sides);
 }
 

@@ -13,9 +13,9 @@ namespace cairn::bullet {
 
 /// How large the bodies of a pair are, and how far apart they still touch.
 struct PairSizes {
-  float smaller = 0;      ///< of the smaller body, world length
-  float speculative = 0;  ///< contacts nearer than this are wanted whatever a query asks for
-  float reach = 0;        ///< contacts with a gap below this are wanted
+  float smaller = 0;        ///< of the smaller body, world length
+  float speculative = 0;    ///< contacts nearer than this are wanted whatever a query asks for
+  float maxSeparation = 0;  ///< contacts with a gap below this are wanted
   bool treeIsSmaller = true;
 
   /// `otherSize`: 0 of what has none; a point has none to speak of. `threshold`: how far beyond the speculative

@@ -3,7 +3,7 @@
 
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
-#include "counterparts/distance_field.h"
+#include "colliders/distance_field.h"
 
 namespace cairn::bullet {
 
@@ -14,12 +14,12 @@ const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
 }
 
 // 0 for what is no field.
-std::uint64_t fieldMark(const btCollisionShape& shape) {
+std::uint64_t fieldFingerprint(const btCollisionShape& shape) {
   const btSdfCollisionShape* const sdf = asField(shape);
   if (!sdf) return 0;
   DistanceField field;
   field.take(*sdf);
-  return field.mark();
+  return field.fingerprint();
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& othe
     planeNormal_ = plane->getPlaneNormal();
     planeConstant_ = plane->getPlaneConstant();
   }
-  fieldMark_ = fieldMark(other);
+  fieldFingerprint_ = fieldFingerprint(other);
 }
 
 bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other) const {
@@ -51,7 +51,7 @@ bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other)
   if (const btStaticPlaneShape* const plane = asPlane(other))
     return !otherTree_ && planeNormal_ == plane->getPlaneNormal() && planeConstant_ == plane->getPlaneConstant();
   const SphereTreeShape* const otherTree = asSphereTree(&other);
-  if (!otherTree) return !otherTree_ && fieldMark_ == fieldMark(other);
+  if (!otherTree) return !otherTree_ && fieldFingerprint_ == fieldFingerprint(other);
   return otherTree_.get() == &otherTree->tree() && otherScale_ == otherTree->scale() &&
          otherMargin_ == otherTree->getMargin() && otherFrame_ == otherTree->bodyFrame();
 }

@@ -32,7 +32,8 @@ class PairSubject {
   const btCollisionShape* otherShape_ = nullptr;  // never followed: it may be gone
   btVector3 planeNormal_{0, 0, 0};                // if it is a plane: another may stand at the same address
   btScalar planeConstant_ = 0;
-  std::uint64_t fieldMark_ = 0;  // if it is a field, which may be given other data: see `DistanceField::mark`
+  std::uint64_t fieldFingerprint_ =
+      0;  // if it is a field, which may be given other data: see `DistanceField::fingerprint`
 };
 
 }  // namespace cairn::bullet

@@ -8,7 +8,7 @@ namespace cairn::bullet {
 PairReport write(TreePair& pair, const PairAnswer& answer, const AnswerPolicy& policy, btDispatcher& dispatcher,
                  btManifoldResult& result) {
   PairReport report = answer.report;
-  pair.forgetImpulsesAhead();
+  pair.forgetSpeculativeImpulses();
   std::span<const Contact> left = answer.all();
   for (std::size_t k = 0; k < answer.count.size(); ++k) {
     const std::span<const Contact> chosen = left.first(answer.count[k]);
@@ -25,12 +25,12 @@ PairReport write(TreePair& pair, const PairAnswer& answer, const AnswerPolicy& p
     report.manifolds += points > 0 ? 1 : 0;
   }
   if (policy.mayBeInterrupted) pair.surviveRefresh();
-  pair.holdGuards();
+  pair.keepGuardedAwake();
   pair.age.answeredAt = pair.motion.relative.placement;
   pair.age.error = report.errorFraction;
-  pair.said.contacts = report.contacts;
-  pair.said.manifolds = report.manifolds;
-  pair.manifolds.endStandIn();
+  pair.reported.contacts = report.contacts;
+  pair.reported.manifolds = report.manifolds;
+  pair.manifolds.endFallback();
   pair.manifolds.noteAxes();
   return report;
 }

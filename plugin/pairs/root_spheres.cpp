@@ -31,8 +31,8 @@ std::optional<RootSpheres> rootSpheres(const btCollisionObjectWrapper& body0, co
   return roots;
 }
 
-bool RootSpheres::areApart(btScalar reach) const {
-  const btScalar wanted = radiusA + radiusB + reach;
+bool RootSpheres::areSeparated(btScalar maxSeparation) const {
+  const btScalar wanted = radiusA + radiusB + maxSeparation;
   const btScalar touching = wanted + btScalar(kOverlapSlack) * (lengths + wanted);
   return (centerB - centerA).length2() > touching * touching * (1 + btScalar(kOverlapSlack));
 }
@@ -59,11 +59,11 @@ bool isPlane(const btCollisionObjectWrapper& body) {
 
 }  // namespace
 
-bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                   const std::optional<RootSpheres>& roots, btScalar travel) {
+bool areRootsSeparated(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                       const std::optional<RootSpheres>& roots, btScalar travel) {
   if (roots) {
     const SphereTreeShape &a = *asSphereTree(body0.getCollisionShape()), &b = *asSphereTree(body1.getCollisionShape());
-    return roots->areApart(btScalar(kSpeculativeFraction) * std::min(a.size(), b.size()) + travel);
+    return roots->areSeparated(btScalar(kSpeculativeFraction) * std::min(a.size(), b.size()) + travel);
   }
   if (asTerrain(body0.getCollisionShape()))
     return asSphereTree(body1.getCollisionShape()) && isClearOfGround(body1, body0, travel);
@@ -76,24 +76,24 @@ bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjec
 namespace {
 
 // The square of what is shorter has few digits left.
-constexpr btScalar kLeastLength = btScalar(1e-18);
+constexpr btScalar kMinLength = btScalar(1e-18);
 
 }  // namespace
 
 bool RootSpheres::areAlike() const {
-  return std::max(radiusA, radiusB) <= btScalar(kMostUnlike) * std::min(radiusA, radiusB);
+  return std::max(radiusA, radiusB) <= btScalar(kMaxSizeRatio) * std::min(radiusA, radiusB);
 }
 
 Contact RootSpheres::contact() const {
   const btVector3 line = centerA - centerB;
   const btScalar length = line.length();
   Contact contact;
-  contact.ofSpheres = contact.isWhole = true;
+  contact.ofSpheres = contact.isRootContact = true;
   contact.pair = {kRootNode, kRootNode};
-  contact.normal = length > kLeastLength ? toVec3(line / length) : unitVector(toVec3(line));
+  contact.normal = length > kMinLength ? toVec3(line / length) : unitVector(toVec3(line));
   if (contact.normal == Vec3()) contact.normal = Vec3(0, 0, 1);
-  contact.gap = static_cast<float>(length - radiusA - radiusB);
-  contact.position = toVec3(centerB) + contact.normal * (static_cast<float>(radiusB) + 0.5F * contact.gap);
+  contact.separation = static_cast<float>(length - radiusA - radiusB);
+  contact.position = toVec3(centerB) + contact.normal * (static_cast<float>(radiusB) + 0.5F * contact.separation);
   contact.id = {0, static_cast<int>(kRootNode), 0, static_cast<int>(kRootNode)};
   return contact;
 }

@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "colliders/collider.h"
 #include "contacts/contact.h"
-#include "counterparts/counterpart.h"
 
 struct btCollisionObjectWrapper;
 
@@ -18,8 +18,8 @@ struct RootSpheres {
   btScalar radiusA = 0, radiusB = 0;
   btScalar lengths = 0;  ///< of what the centres were computed from, for rounding
 
-  /// Whether they are so far apart that nothing can be within `reach` (world length), rounding included.
-  bool areApart(btScalar reach) const;
+  /// Whether they are so far apart that nothing can be within `maxSeparation` (world length), rounding included.
+  bool areSeparated(btScalar maxSeparation) const;
   /// Whether neither is much larger than the other.
   bool areAlike() const;
   /// As a contact of the whole bodies; the pair frame is the spheres'.
@@ -29,8 +29,8 @@ struct RootSpheres {
 /// Whether the spheres around two whole trees, or one such sphere and a static plane or a terrain, are certainly too
 /// far apart for any contact, the speculative distance and `travel` (world length) included: then nothing else has to
 /// be looked at. `roots`: those of two trees. Precondition: one of the shapes is a sphere-tree.
-bool areRootsApart(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
-                   const std::optional<RootSpheres>& roots, btScalar travel);
+bool areRootsSeparated(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
+                       const std::optional<RootSpheres>& roots, btScalar travel);
 
 /// Nothing unless both shapes are sphere-trees. Cheap.
 std::optional<RootSpheres> rootSpheres(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);

@@ -20,16 +20,16 @@ constexpr float kSeparationFactor = 1.5F;
 void TreePair::reset() {
   forget();
   enter(PairStage::idle);
-  work.promised = {};
-  course.ahead = {};
-  course.isFast = false;
+  work.reserved = {};
+  trajectory.speculative = {};
+  trajectory.isFast = false;
   motion.roots.reset();
   notes = {};
 }
 
 bool TreePair::adopt(const PairSides& sides) {
   const SphereTreeShape* const tree = sides.shape();
-  const std::optional<CounterpartKind> newKind = tree ? kindOf(sides.otherShape()) : std::nullopt;
+  const std::optional<ColliderKind> newKind = tree ? kindOf(sides.otherShape()) : std::nullopt;
   if (!newKind) {
     forget();
     return false;
@@ -38,8 +38,8 @@ bool TreePair::adopt(const PairSides& sides) {
   if (subject.isKnown()) forget();  // else there is nothing to forget, and much to write
   if (*newKind != kind) {
     kind = *newKind;
-    course.sweep.reset();
-    counterpart = makeCounterpart(kind);
+    trajectory.sweep.reset();
+    collider = makeCollider(kind);
   }
   subject.take(*tree, sides.otherShape());
   return true;
@@ -48,67 +48,67 @@ bool TreePair::adopt(const PairSides& sides) {
 void TreePair::forget() {
   contacts.reset();
   forgetWaiting();
-  counterpart->reset();
+  collider->reset();
   work.wasDone = true;
   subject.forget();
   clearManifolds();
 }
 
 void TreePair::lookAtRest() {
-  if (rest == PairRest::fitted) return;
-  rest = rest == PairRest::asked ? PairRest::silent : PairRest::fitted;
-  if (rest != PairRest::fitted) return;
-  counterpart->shrinkToFit();
+  if (rest == PairRest::trimmed) return;
+  rest = rest == PairRest::asked ? PairRest::unasked : PairRest::trimmed;
+  if (rest != PairRest::trimmed) return;
+  collider->shrinkToFit();
   contacts.shrinkToFit();
 }
 
 void TreePair::forgetWaiting() {
-  age.isPlaced = age.isHeld = false;
+  age.isPlaced = age.isCarriedOver = false;
   age.waited = age.error = 0;
-  age.moved = age.untold = age.unseenWay = 0;
+  age.moved = age.uncounted = age.unseenMotion = 0;
   work.forget();
-  manifolds.endStandIn();
-  said.wasAhead = said.areGuardsLoaded = false;
-  course.forgetAnchor();
+  manifolds.endFallback();
+  reported.wasSpeculative = reported.areGuardsLoaded = false;
+  trajectory.forgetAnchor();
 }
 
 // What stopped a body is no guess at what holds it now.
-void TreePair::forgetImpulsesAhead() {
-  if (said.wasAhead) manifolds.forgetImpulses();
-  said.wasAhead = !course.ahead.empty();
+void TreePair::forgetSpeculativeImpulses() {
+  if (reported.wasSpeculative) manifolds.forgetImpulses();
+  reported.wasSpeculative = !trajectory.speculative.empty();
 }
 
 void TreePair::lookForJump(const RelativePlacement& now, const PairSides& sides, btScalar timeStep) {
   if (age.isPlaced && motion.areSetDown(now, sides, sizes, timeStep)) {
     contacts.guards().clear();
-    course.forgetAnchor();
+    trajectory.forgetAnchor();
   }
   motion.seenAt = now;
 }
 
 void TreePair::clearManifolds() {
-  if (!said.mayHavePoints) return;
-  said.mayHavePoints = false;
-  said.contacts = said.manifolds = 0;
+  if (!reported.mayHavePoints) return;
+  reported.mayHavePoints = false;
+  reported.contacts = reported.manifolds = 0;
   manifolds.clear();
 }
 
-void TreePair::countSaid() {
-  said.contacts = manifolds.countPoints();
-  said.manifolds = manifolds.countFilled();
+void TreePair::countReported() {
+  reported.contacts = manifolds.countPoints();
+  reported.manifolds = manifolds.countFilled();
 }
 
-void TreePair::holdGuards() {
-  said.areGuardsLoaded = manifolds.areGuardsLoaded();
-  if (said.areGuardsLoaded) manifolds.stayAwake();
+void TreePair::keepGuardedAwake() {
+  reported.areGuardsLoaded = manifolds.areGuardsLoaded();
+  if (reported.areGuardsLoaded) manifolds.stayAwake();
 }
 
 btScalar TreePair::breakingThreshold() const {
-  return btScalar(sizes.reach * kBreakingFactor);
+  return btScalar(sizes.maxSeparation * kBreakingFactor);
 }
 
 btPersistentManifold* TreePair::manifold(btDispatcher& dispatcher, int cluster) {
-  said.mayHavePoints = true;
+  reported.mayHavePoints = true;
   return manifolds.make(cluster, dispatcher, breakingThreshold());
 }
 
@@ -118,8 +118,8 @@ ManifoldWriter TreePair::writerOf(btManifoldResult& result) const {
 
 std::span<Contact> TreePair::choose(int manifold, std::span<Contact> members) const {
   const btPersistentManifold* const m = manifolds.at(manifold);
-  const HeldContacts held = m ? heldBy(*m, treeIsBody0) : HeldContacts();
-  return chooseContacts(members, held.span(), kSeparationFactor * sizes.speculative, sizes.speculative);
+  const ManifoldContacts carriedOver = m ? contactsIn(*m, treeIsBody0) : ManifoldContacts();
+  return chooseContacts(members, carriedOver.span(), kSeparationFactor * sizes.speculative, sizes.speculative);
 }
 
 }  // namespace cairn::bullet

@@ -12,12 +12,12 @@
 #include "pairs/pair_age.h"
 #include "pairs/pair_bodies.h"
 #include "pairs/pair_contacts.h"
-#include "pairs/pair_course.h"
 #include "pairs/pair_handles.h"
 #include "pairs/pair_manifolds.h"
 #include "pairs/pair_motion.h"
 #include "pairs/pair_notes.h"
 #include "pairs/pair_subject.h"
+#include "pairs/pair_trajectory.h"
 #include "pairs/pair_work.h"
 
 namespace cairn::bullet {
@@ -28,44 +28,43 @@ enum class PairStage : std::uint8_t {
   idle,       ///< nobody has asked yet
   apart,      ///< settled: by what was measured last there can be no contacts
   away,       ///< settled: the same by the spheres around the bodies, and nothing else is known
-  broken,     ///< settled: a body is no number
+  nonFinite,  ///< settled: a body is no number
   collected,  ///< its bodies are copied
-  surveyed,   ///< its need is known
-  begun,      ///< its counterpart is placed, its traversal started or resumed
+  estimated,  ///< its need is known
+  begun,      ///< its collider is placed, its traversal started or resumed
 };
 
 /// Whether a pair rests: Bullet does not ask about bodies that sleep.
 enum class PairRest : std::uint8_t {
-  asked,   ///< since the last look
-  silent,  ///< not since then
-  fitted,  ///< nor since the one before: it gave back memory it does not use
+  asked,    ///< since the last look
+  unasked,  ///< not since then
+  trimmed,  ///< nor since the one before: it gave back memory it does not use
 };
 
-/// One sphere-tree and its counterpart, from the moment Bullet creates their algorithm until it destroys it: all that
-/// is known of them from step to step. What is done with it stands in files of their own: pair_settle.h,
-/// pair_collect.h, pair_survey.h, pair_carry.h, pair_begin.h, pair_measure.h, pair_write.h, pair_hold.h. What tells
-/// whether anything has to be done in a step comes first: of most pairs of a heap nothing else is looked at.
+/// One sphere-tree and its collider, from the moment Bullet creates their algorithm until it destroys it: all that
+/// is known of them from step to step. What is done with it stands in files of their own: pair_cull.h,
+/// pair_collect.h, pair_estimation.h, pair_reuse.h, pair_begin.h, pair_measure.h, pair_write.h, pair_carry_over.h. What
+/// tells whether anything has to be done in a step comes first: of most pairs of a heap nothing else is looked at.
 struct alignas(64) TreePair {
   /// How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
-  static constexpr float kMostFollowed = 0.04F;
+  static constexpr float kMaxFollowed = 0.04F;
 
-  explicit TreePair(CounterpartKind counterpartKind)
-      : kind(counterpartKind), counterpart(makeCounterpart(counterpartKind)) {}
+  explicit TreePair(ColliderKind colliderKind) : kind(colliderKind), collider(makeCollider(colliderKind)) {}
 
-  CounterpartKind kind;
+  ColliderKind kind;
   bool treeIsBody0 = true;
   std::atomic<PairStage> stage{PairStage::idle};  // threads look at others' pairs to fetch them
   PairRest rest = PairRest::asked;
-  PairSaid said;
+  ReportedContacts reported;
   PairSizes sizes;
-  PairCourse course;
+  PairTrajectory trajectory;
   PairHandles handles;
   Vec3 awayBy;  ///< from the other body's centre to the tree's
   PairSubject subject;
   PairContacts contacts;
   // Then what tells what it needs where there is not enough for all.
   PairMotion motion;
-  std::unique_ptr<Counterpart> counterpart;
+  std::unique_ptr<Collider> collider;
   PairAge age;
   PairWork work;
   PairNotes notes;
@@ -76,16 +75,16 @@ struct alignas(64) TreePair {
   void reset();
   void enter(PairStage next) { stage.store(next, std::memory_order_relaxed); }
   bool is(PairStage asked) const { return stage.load(std::memory_order_relaxed) == asked; }
-  bool isSettled() const { return is(PairStage::apart) || is(PairStage::away) || is(PairStage::broken); }
+  bool isCulled() const { return is(PairStage::apart) || is(PairStage::away) || is(PairStage::nonFinite); }
   bool isBegun() const { return is(PairStage::begun); }
   /// Of the copied bodies.
   PairSides sides() const { return PairSides::of(bodies.body0(), bodies.body1(), treeIsBody0); }
-  Traversal& traversal() { return counterpart->traversal(); }
-  bool isDone() const { return std::as_const(*counterpart).traversal().done(); }
+  Traversal& traversal() { return collider->traversal(); }
+  bool isDone() const { return std::as_const(*collider).traversal().done(); }
   /// What everything comes up from, however deep it is.
-  bool isOnGround() const { return kind == CounterpartKind::terrain || kind == CounterpartKind::plane; }
+  bool isOnGround() const { return kind == ColliderKind::terrain || kind == ColliderKind::plane; }
   /// Begun or not, until it is done.
-  bool saysItsLast() const { return motion.roots && age.holdsStill && !course.isFast; }
+  bool mayRepeatLast() const { return motion.roots && age.repeatsLast && !trajectory.isFast; }
 
   /// Takes these shapes. What is known of others is forgotten first. False, and nothing known, where they cannot meet.
   bool adopt(const PairSides& sides);
@@ -94,17 +93,17 @@ struct alignas(64) TreePair {
   /// A look at it, now and then: if it rests, it gives back memory that it does not use.
   void lookAtRest();
   void forgetWaiting();
-  void forgetImpulsesAhead();
+  void forgetSpeculativeImpulses();
   /// The bodies stand elsewhere: how far spheres had overlapped, and were allowed to, means nothing here.
   void lookForJump(const RelativePlacement& now, const PairSides& sides, btScalar timeStep);
 
   void clearManifolds();
   /// Of what Bullet holds; users may have taken some away.
-  void countSaid();
+  void countReported();
   /// What only follows the bodies is to outlive Bullet's own refresh.
-  void surviveRefresh() { manifolds.surviveRefresh(btScalar(kMostFollowed * sizes.smaller)); }
+  void surviveRefresh() { manifolds.surviveRefresh(btScalar(kMaxFollowed * sizes.smaller)); }
   /// Bodies that guards bear stay awake.
-  void holdGuards();
+  void keepGuardedAwake();
   /// How far apart points of a manifold may be: a little more than contacts reach, so that rounding refuses none.
   btScalar breakingThreshold() const;
   /// Null only when Bullet's pool is used up and the user forbade it to grow.

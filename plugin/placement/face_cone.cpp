@@ -9,7 +9,7 @@ namespace cairn::bullet {
 namespace {
 
 // Faces whose normals are as good as parallel span nothing.
-constexpr float kLeastSine = 0.02F;
+constexpr float kMinSine = 0.02F;
 
 bool isNear(const Vec3& face, const Vec3& direction) {
   return dot(face, direction) > 0 && lengthSq(cross(face, direction)) <= kConeSlack * kConeSlack;
@@ -19,7 +19,7 @@ bool isNear(const Vec3& face, const Vec3& direction) {
 bool isBetween(const Vec3& first, const Vec3& second, const Vec3& direction) {
   const Vec3 edge = cross(first, second);
   const float sineSq = lengthSq(edge);
-  if (sineSq < kLeastSine * kLeastSine) return false;
+  if (sineSq < kMinSine * kMinSine) return false;
   const float beside = dot(edge, direction);
   return beside * beside <= kConeSlack * kConeSlack * sineSq && dot(cross(first, direction), edge) >= 0 &&
          dot(cross(direction, second), edge) >= 0;
@@ -28,7 +28,7 @@ bool isBetween(const Vec3& first, const Vec3& second, const Vec3& direction) {
 // Inside the triangle of three normals, whichever way round they are named.
 bool isInside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& direction) {
   const float turn = dot(a, cross(b, c));
-  if (std::abs(turn) < kLeastSine * kLeastSine) return false;
+  if (std::abs(turn) < kMinSine * kMinSine) return false;
   const float sign = turn > 0 ? 1.0F : -1.0F;
   return sign * dot(direction, cross(a, b)) >= 0 && sign * dot(direction, cross(b, c)) >= 0 &&
          sign * dot(direction, cross(c, a)) >= 0;

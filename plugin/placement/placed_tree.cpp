@@ -39,9 +39,9 @@ Vec3 PlacedTree::farthestOf(std::span<const std::uint32_t> corners, const Vec3& 
   float farthest = std::numeric_limits<float>::lowest();
   std::uint32_t corner = corners.front();
   for (const std::uint32_t v : corners) {
-    const float reach = dot(along, vertices[v]);
-    if (reach <= farthest) continue;
-    farthest = reach;
+    const float maxSeparation = dot(along, vertices[v]);
+    if (maxSeparation <= farthest) continue;
+    farthest = maxSeparation;
     corner = v;
   }
   const Vec3 there = toPair_ * vertices[corner];

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "cairn/core/pose.h"
-#include "cairn/core/region_gap.h"
+#include "cairn/core/region_separation.h"
 #include "cairn/core/sphere_tree.h"
 #include "placement/face_cone.h"
 

@@ -33,11 +33,11 @@ struct Ball {
 // centre, so that a ball far away is hit as exactly as a near one.
 double entryInto(const Ball& ball, const Vec3d& from, const Vec3d& to) {
   constexpr double kNever = 2;
-  const Vec3d way = to - from, toCenter = toVec3d(ball.center) - from;
+  const Vec3d displacement = to - from, toCenter = toVec3d(ball.center) - from;
   const auto radius = double(ball.radius);
   if (lengthSq(toCenter) <= radius * radius) return kNever;
-  const double waySq = lengthSq(way), nearest = dot(toCenter, way) / waySq;
-  const double halfSq = (radius * radius - lengthSq(toCenter - way * nearest)) / waySq;
+  const double displacementSq = lengthSq(displacement), nearest = dot(toCenter, displacement) / displacementSq;
+  const double halfSq = (radius * radius - lengthSq(toCenter - displacement * nearest)) / displacementSq;
   if (!(halfSq >= 0)) return kNever;
   const double entry = nearest - std::sqrt(halfSq);
   return entry >= 0 ? entry : kNever;

@@ -47,7 +47,7 @@ double edgeTolerance(const SphereTreeShape& shape) {
 }
 
 double roundingSlack(const SphereTreeShape& shape, double farthest) {
-  const auto reach = double(shape.tree().reach());
+  const auto reach = double(shape.tree().extent());
   return kQueryRoundings * ((farthest / double(shape.scale()) + reach) * double(SIMD_EPSILON) +
                             reach * double(std::numeric_limits<float>::epsilon()));
 }

@@ -7,10 +7,10 @@
 namespace cairn::bullet {
 
 Segment::Segment(const Vec3d& from, const Vec3d& to, double slack) : slack_(static_cast<float>(slack)) {
-  const Vec3d way = to - from;
-  length_ = length(way);
+  const Vec3d displacement = to - from;
+  length_ = length(displacement);
   if (!(length_ > 0) || !std::isfinite(length_) || !std::isfinite(lengthSq(from))) return;
-  const Vec3d along = way / length_;
+  const Vec3d along = displacement / length_;
   start_ = dot(from, along);
   origin_ = Vec3(from - along * start_);
   direction_ = Vec3(along);

@@ -12,10 +12,10 @@ namespace {
 
 // Slower along an axis than this fraction of its way, a box is taken to move so fast along it: the division stays
 // finite, and what it changes is far below the slack.
-constexpr float kLeastSlope = 1e-7F;
+constexpr float kMinSlope = 1e-7F;
 
 float inverseOf(float slope) {
-  return 1 / std::copysign(std::max(std::abs(slope), kLeastSlope), slope);
+  return 1 / std::copysign(std::max(std::abs(slope), kMinSlope), slope);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ float distanceSq(const TriangleBounds& box, const Vec3& p) {
 
 bool meets(const SphereTree& tree, NodeId node, const TriangleBounds& box) {
   const Sphere s = tree.sphere(node);
-  const float reach = s.radius * (1 + kOverlapSlack) + tree.reach() * kOverlapSlack;
+  const float reach = s.radius * (1 + kOverlapSlack) + tree.extent() * kOverlapSlack;
   return distanceSq(box, s.center) <= reach * reach;
 }
 
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const TriangleB
 // first, because turning an infinite box (debug drawing) makes NaN of it, and grown by what its lengths round by.
 TriangleBounds toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
   const btScalar limit =
-      2 * (btScalar(shape.tree().reach()) * shape.scale() + shape.bodyFromTree().getOrigin().length());
+      2 * (btScalar(shape.tree().extent()) * shape.scale() + shape.bodyFromTree().getOrigin().length());
   const btVector3 most(limit, limit, limit);
   btVector3 cutMin = aabbMin, cutMax = aabbMax, lower, upper;
   cutMin.setMax(-most);

@@ -33,25 +33,25 @@ Status checkScale(const btVector3& scaling) {
 
 // Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is: beyond, squares
 // of such lengths are none or endless.
-constexpr float kLeastSize = 1e-21F, kLargestSize = 1e19F;
+constexpr float kMinSize = 1e-21F, kLargestSize = 1e19F;
 
 // In units of the shape's size. A float's unit of a larger margin is the whole mesh, and contacts at its surface have
 // nothing to do with it any more; far beyond that, Bullet's solver makes what touches it no number.
-constexpr float kMostMargin = 1 / FLT_EPSILON;
+constexpr float kMaxMargin = 1 / FLT_EPSILON;
 
 Status checkMargin(btScalar margin, btScalar size) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%g", double(margin));
   const std::string which = std::string("a sphere-tree shape cannot have a margin of ") + text.data();
   if (!(margin >= 0) || !std::isfinite(margin)) return Error{which + ": give a length of 0 or more, in metres"};
-  if (static_cast<float>(margin) <= kMostMargin * static_cast<float>(size)) return {};
+  if (static_cast<float>(margin) <= kMaxMargin * static_cast<float>(size)) return {};
   std::snprintf(text.data(), text.size(), "%g", double(size));
   return Error{which + ": its mesh is " + text.data() + " m large, give at most 8e6 times that"};
 }
 
 Status checkSize(float diagonal, btScalar scale) {
   const float size = diagonal * static_cast<float>(scale);
-  if (size >= kLeastSize && size <= kLargestSize) return {};
+  if (size >= kMinSize && size <= kLargestSize) return {};
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%g", double(size));
   return Error{std::string("a sphere-tree shape's mesh has a box with a diagonal of ") + text.data() +

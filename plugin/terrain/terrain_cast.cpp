@@ -6,7 +6,7 @@
 #include "placement/bullet_math.h"
 #include "queries/convex_caster.h"
 #include "queries/query_frame.h"
-#include "terrain/swept_way.h"
+#include "terrain/swept_path.h"
 #include "terrain/terrain_lattice.h"
 
 namespace cairn::bullet {
@@ -28,37 +28,37 @@ template <class End, class Ask>
 class CellWalk {
  public:
   // `end()` is the fraction beyond which nothing is wanted, `ask(column, row)` is called for cells the way can meet.
-  CellWalk(const TerrainLattice& lattice, const SweptWay& way, const End& end, const Ask& ask)
-      : lattice_(lattice), way_(way), end_(end), ask_(ask) {}
+  CellWalk(const TerrainLattice& lattice, const SweptPath& path, const End& end, const Ask& ask)
+      : lattice_(lattice), path_(path), end_(end), ask_(ask) {}
 
   void go() const {
     const IndexRange columns{0, (lattice_.cellColumns() - 1) / TerrainLattice::kBlock};
     const IndexRange rows{0, (lattice_.cellRows() - 1) / TerrainLattice::kBlock};
-    walk(WayPart{}, columns, rows, TerrainLattice::kBlock, [&](std::int64_t i, std::int64_t j, const WayPart& part) {
+    walk(PathPart{}, columns, rows, TerrainLattice::kBlock, [&](std::int64_t i, std::int64_t j, const PathPart& part) {
       if (passes(lattice_.blockBounds(i, j), part)) walkBlock(i, j, part);
     });
   }
 
  private:
-  void walkBlock(std::int64_t i, std::int64_t j, const WayPart& part) const {
+  void walkBlock(std::int64_t i, std::int64_t j, const PathPart& part) const {
     constexpr std::int64_t kBlock = TerrainLattice::kBlock;
     const IndexRange columns = IndexRange{i * kBlock, (i + 1) * kBlock - 1}.cutTo({0, lattice_.cellColumns() - 1});
     const IndexRange rows = IndexRange{j * kBlock, (j + 1) * kBlock - 1}.cutTo({0, lattice_.cellRows() - 1});
-    walk(part, columns, rows, 1, [&](std::int64_t column, std::int64_t row, const WayPart& inCell) {
+    walk(part, columns, rows, 1, [&](std::int64_t column, std::int64_t row, const PathPart& inCell) {
       if (passes(lattice_.cellBounds(column, row), inCell)) ask_(column, row);
     });
   }
 
   // Squares of `size` cells a side, numbered by columns and rows of squares.
   template <class Visit>
-  void walk(const WayPart& part, const IndexRange& columns, const IndexRange& rows, std::int64_t size,
+  void walk(const PathPart& part, const IndexRange& columns, const IndexRange& rows, std::int64_t size,
             const Visit& visit) const {
     const IndexRange metRows = rows.cutTo(squares(1, part, size));
-    forEach(metRows, way_.way.y < 0, [&](std::int64_t row) {
-      const WayPart inRow = during(1, row, size, part);
+    forEach(metRows, path_.path.y < 0, [&](std::int64_t row) {
+      const PathPart inRow = during(1, row, size, part);
       if (inRow.isEmpty()) return;
-      forEach(columns.cutTo(squares(0, inRow, size)), way_.way.x < 0, [&](std::int64_t column) {
-        const WayPart inSquare = during(0, column, size, inRow);
+      forEach(columns.cutTo(squares(0, inRow, size)), path_.path.x < 0, [&](std::int64_t column) {
+        const PathPart inSquare = during(0, column, size, inRow);
         if (!inSquare.isEmpty()) visit(column, row, inSquare);
       });
     });
@@ -73,31 +73,32 @@ class CellWalk {
   }
 
   // The squares' columns (axis 0) or rows (axis 1) that are met during a part of the way.
-  IndexRange squares(int axis, const WayPart& part, std::int64_t size) const {
-    const double slack = double(SIMD_EPSILON) * (std::abs(way_.from[axis]) + std::abs(way_.way[axis]));
-    const auto from = btScalar(way_.least(axis, part) - slack), to = btScalar(way_.greatest(axis, part) + slack);
+  IndexRange squares(int axis, const PathPart& part, std::int64_t size) const {
+    const double slack = double(SIMD_EPSILON) * (std::abs(path_.from[axis]) + std::abs(path_.path[axis]));
+    const auto from = btScalar(path_.least(axis, part) - slack), to = btScalar(path_.greatest(axis, part) + slack);
     const IndexRange cells = axis == 0 ? lattice_.columnsTouching(from, to) : lattice_.rowsTouching(from, to);
     return cells.isEmpty() ? cells : IndexRange{cells.first / size, cells.last / size};
   }
-  WayPart during(int axis, std::int64_t square, std::int64_t size, const WayPart& part) const {
+  PathPart during(int axis, std::int64_t square, std::int64_t size, const PathPart& part) const {
     const std::span<const btScalar> points = axis == 0 ? lattice_.xs() : lattice_.ys();
     const auto first = static_cast<std::size_t>(square * size);
     const std::size_t last = std::min(first + static_cast<std::size_t>(size), points.size() - 1);
-    return way_.within(axis, double(points[first]), double(points[last])).cutTo({part.from, std::min(part.to, end_())});
+    return path_.within(axis, double(points[first]), double(points[last]))
+        .cutTo({part.from, std::min(part.to, end_())});
   }
-  bool passes(const HeightBounds& bounds, const WayPart& part) const {
+  bool passes(const HeightBounds& bounds, const PathPart& part) const {
     const double slack = kEdgeTolerance * (double(bounds.upper) - double(bounds.lower));
-    return way_.least(2, part) <= double(bounds.upper) + slack &&
-           way_.greatest(2, part) >= double(bounds.lower) - slack;
+    return path_.least(2, part) <= double(bounds.upper) + slack &&
+           path_.greatest(2, part) >= double(bounds.lower) - slack;
   }
 
   const TerrainLattice& lattice_;
-  const SweptWay& way_;
+  const SweptPath& path_;
   const End& end_;
   const Ask& ask_;
 };
 
-void castAlong(const TerrainLattice& lattice, const SweptWay& way, btTriangleCallback& callback, const auto& end) {
+void castAlong(const TerrainLattice& lattice, const SweptPath& path, btTriangleCallback& callback, const auto& end) {
   const auto ask = [&](std::int64_t column, std::int64_t row) {
     for (const bool isUpper : {false, true}) {
       TerrainLattice::Corners t;
@@ -105,16 +106,16 @@ void castAlong(const TerrainLattice& lattice, const SweptWay& way, btTriangleCal
         callback.processTriangle(t.at, 0, lattice.indexOf(column, row, isUpper));
     }
   };
-  if (!isFinite(way.from) || !isFinite(way.way) || !isFinite(way.half)) return;
-  CellWalk(lattice, way, end, ask).go();
+  if (!isFinite(path.from) || !isFinite(path.path) || !isFinite(path.half)) return;
+  CellWalk(lattice, path, end, ask).go();
 }
 
 void castRay(const TerrainLattice& lattice, btTriangleRaycastCallback& ray) {
   const double farthest = double(std::max(ray.m_from.length(), ray.m_to.length()));
   const double slack = roundingSlack(lattice, farthest), beside = slack + kEdgeTolerance * lattice.grid().cell;
-  const SweptWay way{toVec3d(ray.m_from), toVec3d(ray.m_to) - toVec3d(ray.m_from), {beside, beside, slack}};
+  const SweptPath path{toVec3d(ray.m_from), toVec3d(ray.m_to) - toVec3d(ray.m_from), {beside, beside, slack}};
   // A fraction is rounded as well.
-  castAlong(lattice, way, ray, [&] { return double(ray.m_hitFraction) * (1 + 8 * double(SIMD_EPSILON)); });
+  castAlong(lattice, path, ray, [&] { return double(ray.m_hitFraction) * (1 + 8 * double(SIMD_EPSILON)); });
 }
 
 void castConvex(const TerrainLattice& lattice, btTriangleConvexcastCallback& callback) {
@@ -125,10 +126,10 @@ void castConvex(const TerrainLattice& lattice, btTriangleConvexcastCallback& cal
   const double farthest = double(std::max({from.length(), to.length(), callback.m_convexShapeFrom.getOrigin().length(),
                                            callback.m_convexShapeTo.getOrigin().length(), world.getOrigin().length()}));
   const double slack = roundingSlack(lattice, farthest);
-  const SweptWay way{toVec3d(from), toVec3d(to) - toVec3d(from),
-                     toVec3d(mover.halfExtent) + Vec3d(slack, slack, slack)};
+  const SweptPath path{toVec3d(from), toVec3d(to) - toVec3d(from),
+                       toVec3d(mover.halfExtent) + Vec3d(slack, slack, slack)};
   ConvexCaster caster(callback);
-  castAlong(lattice, way, caster, [&] { return double(caster.m_hitFraction); });
+  castAlong(lattice, path, caster, [&] { return double(caster.m_hitFraction); });
 }
 
 }  // namespace

@@ -18,18 +18,18 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr std::uint32_t kMostPoints = 1U << 20;  // a side
-constexpr std::uint64_t kMostCells = 1ULL << 30;
+constexpr std::uint32_t kMaxPoints = 1U << 20;  // a side
+constexpr std::uint64_t kMaxCells = 1ULL << 30;
 // Units in the last place of the farthest coordinate that a cell must have: neighbouring cells then differ in width by
 // an eighth at most.
-constexpr double kLeastUnits = 16;
+constexpr double kMinUnits = 16;
 
 Status checkSides(const TerrainGrid& grid) {
   const std::string sides = std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " points";
   if (grid.columns < 2 || grid.rows < 2)
     return Error{"a terrain of " + sides + " has no cells: give at least 2 x 2 points"};
   const std::uint64_t cells = std::uint64_t(grid.columns - 1) * (grid.rows - 1);
-  if (grid.columns > kMostPoints || grid.rows > kMostPoints || cells > kMostCells)
+  if (grid.columns > kMaxPoints || grid.rows > kMaxPoints || cells > kMaxCells)
     return Error{"a terrain of " + sides + " is too large: divide it into several of at most 2^20 points a side and " +
                  "2^30 cells"};
   if (grid.heights.size() != std::uint64_t(grid.columns) * grid.rows)
@@ -42,7 +42,7 @@ Status checkCell(const TerrainGrid& grid) {
   if (!(grid.cell > 0) || !std::isfinite(grid.cell))
     return Error{"a terrain cannot have cells of " + std::to_string(grid.cell) + " m: give a positive, finite size"};
   const double farthest = 0.5 * grid.cell * std::max(grid.columns, grid.rows);
-  if (!std::isfinite(static_cast<btScalar>(farthest)) || grid.cell < kLeastUnits * double(SIMD_EPSILON) * farthest ||
+  if (!std::isfinite(static_cast<btScalar>(farthest)) || grid.cell < kMinUnits * double(SIMD_EPSILON) * farthest ||
       static_cast<btScalar>(grid.cell) < std::numeric_limits<btScalar>::min())
     return Error{"a terrain's cells of " + std::to_string(grid.cell) + " m cannot be told apart " +
                  std::to_string(farthest) + " m from its middle: give fewer or larger ones"};

@@ -48,7 +48,7 @@ GroundSurface::GroundSurface(const btConcaveShape& shape) {
   shape.getAabb(btTransform::getIdentity(), lower, upper);
   soup_.gather(shape, lower, upper);
   const std::size_t count = soup_.triangles().size();
-  if (count > 0 && count <= tuning::kMostTriangles && weld()) {
+  if (count > 0 && count <= tuning::kMaxTriangles && weld()) {
     derived_.features = SurfaceFeatures(vertices_, triangles_);
     isSolid_ = isClosed() && isInOnePiece() && volume() > 0;
   }

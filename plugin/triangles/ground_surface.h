@@ -25,7 +25,7 @@ class GroundSurface {
 
   /// Whether it is the surface of one solid: in one piece, each side of a triangle shared with one other that shows the
   /// same side, outwards by the right-hand rule. Nothing else is known of what is not, or of meshes of more than
-  /// `tuning::kMostTriangles`.
+  /// `tuning::kMaxTriangles`.
   bool isSolid() const { return isSolid_; }
   /// Frame: the shape's axes, from `origin`; unit: world length. Precondition of this and all that follows: `isSolid`.
   SurfaceView view() const { return {vertices_, triangles_, &derived_}; }

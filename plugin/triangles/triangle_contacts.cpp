@@ -102,13 +102,13 @@ void TriangleContacts::appendLeaf(const PairPlacement& placement, std::span<cons
   for (const Group& g : groups_) {
     if (lengthSq(g.normal) == 0) continue;
     Contact contact;
-    contact.gap = g.height - placement.treeMargin;
-    if (contact.gap >= placement.reach) continue;
+    contact.separation = g.height - placement.treeMargin;
+    if (contact.separation >= placement.maxSeparation) continue;
     contact.pair = g.first->pair;
     contact.normal = g.normal;
-    const bool overhangs = overhang(triangles, touches, g.onTree) > std::max(g.height, 0.0F) + placement.reach;
+    const bool overhangs = overhang(triangles, touches, g.onTree) > std::max(g.height, 0.0F) + placement.maxSeparation;
     const Vec3 where = overhangs ? 0.5F * (g.onTree + g.first->nearest) : g.onTree;
-    contact.position = where + g.normal * (dot(g.normal, g.first->nearest - where) + 0.5F * contact.gap);
+    contact.position = where + g.normal * (dot(g.normal, g.first->nearest - where) + 0.5F * contact.separation);
     contacts.push_back(contact);
   }
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "placement/pair_placement.h"
-#include "triangles/touched_sides.h"
+#include "triangles/side_history.h"
 #include "triangles/triangle_touch.h"
 
 namespace cairn::bullet {
@@ -15,7 +15,7 @@ namespace cairn::bullet {
 /// Tells on which side of each triangle what touches it belongs: +1 on the side its sphere's centre is on, -1 on the
 /// other, where it has sunk through. Beside a triangle, and in front of the nearest one, there is nothing to have sunk
 /// through. For the rest it is told, in this order, by
-/// 1. where the same node was seen before (`TouchedSides`),
+/// 1. where the same node was seen before (`SideHistory`),
 /// 2. whether its centre went through the triangle since the last step: `byPath`,
 /// 3. where the rest of the body is seen, if the centre went through the triangle's plane or the centre of mass is
 ///    there too; else which way the region faces, as it touches what it faces: `byFacing`,
@@ -54,7 +54,7 @@ class TriangleSides {
   void dropUncovered(const PlacedTree& tree, std::span<const TriangleTouch> touches);
   Vec3 centerBefore(const PlacedTree& tree, NodeId node) const;
 
-  TouchedSides seen_;
+  SideHistory seen_;
   bool hasPast_ = false;
   btTransform treeBody_, other_;  // of this step, as in the placement
   btTransform back_;  // takes a point of the tree to where it was in the last step, as seen from where the other is now

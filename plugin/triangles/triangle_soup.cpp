@@ -76,9 +76,11 @@ std::uint32_t SoupObstacle::touches(const Family& family, std::uint32_t familySi
   std::uint32_t hits = 0;
   for (std::uint32_t i = 0; i < std::min(familySize, kFamilyWidth); ++i) {
     const Vec3 p(family.x[i], family.y[i], family.z[i]);
-    const float reach = family.radius[i] + margin_;
-    if (std::abs(dot(e.normal, p) - e.offset) > reach) continue;
-    hits |= static_cast<std::uint32_t>(lengthSq(p - nearestOnTriangle(e.triangle, p).point) <= reach * reach) << i;
+    const float maxSeparation = family.radius[i] + margin_;
+    if (std::abs(dot(e.normal, p) - e.offset) > maxSeparation) continue;
+    hits |= static_cast<std::uint32_t>(lengthSq(p - nearestOnTriangle(e.triangle, p).point) <=
+                                       maxSeparation * maxSeparation)
+            << i;
   }
   return hits;
 }

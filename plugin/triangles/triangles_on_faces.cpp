@@ -79,8 +79,8 @@ void TrianglesOnFaces::append(const PairPlacement& placement, float size, std::s
   }
   std::erase_if(faces_, [](const Face& face) { return face.begin == face.end; });
   decide(placement, size);
-  remember(tree, placement.reach, isComplete);
-  appendInFront(triangles, placement.reach, contacts);
+  remember(tree, placement.maxSeparation, isComplete);
+  appendInFront(triangles, placement.maxSeparation, contacts);
 }
 
 // One for each height: a leaf may hold the floor and the roof.
@@ -122,7 +122,7 @@ void TrianglesOnFaces::addOwns(const PlacedTree& tree, NodeId leaf, Face& face) 
 void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::span<const Triangle> triangles,
                             std::span<const NodePair> pairs) {
   face.begin = found_.size();
-  const float ceiling = face.offset + margin_ + placement.reach;
+  const float ceiling = face.offset + margin_ + placement.maxSeparation;
   for (const NodePair& pair : pairs) {
     const Triangle& other = triangles[pair.b];
     if (dot(face.outwards, supportOf(other, -face.outwards)) >= ceiling) continue;
@@ -132,16 +132,16 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
       compare(face, own, other, pair);
       const std::span<const Contact> common = std::span(found_).subspan(before);
       if (common.empty()) continue;
-      const auto [least, most] = std::ranges::minmax(common, {}, &Contact::gap);
-      lowestOfAll = std::min(lowestOfAll, least.gap);
-      highestOfAll = std::max(highestOfAll, most.gap);
-      const bool isRim = !isWellOver(own, common, placement.reach + placement.slip);
+      const auto [least, most] = std::ranges::minmax(common, {}, &Contact::separation);
+      lowestOfAll = std::min(lowestOfAll, least.separation);
+      highestOfAll = std::max(highestOfAll, most.separation);
+      const bool isRim = !isWellOver(own, common, placement.maxSeparation + placement.slip);
       // What hangs beside the face, a wall against a wall, is on both sides of its plane and not over it.
       if (isRim && !isWellOver(own, common, kBesideFraction * flush_)) found_.resize(before);
       onRim_.resize(found_.size(), isRim);
       if (isRim) continue;
-      lowest = std::min(lowest, least.gap);
-      highest = std::max(highest, most.gap);
+      lowest = std::min(lowest, least.separation);
+      highest = std::max(highest, most.separation);
     }
     face.isCrossed = face.isCrossed || (lowest < 0 && highest > flush_);
     face.isCrossedOnRim = face.isCrossedOnRim || (lowestOfAll < 0 && highestOfAll > flush_);
@@ -167,15 +167,15 @@ void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle&
     Contact contact;
     contact.pair = pair;
     contact.normal = -face.outwards;
-    contact.gap = dot(own.normal, onOther - own.corner) / dot(own.normal, face.outwards) - margin_;
-    contact.position = onOther - face.outwards * (0.5F * contact.gap);
+    contact.separation = dot(own.normal, onOther - own.corner) / dot(own.normal, face.outwards) - margin_;
+    contact.position = onOther - face.outwards * (0.5F * contact.separation);
     found_.push_back(contact);
   }
 }
 
 // Of a plane that is new what is no deeper than the bodies can have moved is in front.
 void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
-  const float tolerance = placement.reach + placement.slip;
+  const float tolerance = placement.maxSeparation + placement.slip;
   for (Face& face : faces_) {
     const std::size_t place = placeOf(placement.tree, face);
     const Seen* const last = place < seen_.size() ? &seen_[place] : nullptr;
@@ -184,8 +184,8 @@ void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
     face.threshold = last ? thresholdOf(*last, tolerance, size) : -tolerance;
   }
   for (Face& face : faces_)
-    if (isFarSide(face, tolerance)) face.threshold = -placement.reach;
-  bringOut(placement.reach, kPushedFraction * size);
+    if (isFarSide(face, tolerance)) face.threshold = -placement.maxSeparation;
+  bringOut(placement.maxSeparation, kPushedFraction * size);
 }
 
 // What was in front has sunk by no more than it can have moved, and by no more than half the way to what was behind.
@@ -198,7 +198,7 @@ float TrianglesOnFaces::thresholdOf(const Seen& last, float tolerance, float siz
 float TrianglesOnFaces::deepestInFront(const Face& face) const {
   float deepest = std::numeric_limits<float>::infinity();
   for (std::size_t i = face.begin; i < face.end; ++i)
-    if (found_[i].gap >= face.threshold) deepest = std::min(deepest, found_[i].gap);
+    if (found_[i].separation >= face.threshold) deepest = std::min(deepest, found_[i].separation);
   return deepest;
 }
 
@@ -223,7 +223,7 @@ bool TrianglesOnFaces::isOfOnePlane(const Face& one, const Face& other) const {
 
 // The leaves that share a plane know how deep something is in any of them, and whether it crosses it there.
 void TrianglesOnFaces::gatherPlanes() {
-  for (Face& face : faces_) face.deepest = std::ranges::min(ofFace(face), {}, &Contact::gap).gap;
+  for (Face& face : faces_) face.deepest = std::ranges::min(ofFace(face), {}, &Contact::separation).separation;
   for (std::size_t i = 0; i < faces_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (!isOfOnePlane(faces_[i], faces_[j])) continue;
@@ -236,21 +236,21 @@ void TrianglesOnFaces::gatherPlanes() {
 // What goes through a face overlaps for certain, and if nothing holds it, it is in front of whichever plane it crosses
 // least deep. Where it is held as well, no deeper than `alsoTo` through a face that is new: a floor, and now a wall.
 // What is deeper, or goes through the face on the other side, too, stands beside an edge.
-void TrianglesOnFaces::bringOut(float reach, float alsoTo) {
-  const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= reach; };
+void TrianglesOnFaces::bringOut(float maxSeparation, float alsoTo) {
+  const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= maxSeparation; };
   if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossedOnRim && mayBeLost(face); })) return;
   gatherPlanes();
   if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed; })) crossOnRims(alsoTo);
   if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossed && mayBeLost(face); })) return;
   const bool isHeld = std::ranges::any_of(
-      faces_, [&](const Face& face) { return face.deepest >= face.threshold && deepestInFront(face) < reach; });
+      faces_, [&](const Face& face) { return face.deepest >= face.threshold && deepestInFront(face) < maxSeparation; });
   float least = kNothing;
   for (const Face& face : faces_)
     if (face.isCrossed && !isHeld) least = std::max(least, face.deepest);
   for (Face& face : faces_) {
     const bool isLeast = least != kNothing && face.deepest >= least;
     if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo && !isSpanned(face))))
-      face.threshold = std::min(face.threshold, face.deepest - reach);
+      face.threshold = std::min(face.threshold, face.deepest - maxSeparation);
   }
 }
 
@@ -274,21 +274,21 @@ std::size_t TrianglesOnFaces::placeOf(const PlacedTree& tree, const Face& face) 
   return static_cast<std::size_t>(std::ranges::find_if(seen_, isSame) - seen_.begin());
 }
 
-void TrianglesOnFaces::remember(const PlacedTree& tree, float reach, bool isComplete) {
+void TrianglesOnFaces::remember(const PlacedTree& tree, float maxSeparation, bool isComplete) {
   if (isComplete) seen_.clear();
   for (const Face& face : faces_) {
     const std::size_t place = placeOf(tree, face);
     if (place == seen_.size()) seen_.push_back({tree.axesFromPair() * face.outwards, face.offset, 0, kNothing, false});
     Seen& seen = seen_[place];
     for (std::size_t i = face.begin; i < face.end; ++i) {
-      const float gap = found_[i].gap;
+      const float separation = found_[i].separation;
       if (onRim_[i]) continue;
-      if (gap < face.threshold) {
-        seen.behind = std::max(seen.behind, std::min(gap, 0.0F));
+      if (separation < face.threshold) {
+        seen.behind = std::max(seen.behind, std::min(separation, 0.0F));
         continue;
       }
-      seen.front = std::min(seen.front, gap);
-      seen.isTouched = seen.isTouched || gap < reach;
+      seen.front = std::min(seen.front, separation);
+      seen.isTouched = seen.isTouched || separation < maxSeparation;
     }
   }
 }

@@ -95,19 +95,19 @@ class TrianglesOnFaces {
   bool isFarSide(const Face& face, float tolerance) const;
   void gatherPlanes();
   bool isOfOnePlane(const Face& one, const Face& other) const;
-  void bringOut(float reach, float alsoTo);
+  void bringOut(float maxSeparation, float alsoTo);
   bool isSpanned(const Face& face) const;
   void crossOnRims(float alsoTo);
   // In `seen_`; its size where nothing is known of the plane.
   std::size_t placeOf(const PlacedTree& tree, const Face& face) const;
-  void remember(const PlacedTree& tree, float reach, bool isComplete);
+  void remember(const PlacedTree& tree, float maxSeparation, bool isComplete);
 
-  const Face* ownerOf(const Face& face, const Contact& contact, float reach) const;
-  const Face* acrossEdge(const Face& face, const Contact& contact, float reach) const;
+  const Face* ownerOf(const Face& face, const Contact& contact, float maxSeparation) const;
+  const Face* acrossEdge(const Face& face, const Contact& contact, float maxSeparation) const;
   static bool turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact);
-  void appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts);
-  float stoodOnFrom(const Face& face, float reach);
-  void tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
+  void appendInFront(std::span<const Triangle> triangles, float maxSeparation, std::vector<Contact>& contacts);
+  float stoodOnFrom(const Face& face, float maxSeparation);
+  void tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float maxSeparation,
             std::vector<Contact>& contacts);
 
   float margin_ = 0;

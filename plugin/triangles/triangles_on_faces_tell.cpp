@@ -19,13 +19,15 @@ constexpr float kPlateSum = 0.01F;
 }  // namespace
 
 // Where two faces meet, what has sunk a little through one of them is far behind the other: the one it belongs to.
-const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const Contact& contact, float reach) const {
-  if (contact.gap >= -reach) return nullptr;
-  const Vec3 onOther = contact.onCounterpart();
+const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const Contact& contact,
+                                                        float maxSeparation) const {
+  if (contact.separation >= -maxSeparation) return nullptr;
+  const Vec3 onOther = contact.onCollider();
   const auto owner = std::ranges::find_if(faces_, [&](const Face& other) {
     if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
-    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
-    if (gap < other.threshold || gap >= reach || gap <= contact.gap + reach) return false;
+    const float separation = dot(other.outwards, onOther) - other.offset - margin_;
+    if (separation < other.threshold || separation >= maxSeparation || separation <= contact.separation + maxSeparation)
+      return false;
     return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, 0); });
   });
   return owner == faces_.end() ? nullptr : &*owner;
@@ -33,14 +35,14 @@ const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const 
 
 // Another face that the point touches as well: where the two meet.
 const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, const Contact& contact,
-                                                           float reach) const {
-  const Vec3 onOther = contact.onCounterpart();
+                                                           float maxSeparation) const {
+  const Vec3 onOther = contact.onCollider();
   const auto across = std::ranges::find_if(faces_, [&](const Face& other) {
     if (dot(other.outwards, face.outwards) >= kSameFaceCosine) return false;
     if (lengthSq(other.outwards + face.outwards) < kPlateSum * kPlateSum) return false;
-    const float gap = dot(other.outwards, onOther) - other.offset - margin_;
-    if (gap < other.threshold || std::abs(gap - contact.gap) > reach) return false;
-    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, reach); });
+    const float separation = dot(other.outwards, onOther) - other.offset - margin_;
+    if (separation < other.threshold || std::abs(separation - contact.separation) > maxSeparation) return false;
+    return std::ranges::any_of(ownsOf(other), [&](const Own& own) { return own.isOver(onOther, maxSeparation); });
   });
   return across == faces_.end() ? nullptr : &*across;
 }
@@ -48,42 +50,43 @@ const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, con
 // On an edge, what lies on it with a face of its own touches along that face's normal, if that is one of the edge's;
 // else along the middle of the two faces' normals, and false.
 bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact) {
-  const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCounterpart();
+  const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCollider();
   Vec3 own = triangle.normal();
   if (dot(own, middle) < 0) own = -own;
   const bool isOfEdge = lengthSq(own) > 0 && dot(own, middle) >= dot(face.outwards, middle) - kBesideEnds;
   contact.normal = isOfEdge ? -own : -middle;
-  contact.position = onOther + contact.normal * (0.5F * contact.gap);
+  contact.position = onOther + contact.normal * (0.5F * contact.separation);
   return isOfEdge;
 }
 
-void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float reach, std::vector<Contact>& contacts) {
+void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float maxSeparation,
+                                     std::vector<Contact>& contacts) {
   onBorders_.clear();
   owned_.clear();
   const std::size_t first = contacts.size();
   for (Face& face : faces_)
     for (std::size_t i = face.begin; i < face.end; ++i) {
       const Contact& contact = found_[i];
-      if (contact.gap < face.threshold || contact.gap >= reach) continue;
-      if (const Face* const owner = ownerOf(face, contact, reach)) {
+      if (contact.separation < face.threshold || contact.separation >= maxSeparation) continue;
+      if (const Face* const owner = ownerOf(face, contact, maxSeparation)) {
         owned_.push_back({i, &face, owner->outwards});
         continue;
       }
-      face.ownDeepest = std::min(face.ownDeepest, contact.gap);
-      tell(face, contact, triangles, reach, contacts);
+      face.ownDeepest = std::min(face.ownDeepest, contact.separation);
+      tell(face, contact, triangles, maxSeparation, contacts);
     }
   float from = 0;
   for (std::size_t i = 0; i < owned_.size(); ++i) {
     const Face& face = *owned_[i].face;
     const Contact& contact = found_[owned_[i].found];
-    if (i == 0 || &face != owned_[i - 1].face) from = stoodOnFrom(face, reach);
-    if (contact.gap >= from) tell(face, contact, triangles, reach, contacts);
+    if (i == 0 || &face != owned_[i - 1].face) from = stoodOnFrom(face, maxSeparation);
+    if (contact.separation >= from) tell(face, contact, triangles, maxSeparation, contacts);
   }
   // Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
   const std::size_t count = contacts.size() - first;
   for (const Contact& contact : onBorders_) {
-    const auto isBeside = [&](const Contact& told) {
-      return lengthSq(told.position - contact.position) <= 4 * reach * reach;
+    const auto isBeside = [&](const Contact& reported) {
+      return lengthSq(reported.position - contact.position) <= 4 * maxSeparation * maxSeparation;
     };
     if (std::ranges::none_of(std::span(contacts).subspan(first, count), isBeside)) contacts.push_back(contact);
   }
@@ -91,28 +94,28 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
 
 // What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it,
 // and is told from this gap on, up to the face's border: farther down it is beside, as a saddle's legs are.
-float TrianglesOnFaces::stoodOnFrom(const Face& face, float reach) {
+float TrianglesOnFaces::stoodOnFrom(const Face& face, float maxSeparation) {
   float deepest = std::numeric_limits<float>::infinity(), shallowest = kNothing;
   for (const Face& other : faces_)
     if (isOfOnePlane(other, face)) deepest = std::min(deepest, other.ownDeepest);
-  if (deepest < std::numeric_limits<float>::infinity()) return deepest - reach;
+  if (deepest < std::numeric_limits<float>::infinity()) return deepest - maxSeparation;
   bool isBetween = false;
   owners_.clear();
   for (const Owned& owned : owned_) {
     if (!isOfOnePlane(*owned.face, face)) continue;
-    shallowest = std::max(shallowest, found_[owned.found].gap);
+    shallowest = std::max(shallowest, found_[owned.found].separation);
     const auto cosine = [&](const Vec3& other) { return dot(other, owned.owner); };
     isBetween =
         isBetween || std::ranges::any_of(owners_, [&](const Vec3& other) { return cosine(other) < kOppositeCosine; });
     if (std::ranges::none_of(owners_, [&](const Vec3& other) { return cosine(other) >= kSameFaceCosine; }))
       owners_.push_back(owned.owner);
   }
-  return isBetween ? shallowest - reach : std::numeric_limits<float>::infinity();
+  return isBetween ? shallowest - maxSeparation : std::numeric_limits<float>::infinity();
 }
 
-void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float reach,
+void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float maxSeparation,
                             std::vector<Contact>& contacts) {
-  const Face* const other = acrossEdge(face, contact, reach);
+  const Face* const other = acrossEdge(face, contact, maxSeparation);
   const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
   (isClear ? contacts : onBorders_).push_back(contact);
 }

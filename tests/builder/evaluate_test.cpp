@@ -143,7 +143,7 @@ TEST(PlaneBuckets, ListEveryRectangleThatHoldsAPoint) {
       }
     }
     const PlaneBuckets buckets(rectangles);
-    EXPECT_LE(buckets.entries(), PlaneBuckets::kMostPerRectangle * rectangles.size());
+    EXPECT_LE(buckets.entries(), PlaneBuckets::kMaxPerRectangle * rectangles.size());
     for (int i = 0; i < 500; ++i) {
       // Every other point on a corner.
       const Rectangle& corner = rectangles[engine() % rectangles.size()];

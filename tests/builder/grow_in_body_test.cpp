@@ -90,8 +90,8 @@ TEST(GrowInBody, GivesNothingWhenCancelled) {
 /// Most cuts that lead to a piece here. Each rounds the three coordinates of a middle by half a unit in the last place:
 /// 2^-54 each in the mesh, which the shear makes at most 2.5 times as long, and 2^-52 in the image, whose coordinates
 /// are below 4. Together less than 2^-50.
-constexpr int kMostCuts = 40;
-constexpr double kCutRounding = kMostCuts * 0x1p-50;
+constexpr int kMaxCuts = 40;
+constexpr double kCutRounding = kMaxCuts * 0x1p-50;
 
 /// A shear makes other edges the longest, so a cut that looked at the lengths in the other mesh would go elsewhere.
 TEST(CutAgain, PiecesOfAnAffineImageAreTheImagesOfThePieces) {

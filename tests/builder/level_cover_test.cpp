@@ -216,7 +216,7 @@ TEST(Adaptive, FitsBetterThanRegionByRegion) {
 /// Measured: 1.10, over ten seeds 1.15. With one draw of the families for each size of their flat cover it was 1.42,
 /// so 1.2 tells a search that chooses among draws from one that depends on them.
 TEST(Adaptive, NoSeedLosesTheSecondLevel) {
-  constexpr double kMostApart = 1.2;
+  constexpr double kMaxApart = 1.2;
   const TriangleMesh mesh = test::lumpyBall(2, 1);
   double best = std::numeric_limits<double>::infinity(), worst = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -230,7 +230,7 @@ TEST(Adaptive, NoSeedLosesTheSecondLevel) {
     best = std::min(best, static_cast<double>(tree.value().levelError(2)));
     worst = std::max(worst, static_cast<double>(tree.value().levelError(2)));
   }
-  EXPECT_LE(worst, kMostApart * best);
+  EXPECT_LE(worst, kMaxApart * best);
 }
 
 }  // namespace

@@ -144,16 +144,16 @@ TEST(Expand, CubeWithACandidateInTheMiddle_IsStillDivided) {
 TEST(Expand, MaxCover_TakesTheBallThatHoldsMostFirst) {
   const Fixture f(test::torus(1, 0.3, 24, 12), 8);
   const SphereSet set = expand({f.points, f.depth, 8}, f.candidates, ExpandRank::maxCover);
-  const auto heldBy = [&](const Ball& ball, double standOff) {
+  const auto contactsIn = [&](const Ball& ball, double standOff) {
     std::size_t held = 0;
     for (std::size_t p = 0; p < f.points.size(); ++p) held += costOf(ball, f.points[p]) <= standOff ? 1 : 0;
     return held;
   };
   // By the listing the first ball holds as many points as any candidate; a retry bars two of the best at most.
   std::vector<std::size_t> counts;
-  for (const Ball& c : f.candidates) counts.push_back(heldBy(c, set[0].standOff()));
+  for (const Ball& c : f.candidates) counts.push_back(contactsIn(c, set[0].standOff()));
   std::sort(counts.rbegin(), counts.rend());
-  EXPECT_GE(heldBy(set[0], set[0].standOff()), counts[2]);
+  EXPECT_GE(contactsIn(set[0], set[0].standOff()), counts[2]);
 }
 
 TEST(OptimiseOneByOne, AnySet_IsNeverWorsenedAndPoorOnesAreImproved) {

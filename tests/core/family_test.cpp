@@ -71,9 +71,9 @@ TEST(Family, Overlap_AgreesWithExactArithmeticBeyondItsRounding) {
     const std::uint32_t bits = overlap(family, s);
     for (std::uint32_t lane = 0; lane < kFamilyWidth; ++lane) {
       const Sphere f = family.sphere(lane);
-      const double gap = distance(Vec3d(f.center), Vec3d(s.center)) - double{f.radius} - double{s.radius};
-      if (gap > kRounding) ASSERT_EQ((bits >> lane) & 1U, 0U) << "case " << i << ", lane " << lane;
-      if (gap < -kRounding) ASSERT_EQ((bits >> lane) & 1U, 1U) << "case " << i << ", lane " << lane;
+      const double separation = distance(Vec3d(f.center), Vec3d(s.center)) - double{f.radius} - double{s.radius};
+      if (separation > kRounding) ASSERT_EQ((bits >> lane) & 1U, 0U) << "case " << i << ", lane " << lane;
+      if (separation < -kRounding) ASSERT_EQ((bits >> lane) & 1U, 1U) << "case " << i << ", lane " << lane;
     }
   }
 }

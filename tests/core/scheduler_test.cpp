@@ -231,27 +231,27 @@ TEST(Budget, Both_EndsAtWhicheverComesFirst) {
   EXPECT_TRUE(budget.charge(5));
   EXPECT_FALSE(budget.charge(1));
   EXPECT_TRUE(budget.charge(0));
-  budget.chargeAnyway(7);
+  budget.forceCharge(7);
   EXPECT_EQ(budget.used(), 27U);
   EXPECT_EQ(budget.remaining(), 0U);
 }
 
 TEST(Budget, Promises_AreHeldBackUntilTheyAreRedeemed) {
   Budget budget = Budget::operations(100);
-  budget.promise({60, 0});
+  budget.reserve({60, 0});
   EXPECT_EQ(budget.remaining(), 40U);
   EXPECT_FALSE(budget.charge(41));
   EXPECT_TRUE(budget.charge(40));
   EXPECT_FALSE(budget.charge(1));
-  budget.redeem({60, 0});
-  budget.chargeAnyway(55);
+  budget.release({60, 0});
+  budget.forceCharge(55);
   EXPECT_EQ(budget.used(), 95U);
   EXPECT_EQ(budget.remaining(), 5U);
 }
 
 TEST(Budget, PromisesBeyondWhatIsLeft_LeaveNothing) {
   Budget budget = Budget::operations(10);
-  budget.promise({60, 0});
+  budget.reserve({60, 0});
   EXPECT_EQ(budget.remaining(), 0U);
   EXPECT_FALSE(budget.charge(1));
 }
@@ -260,14 +260,14 @@ TEST(Budget, TimeThatIsPromisedIsNotFree) {
   Budget budget = Budget::time(3600e6);
   EXPECT_GT(budget.nanosecondsFree(), 3599e9);
   EXPECT_FALSE(budget.isLate());
-  budget.promise({0, 3000e9});
+  budget.reserve({0, 3000e9});
   EXPECT_GT(budget.nanosecondsLeft(), 3599e9);
   EXPECT_LT(budget.nanosecondsFree(), 601e9);
   EXPECT_FALSE(budget.isLate());
-  budget.promise({0, 1000e9});
+  budget.reserve({0, 1000e9});
   EXPECT_LT(budget.nanosecondsFree(), 0);
   EXPECT_TRUE(budget.isLate());
-  budget.redeem({0, 4000e9});
+  budget.release({0, 4000e9});
   EXPECT_FALSE(budget.isLate());
   EXPECT_FALSE(Budget::operations(0).isLate()) << "which has no deadline";
 }
@@ -276,32 +276,32 @@ TEST(Budget, TimeThatIsPromisedIsNotFree) {
 TEST(Budget, PromisedTime_IsHeldBack) {
   Budget budget = Budget::time(3600e6);
   EXPECT_TRUE(budget.charge(1));
-  const Promise day{0, 86400e9};
-  budget.promise(day);
-  budget.chargeAnyway(Budget::kClockInterval);
+  const Reservation day{0, 86400e9};
+  budget.reserve(day);
+  budget.forceCharge(Budget::kClockInterval);
   EXPECT_FALSE(budget.charge(1));
-  budget.redeem(day);
+  budget.release(day);
   EXPECT_TRUE(budget.charge(1));
 }
 
 /// Promises what every leaf pair will cost, as who measures contacts would.
 struct LeafPairsPromised final : TurnListener {
-  explicit LeafPairsPromised(const std::vector<ScheduledPair>& all) : pairs(all), promised(all.size()) {}
+  explicit LeafPairsPromised(const std::vector<ScheduledPair>& all) : pairs(all), reserved(all.size()) {}
   void turnEnded(std::size_t pair, Progress /*progress*/, Budget& budget) override {
     const std::uint64_t now = kCost * pairs[pair].traversal->leafPairs().size();
-    budget.promise({now - promised[pair], 0});
-    sum += now - promised[pair];
-    promised[pair] = now;
+    budget.reserve({now - reserved[pair], 0});
+    sum += now - reserved[pair];
+    reserved[pair] = now;
   }
 
   static constexpr std::uint64_t kCost = 5;
   const std::vector<ScheduledPair>& pairs;  // of the step
-  std::vector<std::uint64_t> promised;
+  std::vector<std::uint64_t> reserved;
   std::uint64_t sum = 0;
 };
 
 TEST(Scheduler, WhatIsPromised_IsLeftOfTheBudget) {
-  constexpr std::uint64_t kMostInATurn = 8 * kFamilyWidth * LeafPairsPromised::kCost;
+  constexpr std::uint64_t kMaxInATurn = 8 * kFamilyWidth * LeafPairsPromised::kCost;
   const std::uint64_t full = fullCost(1);
   for (const std::uint64_t operations : {full / 2, full * 3 / 4, full}) {
     Crowd crowd(1);
@@ -310,7 +310,7 @@ TEST(Scheduler, WhatIsPromised_IsLeftOfTheBudget) {
     Budget budget = Budget::operations(operations);
     EXPECT_EQ(Scheduler().run(crowd.pairs, priority, budget, &listener), Progress::budgetSpent);
     EXPECT_GT(listener.sum, 0U) << "nothing was promised: the test shows nothing";
-    EXPECT_LE(budget.used() + listener.sum, operations + kMostInATurn);
+    EXPECT_LE(budget.used() + listener.sum, operations + kMaxInATurn);
   }
 }
 

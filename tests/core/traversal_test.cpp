@@ -52,8 +52,8 @@ void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
   };
   for (std::size_t i = 0; i < c.a.points.size(); ++i)
     for (std::size_t j = 0; j < c.b.points.size(); ++j) {
-      const double gap = distance(c.poseA * Vec3d(c.a.points[i]), c.poseB * Vec3d(c.b.points[j]));
-      if (gap <= c.margin) ASSERT_TRUE(isReported(c.a.leafOfPoint[i], c.b.leafOfPoint[j])) << i << ", " << j;
+      const double separation = distance(c.poseA * Vec3d(c.a.points[i]), c.poseB * Vec3d(c.b.points[j]));
+      if (separation <= c.margin) ASSERT_TRUE(isReported(c.a.leafOfPoint[i], c.b.leafOfPoint[j])) << i << ", " << j;
     }
 }
 

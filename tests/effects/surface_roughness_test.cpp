@@ -22,12 +22,12 @@ const btScalar kVolume = SIMD_PI * 4 / 3 * kRadius * kRadius * kRadius;
 TEST(SurfaceRoughness, TiltsByAnglesUniformUpToTheGreatest) {
   const SurfaceRoughness effect({}, 7);
   const btVector3 normal = btVector3(1, 2, 3).normalized();
-  constexpr btScalar kMost = btScalar(0.4);
+  constexpr btScalar kMax = btScalar(0.4);
   constexpr int kDraws = 20000;
   double sum = 0, most = 0;
   btVector3 mean(0, 0, 0);
   for (int i = 0; i < kDraws; ++i) {
-    const btVector3 tilted = effect.tilted(normal, kMost, 3, static_cast<std::uint64_t>(i));
+    const btVector3 tilted = effect.tilted(normal, kMax, 3, static_cast<std::uint64_t>(i));
     EXPECT_NEAR(tilted.length(), 1, 1e-5);
     const double angle = std::acos(std::min(1.0, double(tilted.dot(normal))));
     sum += angle;
@@ -35,10 +35,10 @@ TEST(SurfaceRoughness, TiltsByAnglesUniformUpToTheGreatest) {
     mean += tilted - normal * tilted.dot(normal);
   }
   // Five standard errors of a mean of uniform angles, and of directions of at most unit length.
-  EXPECT_NEAR(sum / kDraws, kMost / 2, 5 * kMost / std::sqrt(12.0 * kDraws));
-  EXPECT_LE(most, kMost + 1e-3);
-  EXPECT_GT(most, 0.99 * kMost);
-  EXPECT_LT((mean / kDraws).length(), 5 * kMost / std::sqrt(double(kDraws)));
+  EXPECT_NEAR(sum / kDraws, kMax / 2, 5 * kMax / std::sqrt(12.0 * kDraws));
+  EXPECT_LE(most, kMax + 1e-3);
+  EXPECT_GT(most, 0.99 * kMax);
+  EXPECT_LT((mean / kDraws).length(), 5 * kMax / std::sqrt(double(kDraws)));
 }
 
 TEST(SurfaceRoughness, SpreadsWhatFallsStraight) {

@@ -15,8 +15,8 @@ namespace {
 
 // Beyond this the squares of an overlap test leave float's range, and everything may be named.
 constexpr double kLargestLength = 1e15;
-constexpr int kMostStops = 64;
-constexpr std::size_t kMostAsked = 64;
+constexpr int kMaxStops = 64;
+constexpr std::size_t kMaxAsked = 64;
 
 /// Two trees where the bytes set them down.
 struct Scene {
@@ -31,8 +31,8 @@ struct Scene {
     return poseB.translation - poseA.translation + ofB - ofA;
   }
   double apart() const { return length(poseB.translation - poseA.translation); }
-  double reachA() const { return poseA.scale * double(a.tree->reach()); }
-  double reachB() const { return poseB.scale * double(b.tree->reach()); }
+  double reachA() const { return poseA.scale * double(a.tree->extent()); }
+  double reachB() const { return poseB.scale * double(b.tree->extent()); }
   double lengths() const { return apart() + reachA() + reachB(); }
   bool isTestable() const { return lengths() < kLargestLength * std::min({poseA.scale, poseB.scale, 1.0}); }
 
@@ -109,7 +109,7 @@ std::vector<NodePair> touchingLeaves(const Scene& scene) {
     for (const SurfacePoint& q : scene.b.surface) {
       if (length(scene.between(p, q)) > double(scene.margin)) continue;
       touching.push_back({p.leaf, q.leaf});
-      if (touching.size() == kMostAsked) return touching;
+      if (touching.size() == kMaxAsked) return touching;
     }
   return touching;
 }
@@ -123,7 +123,7 @@ void requireNothingMissed(const Scene& scene, const Traversal& traversal, std::s
 /// Balls that overlap by the test, whose slack counts twice for the sum of two frames.
 void requireNearEnough(const Scene& scene, const Traversal& traversal, std::span<const NodePair> pairs) {
   const double slack = 2 * double(kOverlapSlack) * scene.lengths();
-  const std::size_t stride = pairs.size() / kMostAsked + 1;
+  const std::size_t stride = pairs.size() / kMaxAsked + 1;
   for (std::size_t i = 0; i < pairs.size(); i += stride) {
     const double allowed =
         double(traversal.pairError(pairs[i])) + double(scene.margin) * (1 + double(kOverlapSlack)) + slack;
@@ -172,9 +172,9 @@ void checkBareTraversal(Bytes& bytes) {
   TreePairTraversal traversal;
   scene.start(traversal);
   std::uint64_t spent = 0;
-  const std::uint32_t looksAt = bytes.below(kMostStops);
+  const std::uint32_t looksAt = bytes.below(kMaxStops);
   for (int stop = 0; !traversal.done(); ++stop) {
-    const bool isLast = stop == kMostStops;
+    const bool isLast = stop == kMaxStops;
     const std::uint64_t given = isLast ? Budget::kUnlimited : bytes.below(300);
     Budget budget = Budget::operations(given);
     const Progress progress = traversal.refine(budget);

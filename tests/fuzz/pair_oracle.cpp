@@ -34,7 +34,7 @@ bool areWithin(const TreeBody& a, const TreeBody& b, double distance) {
     for (const Vec3d& q : meshB.vertices)
       if (length(p - q) <= distance) return true;
   const test::BruteForcePair pair(meshA, meshB, {});
-  return pair.deepestVertex() > 0 || pair.gap() <= distance;
+  return pair.deepestVertex() > 0 || pair.separation() <= distance;
 }
 
 double depthWhereTheyCross(const TreeBody& a, const TreeBody& b) {

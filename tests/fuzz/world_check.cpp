@@ -7,9 +7,9 @@
 namespace cairn::fuzz {
 namespace {
 
-constexpr int kMostOrders = 24;
-constexpr std::size_t kMostTrianglePairs = 4000;
-constexpr int kMostTruths = 3;  // of a play: brute force takes milliseconds
+constexpr int kMaxOrders = 24;
+constexpr std::size_t kMaxTrianglePairs = 4000;
+constexpr int kMaxTruths = 3;  // of a play: brute force takes milliseconds
 // Of a step: what one turn finds costs no more to measure (eight families of eight leaves, five operations each).
 constexpr std::uint64_t kMeasured = 5;
 constexpr std::uint64_t kOneTurn = 64 * kMeasured;
@@ -128,13 +128,13 @@ class Judge {
 
   void requireTruth(const bullet::StepStatistics& s) {
     for (std::size_t i = 0; i < play_.actors.size(); ++i)
-      for (std::size_t j = 0; j < i && truths_ < kMostTruths; ++j) requireTruthOf(s, play_.actors[i], play_.actors[j]);
+      for (std::size_t j = 0; j < i && truths_ < kMaxTruths; ++j) requireTruthOf(s, play_.actors[i], play_.actors[j]);
   }
 
   void requireTruthOf(const bullet::StepStatistics& s, const Actor& a, const Actor& b) {
     const bullet::SphereTreeShape *shapeA = plainTree(a), *shapeB = plainTree(b);
     if (!shapeA || !shapeB || !(a.body->isActive() || b.body->isActive())) return;  // else Bullet does not ask
-    if (shapeA->tree().triangles().size() * shapeB->tree().triangles().size() > kMostTrianglePairs) return;
+    if (shapeA->tree().triangles().size() * shapeB->tree().triangles().size() > kMaxTrianglePairs) return;
     const TreeBody bodyA{shapeA, a.body->getWorldTransform()}, bodyB{shapeB, b.body->getWorldTransform()};
     const double sizes = double(shapeA->size()) + double(shapeB->size());
     const double size = std::min(double(shapeA->size()), double(shapeB->size()));
@@ -193,7 +193,7 @@ template <class World>
 Ending endOf(World& w, Bytes& bytes) {
   Play<World> play(w, bytes);
   Judge<World> judge(play);
-  for (int i = 0; i < kMostOrders && (i == 0 || !bytes.done()); ++i) {
+  for (int i = 0; i < kMaxOrders && (i == 0 || !bytes.done()); ++i) {
     play.step();
     judge.look();
     for (std::uint32_t orders = bytes.below(3); orders > 0; --orders) play.order();

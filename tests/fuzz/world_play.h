@@ -94,7 +94,7 @@ class Play {
   std::vector<Actor> actors;
 
  private:
-  static constexpr std::size_t kMostBodies = 10;
+  static constexpr std::size_t kMaxBodies = 10;
   static constexpr int kTrees = 1, kOthers = 2;  // what is no tree meets trees alone: Bullet answers for the rest
 
   Actor* any() { return actors.empty() ? nullptr : &actors[bytes_.below(std::uint32_t(actors.size()))]; }
@@ -124,7 +124,7 @@ class Play {
   }
 
   void add() {
-    if (actors.size() >= kMostBodies) return;
+    if (actors.size() >= kMaxBodies) return;
     Actor actor;
     actor.made = shapeFrom(bytes_, state.mostPowerOfTen, bytes_.below(4) == 1);
     const bool isFixed = actor.made.isFixed || bytes_.below(4) == 1;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 5;
 constexpr int kOperations = 10000;
-constexpr std::size_t kMostBodies = 24;
+constexpr std::size_t kMaxBodies = 24;
 
 template <class FrontEndType>
 class Churn : public testing::Test {
@@ -42,7 +42,7 @@ class Churn : public testing::Test {
 
   void doOne(World& w) {
     const int what = bodies_.empty() ? 0 : static_cast<int>(7 * part());
-    if (what == 0 && bodies_.size() < kMostBodies) {
+    if (what == 0 && bodies_.size() < kMaxBodies) {
       bodies_.push_back(&w.add(anyShape(), 1, place()));
       if (part() < 0.2) bodies_.back()->setCcdMotionThreshold(btScalar(0.1));
     } else if (what == 1) {

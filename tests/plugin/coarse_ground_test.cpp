@@ -91,11 +91,11 @@ TEST(CoarseGround, SaysNothingThatIsNotTrue) {
       ASSERT_TRUE(height && normal);
       const btVector3 world = s.groundBody.getWorldTransform().getBasis() * *normal;
       EXPECT_LT((world - btVector3(contact.normal.x, contact.normal.y, contact.normal.z)).length(), kRounding);
-      EXPECT_NEAR(double(contact.gap), (double(point.z()) - *height) * double(normal->z()), kRounding);
-      EXPECT_LT(contact.gap, kReach);
+      EXPECT_NEAR(double(contact.separation), (double(point.z()) - *height) * double(normal->z()), kRounding);
+      EXPECT_LT(contact.separation, kReach);
     }
     for (std::size_t i = 1; i < coarse.contacts().size(); ++i)
-      EXPECT_LE(coarse.contacts()[i - 1].gap, coarse.contacts()[i].gap) << "nearest first";
+      EXPECT_LE(coarse.contacts()[i - 1].separation, coarse.contacts()[i].separation) << "nearest first";
   }
   EXPECT_GT(contacts, kTrials / 3) << "hardly any: the test shows nothing";
 }
@@ -122,7 +122,7 @@ TEST(CoarseGround, FindsTheDeepestSupportPointOverOneSlope) {
     ASSERT_LT(deepest, 0) << "the test means bodies that touch";
     CoarseGround coarse(s.wrapper(s.body), s.wrapper(s.groundBody), btScalar(0.05));
     ASSERT_FALSE(coarse.contacts().empty());
-    EXPECT_NEAR(double(coarse.contacts().front().gap), deepest, kRounding);
+    EXPECT_NEAR(double(coarse.contacts().front().separation), deepest, kRounding);
   }
 }
 
@@ -308,7 +308,7 @@ TEST(CoarseGround, SaysNothingThatIsNotTrueOverAPlane) {
       const btVector3 point = s.inGround(contact);
       EXPECT_LT(s.fromNearestVertex(point), kRounding);
       EXPECT_LT((normal - btVector3(contact.normal.x, contact.normal.y, contact.normal.z)).length(), kRounding);
-      EXPECT_NEAR(contact.gap, point.dot(plane.getPlaneNormal()) - plane.getPlaneConstant(), kRounding);
+      EXPECT_NEAR(contact.separation, point.dot(plane.getPlaneNormal()) - plane.getPlaneConstant(), kRounding);
       EXPECT_EQ(contact.id.otherPart, -1);
     }
     const btVector3 middle = s.groundBody.getWorldTransform().inverse() * s.body.getWorldTransform().getOrigin();

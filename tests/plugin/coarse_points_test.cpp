@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "bullet_world.h"
-#include "counterpart_shapes.h"
+#include "collider_shapes.h"
 #include "random_tree.h"
 
 namespace cairn::test::coarse_points_test {

@@ -102,7 +102,7 @@ FeatureLists listed(const SurfacePair& surfaces, const ContactLimits& limits, fl
   Budget unlimited = Budget::unlimited();
   EXPECT_TRUE(lister.findNear(near, unlimited));
   EXPECT_TRUE(lister.list(near, 0, Asked::all, lists, unlimited));
-  if (apart) *apart = near.empty() ? lister.apart() : 0;
+  if (apart) *apart = near.empty() ? lister.minSeparation() : 0;
   return lists;
 }
 
@@ -321,7 +321,7 @@ TEST(ContactKernel, KeepsListsInLittleMoreThanTheyNeed) {
   many.facesThroughEdges.resize(5000);
   few.verticesOnFaces.resize(7);
   few.edgesOnEdges.resize(3);
-  KeptFeatures kept;
+  CachedFeatures kept;
   kept.keep(many);
   EXPECT_EQ(kept.spans().edgesOnEdges.size() + kept.spans().facesThroughEdges.size(), 10000U);
   EXPECT_LE(kept.room(), 12500U);
@@ -348,16 +348,16 @@ TEST(ContactKernel, SaysTheSameInMemoryThatFits) {
     const auto run = [&](KernelMemory& in) {
       Budget budget = Budget::operations(1000000);
       const auto answer = kernel.run(SurfacePair::of(a, b), limitsOf(0.006F), in, placement, budget);
-      std::vector<std::array<float, 4>> said{{answer->apart, float(budget.used()), 0, 0}};
+      std::vector<std::array<float, 4>> reported{{answer->minSeparation, float(budget.used()), 0, 0}};
       for (const FeatureContact& c : answer->contacts)
-        said.push_back({c.separation, c.position.x, c.position.y, c.position.z});
-      return said;
+        reported.push_back({c.separation, c.position.x, c.position.y, c.position.z});
+      return reported;
     };
-    const auto said = run(memory);
+    const auto reported = run(memory);
     fitted.shrinkToFit();
-    EXPECT_EQ(run(fitted), said) << "step " << step;
+    EXPECT_EQ(run(fitted), reported) << "step " << step;
     EXPECT_EQ(fitted.expectedCost(placement), memory.expectedCost(placement));
-    contacts += said.size() - 1;
+    contacts += reported.size() - 1;
   }
   EXPECT_GT(contacts, 100U);
 }

@@ -99,11 +99,11 @@ std::vector<Below> everythingBelow() {
 class ContactQuery : public testing::TestWithParam<FrontEnd> {};
 INSTANTIATE_TEST_SUITE_P(Each, ContactQuery, testing::ValuesIn(kEveryFrontEnd));
 
-// A cube of a tree, its underside `gap` above whatever is below, each of the two added first in turn and asked first in
-// turn.
+// A cube of a tree, its underside `separation` above whatever is below, each of the two added first in turn and asked
+// first in turn.
 TEST_P(ContactQuery, TellsDistanceAndNormalOfEverythingWithinTheThreshold) {
   struct Case {
-    double gap, threshold;
+    double separation, threshold;
     bool isFound;
   };
   const Case cases[] = {{-0.02, 0, true}, {-0.02, 0.1, true}, {0.05, 0.1, true}, {0.05, 0.03, false}, {0.05, 0, false}};
@@ -114,7 +114,7 @@ TEST_P(ContactQuery, TellsDistanceAndNormalOfEverythingWithinTheThreshold) {
         for (const bool treeAskedFirst : {true, false})
           inWorldOf(GetParam(), [&](auto& w) {
             // A little aside, so that no corner of the cube's mesh is right over the highest point.
-            const btVector3 at(btScalar(0.03), btScalar(0.07), btScalar(0.5 + c.gap));
+            const btVector3 at(btScalar(0.03), btScalar(0.07), btScalar(0.5 + c.separation));
             btRigidBody* tree = treeAddedFirst ? &w.add(cube, 1, at) : nullptr;
             btRigidBody& other = w.add(below.shape, 0, below.origin);
             if (!tree) tree = &w.add(cube, 1, at);
@@ -126,11 +126,11 @@ TEST_P(ContactQuery, TellsDistanceAndNormalOfEverythingWithinTheThreshold) {
               w.world.contactPairTest(tree, &other, points);
             else
               w.world.contactPairTest(&other, tree, points);
-            SCOPED_TRACE(std::string(below.name) + ", gap " + std::to_string(c.gap) + ", threshold " +
+            SCOPED_TRACE(std::string(below.name) + ", gap " + std::to_string(c.separation) + ", threshold " +
                          std::to_string(c.threshold) + (treeAskedFirst ? ", tree asked first" : ""));
             ASSERT_EQ(points.count > 0, c.isFound);
             if (!c.isFound) return;
-            EXPECT_NEAR(double(points.deepest), c.gap, kDistanceTolerance);
+            EXPECT_NEAR(double(points.deepest), c.separation, kDistanceTolerance);
             EXPECT_NEAR(std::abs(points.normalOnB.z()), 1, 1e-3);
             EXPECT_TRUE(points.partner == &other || points.partner == tree);
             EXPECT_EQ(w.dispatcher.getNumManifolds(), 0) << "a query leaves nothing behind";

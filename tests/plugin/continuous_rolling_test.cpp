@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 20026;
 // Of the speed: what hulls lose more by being stopped a little before they touch.
-constexpr btScalar kMostLost = btScalar(0.1);
+constexpr btScalar kMaxLost = btScalar(0.1);
 constexpr double kThickness = 0.05, kHalfThickness = kThickness / 2;
 
 // Leaves of several cells and both sides, as the builder makes them of thin plates.
@@ -103,7 +103,7 @@ TEST(ContinuousRolling, IsAsWithoutLookingAhead) {
       std::cout << names[static_cast<int>(roller)] << (isThin ? " on a plate" : " on a slab") << ": keeps "
                 << with.speed << " of its speed, " << without.speed << " without\n";
       EXPECT_EQ(with.sunk, 0);
-      EXPECT_GT(with.speed, without.speed - kMostLost);
+      EXPECT_GT(with.speed, without.speed - kMaxLost);
     }
 }
 

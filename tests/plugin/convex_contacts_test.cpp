@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "bullet_world.h"
-#include "counterparts/closed_forms.h"
-#include "counterparts/convex_surface.h"
+#include "colliders/closed_forms.h"
+#include "colliders/convex_surface.h"
 #include "extruded.h"
 
 namespace cairn::test::convex_contacts_test {

@@ -21,7 +21,7 @@ constexpr CrudeSlab kCrudeSlabs[] = {{4, 8}, {8, 2}, {2, 64}, {8, 64}};
 constexpr int kCrudeShots = 250;
 // What is caught sinks in by more than half such a slab where it turns, and is then pushed out on the nearer side: up
 // to this many, where of 250 up to 40 (of bodies with fine leaves) and 123 went through without looking at triangles.
-constexpr int kMostFineThrough = 6, kMostCrudeThrough = 10;
+constexpr int kMaxFineThrough = 6, kMaxCrudeThrough = 10;
 
 std::shared_ptr<const SphereTree> crudeBullet(int kind) {
   static const std::shared_ptr<const SphereTree> trees[] = {
@@ -52,8 +52,8 @@ class CrudeShots : public testing::TestWithParam<CrudeSlab> {
 TEST_P(CrudeShots, HardlyAnyGoesThrough) {
   const int fine = through(false), crude = through(true);
   std::cout << "of " << kCrudeShots << " shots " << fine << " through; of bodies with coarse leaves " << crude << "\n";
-  EXPECT_LE(fine, kMostFineThrough) << "seed " << kSeed;
-  EXPECT_LE(crude, kMostCrudeThrough) << "seed " << kSeed;
+  EXPECT_LE(fine, kMaxFineThrough) << "seed " << kSeed;
+  EXPECT_LE(crude, kMaxCrudeThrough) << "seed " << kSeed;
 }
 
 std::string nameOfSlab(const testing::TestParamInfo<CrudeSlab>& info) {

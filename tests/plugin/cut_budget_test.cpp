@@ -82,14 +82,14 @@ std::vector<Case> cases() {
 }
 
 // Lowest to highest operations a step may have: less than any of the scenes needs, on average.
-constexpr std::uint64_t kMostOperations = 600;
+constexpr std::uint64_t kMaxOperations = 600;
 
 class CutBudget : public testing::TestWithParam<Ground> {};
 
 TEST_P(CutBudget, LeavesABodyAtRest) {
   for (const Case& body : cases()) {
     AtRest scene(body, GetParam());
-    const Unrest unrest = scene.watch(Unresolved::guard, kMostOperations);
+    const Unrest unrest = scene.watch(Unresolved::guard, kMaxOperations);
     if (GetParam() == Ground::box)
       EXPECT_GT(scene.unresolved(), static_cast<unsigned>(kWatched / 3)) << body.name << ": the budget was no limit";
     EXPECT_LT(unrest.rmsSpeed, 0.5e-3) << body.name;
@@ -101,7 +101,7 @@ TEST_P(CutBudget, LeavesABodyAtRest) {
 TEST(CutBudget_Repel, ThrowsABodyAbout) {
   for (const Case& body : cases()) {
     AtRest scene(body, Ground::box);
-    EXPECT_GT(scene.watch(Unresolved::repel, kMostOperations).rmsSpeed, 0.1) << body.name;
+    EXPECT_GT(scene.watch(Unresolved::repel, kMaxOperations).rmsSpeed, 0.1) << body.name;
   }
 }
 

@@ -316,10 +316,10 @@ TEST(ExactContacts, OfACubeOnItsTwinStandOnItsFace) {
 // What a query that looks farther than contacts are is told of a plane.
 TEST(ExactContacts, OnAPlaneAreTheLowestCorners) {
   struct Deepest : btCollisionWorld::ContactResultCallback {
-    btScalar gap = BT_LARGE_FLOAT;
+    btScalar separation = BT_LARGE_FLOAT;
     btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                              const btCollisionObjectWrapper*, int, int) override {
-      gap = std::min(gap, point.getDistance());
+      separation = std::min(separation, point.getDistance());
       return 0;
     }
   };
@@ -338,7 +338,7 @@ TEST(ExactContacts, OnAPlaneAreTheLowestCorners) {
     Deepest deepest;
     deepest.m_closestDistanceThreshold = btScalar(0.2);
     w.world.contactPairTest(&body, &ground, deepest);
-    EXPECT_NEAR(deepest.gap, -sunk, kRounding) << "seed " << kSeed << ", trial " << trial;
+    EXPECT_NEAR(deepest.separation, -sunk, kRounding) << "seed " << kSeed << ", trial " << trial;
   }
 }
 

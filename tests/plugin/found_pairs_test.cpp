@@ -28,9 +28,9 @@ TEST(FoundPairs, KeepTheDeepest) {
       std::vector<Contact> contacts(static_cast<std::size_t>(uniform(engine, 0, 60)));
       for (Contact& contact : contacts) {
         contact.pair = {static_cast<NodeId>(uniform(engine, 0, 80)), 7};
-        contact.gap = static_cast<float>(uniform(engine, -1, 0.1));
-        const auto [at, isNew] = deepest.try_emplace(contact.pair.a, contact.gap);
-        at->second = std::min(at->second, contact.gap);
+        contact.separation = static_cast<float>(uniform(engine, -1, 0.1));
+        const auto [at, isNew] = deepest.try_emplace(contact.pair.a, contact.separation);
+        at->second = std::min(at->second, contact.separation);
       }
       const std::size_t now = allocations();
       found.add(contacts);
@@ -38,11 +38,11 @@ TEST(FoundPairs, KeepTheDeepest) {
     }
     EXPECT_EQ(allocated, 0U) << "seed " << seed;
     std::vector<std::pair<float, NodeId>> wanted;
-    for (const auto& [node, gap] : deepest) wanted.emplace_back(gap, node);
+    for (const auto& [node, separation] : deepest) wanted.emplace_back(separation, node);
     std::ranges::sort(wanted);
-    wanted.resize(std::min(wanted.size(), FoundPairs::kMost));
+    wanted.resize(std::min(wanted.size(), FoundPairs::kMax));
     std::vector<NodeId> expected, kept;
-    for (const auto& [gap, node] : wanted) expected.push_back(node);
+    for (const auto& [separation, node] : wanted) expected.push_back(node);
     for (const NodePair& pair : found.pairs()) kept.push_back(pair.a);
     std::ranges::sort(expected);
     std::ranges::sort(kept);

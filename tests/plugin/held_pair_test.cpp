@@ -206,8 +206,8 @@ TYPED_TEST(HeldPairs, ThatSaidNothingOnAPlaneAreAskedFromEightThousandthsOn) {
   const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));
   s.w.add(std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(-5)), 0, btVector3(0, 0, 0));
   btRigidBody& body = s.w.add(cube, 1, btVector3(0, 0, 0));
-  const auto depthAt = [&](double gap) {
-    s.place(body, btVector3(0, 0, btScalar(gap) * cube->size() - btScalar(4.5)));
+  const auto depthAt = [&](double separation) {
+    s.place(body, btVector3(0, 0, btScalar(separation) * cube->size() - btScalar(4.5)));
     s.detect();
     double depth = 0;
     s.points(body, [&](const btManifoldPoint& point) { depth = std::max(depth, -double(point.getDistance())); });

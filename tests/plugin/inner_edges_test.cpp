@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Zlib
 // Where a flat face is cut into leaves, nothing that sinks into it is pushed aside by their borders.
-#include "counterparts/inner_edges.h"
+#include "colliders/inner_edges.h"
 
 #include <gtest/gtest.h>
 

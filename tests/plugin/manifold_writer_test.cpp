@@ -36,7 +36,7 @@ class Written {
       Contact contact;
       contact.position = kCorners[corners[i]];
       contact.normal = {0, 0, 1};
-      contact.gap = -0.001F * static_cast<float>(corners[i] + 1);
+      contact.separation = -0.001F * static_cast<float>(corners[i] + 1);
       contact.id.treeIndex = ids[i];
       cluster.push_back(contact);
     }

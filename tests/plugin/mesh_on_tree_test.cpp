@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "counterpart_trials.h"
+#include "collider_trials.h"
 #include "deepest_contact.h"
 
 namespace cairn::test::mesh_on_tree_test {
@@ -246,7 +246,7 @@ TEST(MeshInATree, IsToldAsDeepAsItIs) {
         btRigidBody& body = w.add(gimpactMesh(solid, kMargin), 1, btVector3(0, 0, btScalar(height - depth)));
         DeepestContact deepest;
         w.world.contactPairTest(&ground, &body, deepest);
-        EXPECT_NEAR(deepest.gap, -depth, 2 * double(kMargin)) << height << ", " << cells << " cells, " << depth;
+        EXPECT_NEAR(deepest.separation, -depth, 2 * double(kMargin)) << height << ", " << cells << " cells, " << depth;
       }
 }
 

@@ -30,7 +30,7 @@ class SetDownFlush : public testing::TestWithParam<std::tuple<int, int>> {
     w.world.contactPairTest(&ground, &body, deepest);
     w.step(180);
     const btVector3 way = body.getWorldTransform().getOrigin() - at;
-    return {double(deepest.gap), std::hypot(double(way.x()), double(way.y())),
+    return {double(deepest.separation), std::hypot(double(way.x()), double(way.y())),
             double(body.getWorldTransform().getOrigin().z())};
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "counterparts/planar_normal.h"
+#include "colliders/planar_normal.h"
 
 #include <gtest/gtest.h>
 

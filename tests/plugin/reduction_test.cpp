@@ -16,10 +16,10 @@ using namespace cairn::bullet;
 
 constexpr float kReach = 0.004F, kSeparation = 0.006F;
 
-Contact contactAt(const Vec3& position, float gap, int id, const Vec3& normal = {0, 0, 1}) {
+Contact contactAt(const Vec3& position, float separation, int id, const Vec3& normal = {0, 0, 1}) {
   Contact c;
   c.position = position;
-  c.gap = gap;
+  c.separation = separation;
   c.normal = normal;
   c.id.treeIndex = id;
   return c;
@@ -99,7 +99,7 @@ int changes(std::uint64_t seed, bool remembers) {
   std::set<int> last;
   for (int step = 0; step < 60; ++step) {
     std::vector<Contact> patch = still;
-    for (Contact& c : patch) c.gap = -0.001F + float(uniform(engine, -2e-4, 2e-4));
+    for (Contact& c : patch) c.separation = -0.001F + float(uniform(engine, -2e-4, 2e-4));
     std::sort(patch.begin(), patch.end(), deeper);
     std::vector<ContactId> held;
     for (const int id : last) held.push_back(contactAt({}, 0, id).id);

@@ -15,7 +15,7 @@ namespace {
 using bullet::Contact;
 
 // As many contacts for each leaf pair as it is told, and a traversal that never ends on an empty budget.
-class TalkativeCounterpart final : public bullet::Counterpart {
+class TalkativeCollider final : public bullet::Collider {
  public:
   int perPair = 1;
 
@@ -23,7 +23,7 @@ class TalkativeCounterpart final : public bullet::Counterpart {
   void start(std::vector<NodePair>& /*known*/, float /*skin*/) override { traversal_.restart(); }
   bool resume() override { return true; }
   Traversal& traversal() override { return traversal_; }
-  using Counterpart::appendContacts;
+  using Collider::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override {
     for (const NodePair& pair : pairs)
       for (int i = 0; i < perPair; ++i) contacts.push_back(contact(pair, i));
@@ -38,7 +38,7 @@ class TalkativeCounterpart final : public bullet::Counterpart {
   static Contact contact(const NodePair& pair, int place) {
     Contact contact;
     contact.normal = Vec3(0, 0, 1);
-    contact.gap = -0.01F;
+    contact.separation = -0.01F;
     contact.pair = pair;
     contact.id = {0, static_cast<int>(pair.a), 0, place};
     return contact;
@@ -50,28 +50,28 @@ class TalkativeCounterpart final : public bullet::Counterpart {
 };
 
 // Steps of a pair that never gets a budget, and knows as many leaf pairs as it may.
-void step(bullet::PairContacts& pair, TalkativeCounterpart& counterpart, bullet::ContactScratch& scratch) {
+void step(bullet::PairContacts& pair, TalkativeCollider& collider, bullet::ContactScratch& scratch) {
   bullet::RelativeMotion motion;
   motion.smallerSize = 1;
   motion.reach = 0.002F;
   Budget budget = Budget::operations(0);
-  pair.begin(counterpart, motion, {}, budget, scratch);
-  pair.finish(counterpart, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
-  for (std::uint32_t i = 0; i < bullet::KnownPairs::kMost; ++i) pair.known().remember(NodePair{i, 0});
+  pair.begin(collider, motion, {}, budget, scratch);
+  pair.finish(collider, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
+  for (std::uint32_t i = 0; i < bullet::KnownPairs::kMax; ++i) pair.known().remember(NodePair{i, 0});
 }
 
 TEST(Retests, TakeNoMoreMemoryHoweverMuchIsSaid) {
-  TalkativeCounterpart counterpart;
+  TalkativeCollider collider;
   bullet::ContactScratch scratch;
   bullet::PairContacts first, second;
   // More than one each: a pair makes all its room when it first needs some.
-  counterpart.perPair = 2;
-  for (int i = 0; i < 4; ++i) step(second, counterpart, scratch);
+  collider.perPair = 2;
+  for (int i = 0; i < 4; ++i) step(second, collider, scratch);
   // What pairs share has grown to what it takes by then.
-  counterpart.perPair = 60;
-  for (int i = 0; i < 4; ++i) step(first, counterpart, scratch);
+  collider.perPair = 60;
+  for (int i = 0; i < 4; ++i) step(first, collider, scratch);
   const std::size_t before = allocations();
-  for (int i = 0; i < 4; ++i) step(second, counterpart, scratch);
+  for (int i = 0; i < 4; ++i) step(second, collider, scratch);
   EXPECT_EQ(allocations() - before, 0U);
 }
 

@@ -97,9 +97,9 @@ TEST(SphereTreeShape_Scaling, UnevenIsRefusedInOneSentenceAndChangesNothing) {
   const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1)), 2);
   testing::internal::CaptureStderr();
   shape->setLocalScaling(btVector3(1, 2, 1));
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("uniform scale"), std::string::npos) << said;
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+  const std::string reported = testing::internal::GetCapturedStderr();
+  EXPECT_NE(reported.find("uniform scale"), std::string::npos) << reported;
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 1);
   EXPECT_EQ(shape->getLocalScaling(), btVector3(2, 2, 2));
   testing::internal::CaptureStderr();
   shape->setLocalScaling(btVector3(3, 3, 3));
@@ -136,8 +136,8 @@ TEST(SphereTreeShape_Margin, OfNoLengthIsRefusedInOneSentenceAndChangesNothing) 
   for (const btScalar wrong : {btScalar(-0.1), btScalar(NAN), btScalar(INFINITY)}) {
     testing::internal::CaptureStderr();
     shape->setMargin(wrong);
-    const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    const std::string reported = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 1) << reported;
     EXPECT_EQ(shape->getMargin(), kMargin);
   }
 }
@@ -154,8 +154,8 @@ TEST(SphereTreeShape_Margin, ThatDwarfsTheMeshIsRefusedAndNeighboursStayNumbers)
   for (const btScalar margin : {most * btScalar(1.01), btScalar(1e10), btScalar(1e19), btScalar(1e30)}) {
     testing::internal::CaptureStderr();
     shape->setMargin(margin);
-    const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    const std::string reported = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 1) << reported;
     EXPECT_EQ(shape->getMargin(), 0);
     w.step(20);
     ASSERT_TRUE(isSane(neighbour)) << margin;

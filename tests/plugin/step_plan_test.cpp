@@ -15,24 +15,24 @@
 namespace cairn::test::step_plan_test {
 namespace {
 
-using bullet::EmissionPace;
-using bullet::PairNeed;
+using bullet::CostModel;
+using bullet::PairEstimate;
 using bullet::StepMeans;
 using bullet::StepPlan;
 
 constexpr unsigned kSeed = 5;
 
-std::vector<PairNeed> randomNeeds(std::mt19937_64& engine, std::size_t count) {
-  std::vector<PairNeed> needs;
+std::vector<PairEstimate> randomNeeds(std::mt19937_64& engine, std::size_t count) {
+  std::vector<PairEstimate> needs;
   for (std::size_t i = 0; i < count; ++i)
     needs.push_back({double(engine() % 16) / 16, 10 + engine() % 500, engine() % 8 != 0, engine() % 2 == 0});
   return needs;
 }
 
-StepPlan planOf(const std::vector<PairNeed>& needs, StepMeans means) {
+StepPlan planOf(const std::vector<PairEstimate>& needs, StepMeans means) {
   StepPlan plan;
-  for (const PairNeed& need : needs) plan.add(need);
-  plan.decide(means, EmissionPace(), EmissionPace());
+  for (const PairEstimate& need : needs) plan.add(need);
+  plan.decide(means, CostModel(), CostModel());
   return plan;
 }
 
@@ -52,7 +52,7 @@ TEST(StepPlan, ServesNoneWhereHoldingLeavesNoTimeAndThatMayBe) {
   const auto planned = [](double nanoseconds, bool mayServeNone) {
     StepPlan plan;
     for (int i = 0; i < 2; ++i) plan.add({1, 1000, true, true});
-    plan.decide({.nanoseconds = nanoseconds}, EmissionPace(), EmissionPace(5), mayServeNone);
+    plan.decide({.nanoseconds = nanoseconds}, CostModel(), CostModel(5), mayServeNone);
     return plan;
   };
   constexpr double kHolding = 2 * 150, kTurns = 9500;
@@ -65,26 +65,26 @@ TEST(StepPlan, ServesNoneWhereHoldingLeavesNoTimeAndThatMayBe) {
 TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
   StepPlan plan = planOf({{3, 100, true, false}, {2, 100, true, false}, {1, 100, true, true}}, {.operations = 110});
   ASSERT_EQ(plan.chosen().size(), 1U);
-  EXPECT_FALSE(plan.decideOnMore({.operations = 60}, EmissionPace())) << "its answer serves better than half a new one";
-  EXPECT_TRUE(plan.decideOnMore({.operations = 100}, EmissionPace()));
-  EXPECT_FALSE(plan.decideOnMore({.operations = 40}, EmissionPace()));
-  EXPECT_TRUE(plan.decideOnMore({.operations = 60}, EmissionPace()));
+  EXPECT_FALSE(plan.decideOnMore({.operations = 60}, CostModel())) << "its answer serves better than half a new one";
+  EXPECT_TRUE(plan.decideOnMore({.operations = 100}, CostModel()));
+  EXPECT_FALSE(plan.decideOnMore({.operations = 40}, CostModel()));
+  EXPECT_TRUE(plan.decideOnMore({.operations = 60}, CostModel()));
   EXPECT_TRUE(plan.held().empty());
 }
 
 // It has nothing to say; `outruns`: nor would an answer last.
-PairNeed unanswered(double urgency, bool outruns) {
+PairEstimate unanswered(double urgency, bool outruns) {
   return {.urgency = urgency,
           .operations = 400,
-          .canBeHeld = true,
+          .canBeCarriedOver = true,
           .mayBeCut = true,
           .isUnanswered = true,
           .outrunsAnswers = outruns};
 }
 
 TEST(StepPlan, HasEachLookedAtCoarselyBeforeAnyGetsAll) {
-  std::vector<PairNeed> needs(20, unanswered(1, false));
-  needs.push_back({.urgency = 2, .operations = 300, .canBeHeld = true});
+  std::vector<PairEstimate> needs(20, unanswered(1, false));
+  needs.push_back({.urgency = 2, .operations = 300, .canBeCarriedOver = true});
   const StepPlan plan = planOf(needs, {.operations = 1000});
   EXPECT_EQ(plan.coarse().size(), 20U);
   EXPECT_EQ(double(plan.coarseOperations()),
@@ -102,9 +102,9 @@ TEST(StepPlan, FinishesNoneWhoseAnswerWouldNotLast) {
 }
 
 TEST(StepPlan, LooksAtEachOrAtNoneThatCanBeHeld) {
-  std::vector<PairNeed> needs;
+  std::vector<PairEstimate> needs;
   for (int i = 0; i < 30; ++i) needs.push_back(unanswered(i, i % 2 == 0));
-  needs.push_back({.operations = 400, .canBeHeld = false, .mayBeCut = true, .isUnanswered = true});
+  needs.push_back({.operations = 400, .canBeCarriedOver = false, .mayBeCut = true, .isUnanswered = true});
   const double holding = double(30 * StepPlan::kHoldingCost),
                enough = 31 * Scheduler::kStepOperations / bullet::step_tuning::kCoarseShare;
   EXPECT_EQ(planOf(needs, {.operations = holding + enough + 1}).coarse().size(), 31U);
@@ -118,10 +118,10 @@ TEST(StepPlan, LooksAtEachForAWholeTurnOrAtNoneWhereTimeEnds) {
   const auto looked = [](double share) {
     StepPlan plan;
     for (int i = 0; i < 8; ++i) plan.add(unanswered(1, true));
-    const double turns = 8 * EmissionPace().expectedNanoseconds(Scheduler::kTurnOperations);
-    const double holding = 8 * EmissionPace(5).expectedNanoseconds(0);
-    plan.decide({.nanoseconds = holding + share * turns / bullet::step_tuning::kCoarseShare}, EmissionPace(),
-                EmissionPace(5));
+    const double turns = 8 * CostModel().expectedNanoseconds(Scheduler::kTurnOperations);
+    const double holding = 8 * CostModel(5).expectedNanoseconds(0);
+    plan.decide({.nanoseconds = holding + share * turns / bullet::step_tuning::kCoarseShare}, CostModel(),
+                CostModel(5));
     EXPECT_EQ(plan.coarse().size() + plan.held().size() + plan.chosen().size(), 8U) << "none is forgotten";
     return plan.coarse().size();
   };
@@ -132,9 +132,9 @@ TEST(StepPlan, LooksAtEachForAWholeTurnOrAtNoneWhereTimeEnds) {
 TEST(StepPlan, WeighsUrgencyByImportance) {
   StepPlan plan;
   for (int i = 0; i < 2; ++i) plan.add({1, 100, true, true});
-  ASSERT_TRUE(plan.isTooMuchFor({.operations = 100}, EmissionPace()));
+  ASSERT_TRUE(plan.isTooMuchFor({.operations = 100}, CostModel()));
   plan.weigh(0, 0.5);
-  plan.decide({.operations = 100}, EmissionPace(), EmissionPace());
+  plan.decide({.operations = 100}, CostModel(), CostModel());
   ASSERT_FALSE(plan.chosen().empty());
   EXPECT_EQ(plan.chosen()[0], 1U);
 }
@@ -145,7 +145,7 @@ TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
   int scarce = 0;
   for (int run = 0; run < 300; ++run) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", run " << run);
-    const std::vector<PairNeed> needs = randomNeeds(engine, engine() % 40);
+    const std::vector<PairEstimate> needs = randomNeeds(engine, engine() % 40);
     double left = double(engine() % 8000);
     const StepPlan plan = planOf(needs, {.operations = left});
     if (!plan.isScarce()) continue;
@@ -153,8 +153,8 @@ TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
     std::vector<std::size_t> order;
     std::set<std::size_t> expected;
     for (std::size_t i = 0; i < needs.size(); ++i) {
-      left -= needs[i].canBeHeld ? double(StepPlan::kHoldingCost) : double(needs[i].operations);
-      if (needs[i].canBeHeld)
+      left -= needs[i].canBeCarriedOver ? double(StepPlan::kHoldingCost) : double(needs[i].operations);
+      if (needs[i].canBeCarriedOver)
         order.push_back(i);
       else
         expected.insert(i);

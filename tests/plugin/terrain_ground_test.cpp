@@ -133,7 +133,7 @@ TEST(OnTerrain, ABoxSlidesAsMechanicsSays) {
       slope.groundTurned = btQuaternion(btVector3(0, 0, 1), btScalar(cut.turned * std::numbers::pi / 180));
       slope.bodyFirst = bodyFirst;
       const SlopeRun run = runSlope(box, slope);
-      // As in the matrix of counterparts: what mechanics and Bullet's friction cone agree to.
+      // As in the matrix of colliders: what mechanics and Bullet's friction cone agree to.
       EXPECT_NEAR(run.acceleration, theory, 0.02 * theory) << "cells of " << cut.cell << ", turned by " << cut.turned;
       EXPECT_NEAR(run.aside, 0, 0.01);
     }

@@ -150,11 +150,12 @@ TEST(OnARidge, ABallHeldUprightRests) {
 TEST(AroundAThinWall, ABodyIsNotPulledThrough) {
   const btScalar far = 3;
   for (const double thickness : {0.02, 0.04, 0.1})
-    for (const btScalar gap : {btScalar(-0.001), btScalar(0.002), btScalar(0.01)})
+    for (const btScalar separation : {btScalar(-0.001), btScalar(0.002), btScalar(0.01)})
       for (const int cells : {2, 4, 6}) {
         BulletWorld<> w;
         w.world.setGravity(btVector3(0, 0, 0));
-        const btScalar at = btScalar(0.3 - thickness / 2) - gap;  // the centre of mass is on the other side than a slab
+        const btScalar at =
+            btScalar(0.3 - thickness / 2) - separation;  // the centre of mass is on the other side than a slab
         const btVector3 a(at, -far, -far), b(at, far, -far), c(at, far, far), d(at, -far, far);
         w.add(meshOf({a, b, c, a, c, d}), 0, btVector3(0, 0, 0));
         btRigidBody& body =
@@ -163,7 +164,7 @@ TEST(AroundAThinWall, ABodyIsNotPulledThrough) {
         // Bullet takes a fifth of the millimetre it overlaps by out in a step, as a speed that nothing stops
         // afterwards.
         EXPECT_LT(body.getWorldTransform().getOrigin().length(), 0.0125)
-            << "slabs of " << thickness << " m, gap " << gap << ", " << cells << " cells";
+            << "slabs of " << thickness << " m, gap " << separation << ", " << cells << " cells";
       }
 }
 

@@ -8,13 +8,13 @@
 #include "bullet_world.h"
 #include "placement/bullet_math.h"
 #include "triangle_grounds.h"
-#include "triangles/touched_sides.h"
+#include "triangles/side_history.h"
 #include "triangles/triangle_sides.h"
 
 namespace cairn::test::triangle_sides_test {
 namespace {
 
-using bullet::TouchedSides;
+using bullet::SideHistory;
 
 class Random {
  public:
@@ -267,8 +267,8 @@ TEST(TriangleSides, ABallIsWhereItWasNotedWithTheCenterOfMass) {
 constexpr Vec3 kUp{0, 0, 1};
 constexpr float kTolerance = 0.02F;
 
-TEST(TouchedSides, ASideHoldsForOneTraversalAndIsReplaced) {
-  TouchedSides sides;
+TEST(SideHistory, ASideHoldsForOneTraversalAndIsReplaced) {
+  SideHistory sides;
   const auto sideOf = [&](NodeId node, const Vec3& normal) { return sides.ofNode(node, {{}, normal}, kTolerance); };
   sides.beginTraversal();
   EXPECT_TRUE(sides.isFirst());
@@ -294,8 +294,8 @@ TEST(TouchedSides, ASideHoldsForOneTraversalAndIsReplaced) {
   EXPECT_EQ(sideOf(7, {0, 0.8F, 0.6F}), 0) << "not seen for a traversal";
 }
 
-TEST(TouchedSides, AFloorBelowACeilingIsAnotherSurface) {
-  TouchedSides sides;
+TEST(SideHistory, AFloorBelowACeilingIsAnotherSurface) {
+  SideHistory sides;
   sides.beginTraversal();
   sides.note(7, {{0, 0, 0.1F}, -kUp});
   sides.endNotes();
@@ -305,8 +305,8 @@ TEST(TouchedSides, AFloorBelowACeilingIsAnotherSurface) {
   EXPECT_EQ(sides.ofNode(7, {{0, 0, 0.3F}, kUp}, kTolerance), -1) << "the top of what the ceiling is the bottom of";
 }
 
-TEST(TouchedSides, SidesMoveWithTheSurface) {
-  TouchedSides sides;
+TEST(SideHistory, SidesMoveWithTheSurface) {
+  SideHistory sides;
   sides.beginTraversal();
   sides.note(7, {{0, 0, 0.1F}, -kUp});
   sides.endNotes();
@@ -318,8 +318,8 @@ TEST(TouchedSides, SidesMoveWithTheSurface) {
   EXPECT_EQ(sides.ofNode(7, {{0.1F, 0, 0}, kUp}, kTolerance), 0);
 }
 
-TEST(TouchedSides, WhatOneNodeSawHoldsForAllInThatPlane) {
-  TouchedSides sides;
+TEST(SideHistory, WhatOneNodeSawHoldsForAllInThatPlane) {
+  SideHistory sides;
   const auto still = [](bullet::SurfaceSide&) {};
   const auto sideOf = [&](const Vec3& normal, const Vec3& at) { return sides.ofTree({at, normal}, kTolerance); };
   sides.beginTraversal();
@@ -339,8 +339,8 @@ TEST(TouchedSides, WhatOneNodeSawHoldsForAllInThatPlane) {
   EXPECT_EQ(sideOf(kUp, {5, 3, 0}), -1);
 }
 
-TEST(TouchedSides, AThirdIsOutvoted) {
-  TouchedSides sides;
+TEST(SideHistory, AThirdIsOutvoted) {
+  SideHistory sides;
   const auto still = [](bullet::SurfaceSide&) {};
   sides.beginTraversal();
   EXPECT_FALSE(sides.isOutvoted(kUp)) << "nothing was seen";

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "counterpart_shapes.h"
+#include "collider_shapes.h"
 #include "pile.h"
 #include "thread_scheduler.h"
 

@@ -75,7 +75,7 @@ TEST(Energy_OfAllRocks, GoesOnInTheirPieces) {
 
 // R13 of the textbook's experiments.
 TEST(Energy_OfARun, HardlyEverRises) {
-  constexpr double kMostRise = 0.005;
+  constexpr double kMaxRise = 0.005;
   json document = test::plainCase();
   document["effects"].push_back({{"effect", "restitution"}, {"law", "constant"}, {"default", 0.5}});
   for (const char* budget : {"", "tight"}) {
@@ -83,7 +83,7 @@ TEST(Energy_OfARun, HardlyEverRises) {
     for (std::uint64_t run = 0; run < 5; ++run) {
       const RunResult result = simulate(test::prepared(document), run).value().result;
       ASSERT_GT(result.releasedEnergyJ, 0);
-      EXPECT_LE(result.energyRiseJ, kMostRise * result.releasedEnergyJ) << budget << " run " << run;
+      EXPECT_LE(result.energyRiseJ, kMaxRise * result.releasedEnergyJ) << budget << " run " << run;
     }
   }
 }

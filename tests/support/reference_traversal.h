@@ -64,7 +64,8 @@ class ReferenceTraversal {
   };
 
   static float marginIn(const Side& to, const Side& from, float margin) {
-    const float lengths = length(to.fromOther.translation) + to.tree->reach() + to.fromOther.scale * from.tree->reach();
+    const float lengths =
+        length(to.fromOther.translation) + to.tree->extent() + to.fromOther.scale * from.tree->extent();
     return margin / to.scale + kOverlapSlack * lengths;
   }
   static FamilyStep step(const Side& split, std::uint32_t family, const Side& other, NodeId node) {

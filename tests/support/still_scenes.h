@@ -94,13 +94,13 @@ inline StackRun runStack(const TriedBody& cube, const StackStart& start) {
 
 /// Several stacks that differ in what should not matter: drifts are chaotic, and one says little.
 inline std::vector<StackRun> runStacks(const TriedBody& cube, const StackStart& start, int count) {
-  constexpr btScalar kTurn = btScalar(0.1);         // no two of a hundred put a cube in the same place
-  constexpr btScalar kLeastAside = btScalar(1e-6);  // to turn something where the cubes stand exactly on each other
+  constexpr btScalar kTurn = btScalar(0.1);       // no two of a hundred put a cube in the same place
+  constexpr btScalar kMinAside = btScalar(1e-6);  // to turn something where the cubes stand exactly on each other
   std::vector<StackRun> runs;
   for (int i = 0; i < count; ++i) {
     StackStart other = start;
     other.turned = start.turned + kTurn * btScalar(i);
-    if (i > 0) other.aside = std::max(start.aside, kLeastAside);
+    if (i > 0) other.aside = std::max(start.aside, kMinAside);
     runs.push_back(runStack(cube, other));
   }
   return runs;

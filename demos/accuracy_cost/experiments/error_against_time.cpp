@@ -16,7 +16,7 @@ using scenes::ShapeKind;
 
 constexpr double kBodySize = 1;
 /// What a figure with a logarithmic axis shows of smaller errors, of body size.
-constexpr double kLeastDrawn = 1e-4;
+constexpr double kMinDrawn = 1e-4;
 
 ContestExtent extentOf(const Settings& settings) {
   ContestExtent extent;
@@ -139,7 +139,7 @@ void addRow(Table& table, const std::string& model, const char* scene, const Con
   table.add(model, scene, c.series, scenes::shapeName(c.shape), c.method,
             c.depth > 0 ? fmt::format("{}", c.depth) : std::string(), cell(c.operations), cell(c.margin),
             c.isOurs ? "ours" : "rival", a.frames, a.meanPairError, a.pairError.p99, a.pairError.max,
-            std::max(a.meanPairError, kLeastDrawn), std::max(a.pairError.p99, kLeastDrawn), a.meanError, a.error.p99,
+            std::max(a.meanPairError, kMinDrawn), std::max(a.pairError.p99, kMinDrawn), a.meanError, a.error.p99,
             a.error.max, a.truePairs, a.reportedPairs, a.reportedPairs + a.missed, a.missed, a.meanMissed,
             a.deepestMissed, a.missedBeyondCertificate, a.falseGap.pairs, a.falseGap.mean, a.falseGap.max,
             scenes::isSphereTree(c.shape) ? cellOf(o.certifiedError) : std::string(),

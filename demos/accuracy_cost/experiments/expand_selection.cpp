@@ -40,9 +40,9 @@ constexpr Scale kFull{500, 5000, 65, kCounts};
 constexpr Scale kQuick{200, 1500, 65, kQuickCounts};
 
 /// Far more than so many spheres need.
-constexpr unsigned kMostSamples = 2000;
+constexpr unsigned kMaxSamples = 2000;
 /// Stand-offs end where max-cover needs no more than these, the branching of the thesis's trees.
-constexpr unsigned kFewest = 8;
+constexpr unsigned kMin = 8;
 
 /// What one heuristic did on one model: rows in order, from work in any order.
 struct Measured {
@@ -87,12 +87,12 @@ void addRows(Table& table, const Model& model, const Heuristic& heuristic, const
 Status measureModel(Table& table, const Model& model, const Scale& scale, std::uint64_t seed, Steps& steps) {
   const auto axis = builder::medialAxis(
       model.mesh,
-      {.samples = kMostSamples, .spheres = scale.candidates, .surfacePieces = scale.surfacePieces, .seed = seed},
+      {.samples = kMaxSamples, .spheres = scale.candidates, .surfacePieces = scale.surfacePieces, .seed = seed},
       steps.inside());
   if (!axis) return axis.error();
   const auto candidates = axis.value().balls();
   const auto choicesBy = [&](ExpandRank rank) { return ExpandChoices(axis.value().surface, candidates, rank); };
-  const double high = choicesBy(ExpandRank::maxCover).standOffFor(kFewest);
+  const double high = choicesBy(ExpandRank::maxCover).standOffFor(kMin);
   for (const Heuristic& heuristic : kHeuristics) {
     if (!steps.next(fmt::format("{}, {}", model.name, heuristic.name))) return Error{std::string(builder::kCancelled)};
     Measured measured;
@@ -126,7 +126,7 @@ Where rowsOf(const std::string& model, const char* heuristic, const char* search
 }
 
 constexpr const char* kAtStandOff = "spheres at a stand-off";
-constexpr const char* kLeast = "least stand-off";
+constexpr const char* kMin = "least stand-off";
 
 /// The thesis's one exception.
 constexpr const char* kException = "torus";
@@ -215,8 +215,8 @@ Claim fewerClaim(const Table& table) {
 Claim standOffClaim(const Table& table) {
   std::vector<double> ratios, elims, covers;
   for (const std::string& model : table.texts("model")) {
-    const auto elim = table.numbers("stand_off_fraction", rowsOf(model, "max-elim", kLeast));
-    const auto cover = table.numbers("stand_off_fraction", rowsOf(model, "max-cover", kLeast));
+    const auto elim = table.numbers("stand_off_fraction", rowsOf(model, "max-elim", kMin));
+    const auto cover = table.numbers("stand_off_fraction", rowsOf(model, "max-cover", kMin));
     for (std::size_t i = 0; i < elim.size(); ++i)
       if (elim[i] > 0 && cover[i] > 0) ratios.push_back(elim[i] / cover[i]);
     elims.insert(elims.end(), elim.begin(), elim.end());
@@ -269,7 +269,7 @@ std::vector<Figure> draw(const Table& table) {
       const char* name = kHeuristics[i].name;
       const Look look{i, i, i, true, false};  // markers of 65 stand-offs would hide each other
       at.series.push_back({name, rowsOf(model, name, kAtStandOff), "spheres", look});
-      least.series.push_back({name, rowsOf(model, name, kLeast), "stand_off_fraction", look});
+      least.series.push_back({name, rowsOf(model, name, kMin), "stand_off_fraction", look});
     }
     figure.panels.push_back(std::move(at));
     figure.panels.push_back(std::move(least));

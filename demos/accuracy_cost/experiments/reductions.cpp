@@ -28,10 +28,10 @@ constexpr std::array kQuickCounts{8U, 24U, 64U, 150U};
 
 /// Medial spheres all algorithms start from.
 constexpr unsigned kMedialSpheres = 500;
-constexpr unsigned kMostSamples = 2000;
+constexpr unsigned kMaxSamples = 2000;
 /// Sets of fewer spheres than this part of those asked for are left out of comparisons, as the thesis leaves out
 /// Expand's.
-constexpr double kLeastShare = 0.9;
+constexpr double kMinShare = 0.9;
 constexpr const char* kComplete = "yes";
 /// A standard deviation of the error of at most this part of its mean counts as near zero variance.
 constexpr double kEven = 0.1;
@@ -44,7 +44,7 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
   Steps steps(progress, models.size() * kAlgorithms.size() * counts.size());
   for (const Model& model : models) {
     const auto axis = builder::medialAxis(
-        model.mesh, {.samples = kMostSamples, .spheres = kMedialSpheres, .seed = settings.seed}, progress);
+        model.mesh, {.samples = kMaxSamples, .spheres = kMedialSpheres, .seed = settings.seed}, progress);
     if (!axis) return axis.error();
     if (axis.value().inside.empty())
       return Error{model.name + ": no medial sphere was found; is it as thin as a sheet?"};
@@ -59,7 +59,7 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
         const auto fit = builder::evaluateBalls(balls.value(), model.mesh, settings.seed, inside);
         if (!fit) return fit.error();
         const std::size_t spheres = balls.value().size();
-        const bool complete = static_cast<double>(spheres) >= kLeastShare * count;
+        const bool complete = static_cast<double>(spheres) >= kMinShare * count;
         table.addRow(withFit({model.name, algorithm.name, fmt::format("{}", count), fmt::format("{}", spheres),
                               complete ? kComplete : "no"},
                              fit.value()));

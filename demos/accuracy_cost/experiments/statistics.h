@@ -27,7 +27,7 @@ struct MedianInterval {
 };
 inline constexpr double kConfidence = 0.95;
 /// As few values as give an interval of `kConfidence`.
-inline constexpr std::size_t kLeastRepetitions = 6;
+inline constexpr std::size_t kMinRepetitions = 6;
 
 /// The median of the values, and the narrowest pair of order statistics, equally far from both ends, that holds the
 /// median they are drawn from with at least `kConfidence` (binomial, whatever the distribution; least and greatest

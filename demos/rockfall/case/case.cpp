@@ -28,7 +28,7 @@ Case readSections(const Value& value) {
   scene.stepS = object.at("step_s").number({1e-5, 0.1});
   const Value duration = object.at("duration_s");
   scene.durationS = duration.number({0, 86400, true});
-  if (constexpr double kMostSteps = 1e8; scene.durationS > kMostSteps * scene.stepS)
+  if (constexpr double kMaxSteps = 1e8; scene.durationS > kMaxSteps * scene.stepS)
     duration.refuse("that would be more than a hundred million steps: use longer steps or a shorter time");
   scene.gravityMPerS2 = object.numberOr("gravity_m_per_s2", between(0, 1000), scene.gravityMPerS2);
   if (const auto budget = object.find("budget")) scene.budget = readBudget(*budget);

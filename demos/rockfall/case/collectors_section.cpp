@@ -8,9 +8,9 @@
 namespace cairn::rockfall {
 
 std::vector<Collector> readCollectors(const Value& value) {
-  constexpr std::size_t kMostCollectors = 1000;
+  constexpr std::size_t kMaxCollectors = 1000;
   std::vector<Collector> collectors;
-  for (const Value& item : value.items(0, kMostCollectors)) {
+  for (const Value& item : value.items(0, kMaxCollectors)) {
     Object object(item);
     const Value name = object.at("name");
     Collector collector{name.name(), {}};

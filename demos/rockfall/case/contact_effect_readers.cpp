@@ -8,7 +8,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostEntries = 256;
+constexpr std::size_t kMaxEntries = 256;
 constexpr Range kFriction = between(0, 10), kLever = between(0, 10), kShare = between(0, 1);
 constexpr Range kSpeed{0, 1000, true};
 
@@ -17,7 +17,7 @@ constexpr Range kSpeed{0, 1000, true};
 template <class Entry, class ReadEntry>
 std::vector<Entry> readByMaterial(Object& object, const Materials& materials, const ReadEntry& readEntry) {
   std::vector<Entry> entries;
-  for (const Value& item : object.at("materials").items(1, kMostEntries)) {
+  for (const Value& item : object.at("materials").items(1, kMaxEntries)) {
     Object element(item);
     const MaterialId material = readMaterial(element.at("material"), materials);
     if (std::ranges::find(entries, material, &Entry::material) != entries.end())
@@ -66,7 +66,7 @@ EffectOptions readSlipFriction(Object& object, const Materials& materials) {
   options.kappaPerM = object.at("kappa_per_m").number(between(0, 1e6));
   options.recoveryPerS = object.at("recovery_per_s").number(between(0, 1e6));
   if (const auto pairs = object.find("pairs"))
-    for (const Value& item : pairs->items(1, kMostEntries)) options.pairs.push_back(readPair(item, materials));
+    for (const Value& item : pairs->items(1, kMaxEntries)) options.pairs.push_back(readPair(item, materials));
   return options;
 }
 

@@ -42,7 +42,7 @@ constexpr std::array kReaders{
 };
 static_assert(kReaders.size() == std::variant_size_v<EffectOptions>, "every effect has its reader");
 
-constexpr std::size_t kMostEffects = 1000;
+constexpr std::size_t kMaxEffects = 1000;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::vector<EffectOptions> readEffects(const Value& value, const Materials& mate
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = kReaders[i].name;
   std::array<bool, kReaders.size()> seen{};
   std::vector<EffectOptions> effects;
-  for (const Value& item : value.items(0, kMostEffects)) {
+  for (const Value& item : value.items(0, kMaxEffects)) {
     Object object(item);
     const std::size_t i = object.at("effect").choice(names, "effect");
     if (seen[i] && !kReaders[i].ofAPlace)

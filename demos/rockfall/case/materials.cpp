@@ -8,7 +8,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostMaterials = 256, kMostPairs = 10000;
+constexpr std::size_t kMaxMaterials = 256, kMaxPairs = 10000;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ double PairTable::greatest() const {
 
 Materials readMaterials(const Value& value) {
   Materials materials;
-  for (const Value& item : value.items(1, kMostMaterials)) {
+  for (const Value& item : value.items(1, kMaxMaterials)) {
     const std::string name = item.name();
     if (!name.empty() && std::ranges::find(materials, name) != materials.end())
       item.refuse(fmt::format("the material \"{}\" is listed twice", name));
@@ -64,7 +64,7 @@ PairTable readPairTable(Object& object, const Materials& materials, std::string_
   table.otherwise = object.at(otherwiseKey).number(range);
   const auto pairs = object.find("pairs");
   if (!pairs) return table;
-  for (const Value& item : pairs->items(0, kMostPairs)) {
+  for (const Value& item : pairs->items(0, kMaxPairs)) {
     Object entry(item);
     const MaterialPair pair = readPair(entry.at("materials"), materials);
     if (std::ranges::find(table.entries, pair, &PairTable::Entry::pair) != table.entries.end())

@@ -6,7 +6,7 @@ namespace cairn::rockfall {
 namespace {
 
 constexpr Range kDensity = between(0, 20000), kCoefficient = between(0, 100), kDiameter{0, 20, true};
-constexpr std::size_t kMostStems = 1000000;
+constexpr std::size_t kMaxStems = 1000000;
 
 StandOfTrees readStand(const Value& value) {
   Object object(value);
@@ -23,7 +23,7 @@ StandOfTrees readStand(const Value& value) {
 
 std::vector<Stem> readStems(const Value& value) {
   std::vector<Stem> stems;
-  for (const Value& item : value.items(0, kMostStems)) {
+  for (const Value& item : value.items(0, kMaxStems)) {
     const auto parts = item.items(3, 3);
     if (parts.size() != 3) return stems;
     const MapPoint place{parts[0].number(between(-1e7, 1e7)), parts[1].number(between(-1e7, 1e7))};

@@ -6,7 +6,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostCorners = 10000;
+constexpr std::size_t kMaxCorners = 10000;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ MapPoint readPoint(const Value& value) {
 
 Polygon readPolygon(const Value& value) {
   Polygon polygon;
-  for (const Value& corner : value.items(3, kMostCorners)) polygon.push_back(readPoint(corner));
+  for (const Value& corner : value.items(3, kMaxCorners)) polygon.push_back(readPoint(corner));
   return polygon;
 }
 

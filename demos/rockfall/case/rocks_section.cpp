@@ -4,8 +4,8 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::size_t kMostGroups = 100, kMostSieveSizes = 100;
-constexpr std::uint64_t kMostRocks = 100000, kMostVariants = 100;
+constexpr std::size_t kMaxGroups = 100, kMaxSieveSizes = 100;
+constexpr std::uint64_t kMaxRocks = 100000, kMaxVariants = 100;
 
 std::variant<MadeRocks, MeshRocks> readRockSource(Object& group) {
   const auto make = group.find("make"), mesh = group.find("mesh");
@@ -20,7 +20,7 @@ std::variant<MadeRocks, MeshRocks> readRockSource(Object& group) {
   rocks.kind = static_cast<RockKind>(object.at("kind").choice(kKinds, "kind of rock"));
   if (const auto concave = object.find("concave")) rocks.concave = concave->flag();
   if (const auto variants = object.find("variants"))
-    rocks.variants = static_cast<std::uint32_t>(variants->whole(1, kMostVariants));
+    rocks.variants = static_cast<std::uint32_t>(variants->whole(1, kMaxVariants));
   return rocks;
 }
 
@@ -28,7 +28,7 @@ SieveCurve readSieve(const Value& value) {
   Object object(value);
   SieveCurve curve;
   const Value sizes = object.at("sizes");
-  for (const Value& item : sizes.items(2, kMostSieveSizes)) {
+  for (const Value& item : sizes.items(2, kMaxSieveSizes)) {
     const auto pair = item.items(2, 2);
     if (pair.size() != 2) return curve;
     const SieveCurve::Point point{pair[0].number({0.01, 100}), pair[1].number(between(0, 1))};
@@ -58,7 +58,7 @@ Release readRelease(const Value& value) {
 RockGroup readGroup(const Value& value, const Materials& materials) {
   Object object(value);
   RockGroup group;
-  group.count = static_cast<std::uint32_t>(object.at("count").whole(1, kMostRocks));
+  group.count = static_cast<std::uint32_t>(object.at("count").whole(1, kMaxRocks));
   group.source = readRockSource(object);
   group.sieve = readSieve(object.at("sieve_m"));
   if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
@@ -79,7 +79,7 @@ double SieveCurve::sizeAt(double u) const {
 
 std::vector<RockGroup> readRocks(const Value& value, const Materials& materials) {
   std::vector<RockGroup> groups;
-  for (const Value& item : value.items(1, kMostGroups)) groups.push_back(readGroup(item, materials));
+  for (const Value& item : value.items(1, kMaxGroups)) groups.push_back(readGroup(item, materials));
   return groups;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongest = 1e5;  // metres
 constexpr double kSteepest = 89;  // degrees
-constexpr std::size_t kMostZones = 1000, kMostProfileCorners = 10000;
+constexpr std::size_t kMaxZones = 1000, kMaxProfileCorners = 10000;
 
 GeneratedGrid readGrid(Object& object) {
   return {object.at("width_m").number({0, kLongest, true}), object.numberOr("cell_m", {0.01, 1000}, 1),
@@ -29,7 +29,7 @@ TerrainSource readPlane(Object& object) {
 
 TerrainSource readSteppedSlope(Object& object) {
   SteppedSlopeTerrain slope{readGrid(object), {}, object.numberOr("bank_m", between(0, 100), 0)};
-  for (const Value& corner : object.at("profile_m").items(2, kMostProfileCorners)) {
+  for (const Value& corner : object.at("profile_m").items(2, kMaxProfileCorners)) {
     slope.profileM.push_back(readPoint(corner));
     if (slope.profileM.size() > 1 && slope.profileM.back()[0] <= slope.profileM[slope.profileM.size() - 2][0])
       corner.refuse("the x of a profile must rise from point to point");
@@ -103,7 +103,7 @@ TerrainSection readTerrain(const Value& value, const Materials& materials) {
   terrain.source = readTerrainSource(object);
   terrain.material = readMaterial(object.at("material"), materials);
   if (const auto zones = object.find("zones"))
-    for (const Value& item : zones->items(0, kMostZones)) {
+    for (const Value& item : zones->items(0, kMaxZones)) {
       Object zone(item);
       const MaterialId material = readMaterial(zone.at("material"), materials);
       terrain.zones.push_back(makeZone(material, readPolygon(zone.at("polygon_m"))));

@@ -13,7 +13,7 @@ namespace {
 std::optional<std::uint64_t> wholeNumber(std::string_view text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value > kMostRuns) return {};
+  if (error != std::errc() || end != text.data() + text.size() || value > kMaxRuns) return {};
   return value;
 }
 

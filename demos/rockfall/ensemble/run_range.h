@@ -17,7 +17,7 @@ struct RunRange {
 };
 
 /// Largest number a run may have, plus one: what keeps seeds apart and file names sorted.
-inline constexpr std::uint64_t kMostRuns = 1'000'000'000;
+inline constexpr std::uint64_t kMaxRuns = 1'000'000'000;
 
 /// "a:b", a below b. Fails in one sentence otherwise.
 Result<RunRange> parseRange(std::string_view text);

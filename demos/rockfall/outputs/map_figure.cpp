@@ -15,7 +15,7 @@ namespace {
 constexpr double kLongSide = 1000, kMapLeft = 95, kMapTop = 50, kMapRight = 110, kMapBottom = 60;  // pixels
 constexpr int kSamples = 320;             // of the relief along the longer side
 constexpr int kGreys = 24, kNoGrey = -1;  // the latter over holes
-constexpr std::size_t kMostTrajectories = 400, kMostStops = 5000;
+constexpr std::size_t kMaxTrajectories = 400, kMaxStops = 5000;
 
 /// From slow to fast: dark blue, violet, red, yellow.
 constexpr std::array<const char*, 8> kSpeedColors{"#253494", "#41449c", "#7a3b9b", "#b5307c",
@@ -143,12 +143,12 @@ std::string mapFigure(const Case& description, const Ground& ground, const std::
   Svg svg(kMapLeft + frame.width + kMapRight, kMapTop + std::max(frame.height, 190.0) + kMapBottom);
   svg.beginClip(kMapLeft, kMapTop, frame.width, frame.height);
   drawRelief(svg, frame, ground);
-  const std::size_t drawn = std::min(trajectories.size(), kMostTrajectories);
+  const std::size_t drawn = std::min(trajectories.size(), kMaxTrajectories);
   double fastest = 0;
   for (std::size_t i = 0; i < drawn; ++i)
     for (const TrajectorySample& sample : trajectories[i].samples) fastest = std::max(fastest, sample.speed);
   for (std::size_t i = 0; i < drawn; ++i) drawTrajectory(svg, frame, trajectories[i], fastest);
-  for (std::size_t i = 0; i < std::min(stops.size(), kMostStops); ++i)
+  for (std::size_t i = 0; i < std::min(stops.size(), kMaxStops); ++i)
     svg.circle(frame.x(stops[i].place[0]), frame.y(stops[i].place[1]), 2.2,
                stops[i].ending == RockEnd::resting ? "fill:#111" : "fill:#fff;stroke:#111");
   svg.endClip();

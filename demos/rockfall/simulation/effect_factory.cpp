@@ -214,15 +214,15 @@ std::unique_ptr<effects::Effect> makeEffect(const Scene& scene, std::size_t plac
 }
 
 Status checkStands(const Case& description, const Ground& ground) {
-  constexpr double kMostStems = 2e6;
+  constexpr double kMaxStems = 2e6;
   for (std::size_t i = 0; i < description.effects.size(); ++i) {
     const auto* trees = std::get_if<TreesOptions>(&description.effects[i]);
     const auto* stand = trees != nullptr ? std::get_if<StandOfTrees>(&trees->stems) : nullptr;
-    if (stand == nullptr || stemCount(*stand, ground) <= kMostStems) continue;
+    if (stand == nullptr || stemCount(*stand, ground) <= kMaxStems) continue;
     return Error{
         fmt::format("/effects/{}/stems: there would be {:.3g} million stems, more than {:.0f} million: use a "
                     "smaller density or polygon, or forest_drag",
-                    i, stemCount(*stand, ground) / 1e6, kMostStems / 1e6)};
+                    i, stemCount(*stand, ground) / 1e6, kMaxStems / 1e6)};
   }
   return {};
 }

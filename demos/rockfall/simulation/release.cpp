@@ -11,8 +11,8 @@ namespace cairn::rockfall {
 namespace {
 
 constexpr int kDrawsPerLevel = 20;
-constexpr double kSeparateS = 2;      // apart in time by this much, two rocks may begin at one place
-constexpr double kLeastUpward = 0.2;  // of a normal: no rock starts more than five radii up a cliff
+constexpr double kSeparateS = 2;    // apart in time by this much, two rocks may begin at one place
+constexpr double kMinUpward = 0.2;  // of a normal: no rock starts more than five radii up a cliff
 
 class Releaser {
  public:
@@ -51,7 +51,7 @@ class Releaser {
       fullLevels_ = std::max(fullLevels_, draw / kDrawsPerLevel - 1);
       const MapPoint point{places.uniform(a[0], b[0]), places.uniform(a[1], b[1])};
       const double onGround =
-          scene_.ground->heightAt(point) + rock.reachM / std::max(kLeastUpward, scene_.ground->normalAt(point).z);
+          scene_.ground->heightAt(point) + rock.reachM / std::max(kMinUpward, scene_.ground->normalAt(point).z);
       const double raised = 2 * rock.reachM * (draw / kDrawsPerLevel);
       const Vec3d place(point[0], point[1], onGround + release.aboveGroundM + raised);
       if (isFree(place, rock)) return place;

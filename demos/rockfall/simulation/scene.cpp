@@ -37,7 +37,7 @@ Status checkReleases(const Case& description, const Ground& ground, const MapPoi
 
 /// Before anything is run, because the merge would fail for it.
 Status checkRaster(const Case& description, const Ground& ground) {
-  constexpr double kMostCells = 64e6;
+  constexpr double kMaxCells = 64e6;
   if (!description.outputs.rasterCellM) return {};
   if (description.outputs.geotiff && !hasGdal())
     return Error{
@@ -45,11 +45,11 @@ Status checkRaster(const Case& description, const Ground& ground) {
         "again, or do without"};
   const double cell = *description.outputs.rasterCellM;
   const double cells = (ground.upper().x - ground.lower().x) / cell * ((ground.upper().y - ground.lower().y) / cell);
-  if (cells <= kMostCells) return {};
+  if (cells <= kMaxCells) return {};
   return Error{
       fmt::format("/outputs/raster_cell_m: rasters would have {:.3g} million cells, more than {:.0f} million: "
                   "use larger ones",
-                  cells / 1e6, kMostCells / 1e6)};
+                  cells / 1e6, kMaxCells / 1e6)};
 }
 
 /// What was read, beside what the case's files hold: a raster may lean on others.

@@ -59,9 +59,9 @@ Result<Raster> rasterOfMesh(const builder::TriangleMesh& mesh, double cell) {
   const builder::Bounds box = builder::boundsOf(mesh);
   const auto points = [&](double low, double high) { return std::floor((high - low) / cell * (1 + 1e-12)) + 1; };
   const double columns = points(box.lower.x, box.upper.x), rows = points(box.lower.y, box.upper.y);
-  constexpr double kMost = 1e15;  // what an integer surely holds
-  if (Status status = checkRasterSize(static_cast<std::uint64_t>(std::min(columns, kMost)),
-                                      static_cast<std::uint64_t>(std::min(rows, kMost)));
+  constexpr double kMax = 1e15;  // what an integer surely holds
+  if (Status status = checkRasterSize(static_cast<std::uint64_t>(std::min(columns, kMax)),
+                                      static_cast<std::uint64_t>(std::min(rows, kMax)));
       !status)
     return status.error();
   Raster raster{

@@ -8,11 +8,11 @@
 namespace cairn::rockfall {
 
 namespace {
-constexpr std::uint64_t kMostPoints = 1ULL << 20, kMostValues = 1ULL << 28;
+constexpr std::uint64_t kMaxPoints = 1ULL << 20, kMaxValues = 1ULL << 28;
 }  // namespace
 
 Status checkRasterSize(std::uint64_t columns, std::uint64_t rows) {
-  if (columns >= 1 && rows >= 1 && columns <= kMostPoints && rows <= kMostPoints && columns * rows <= kMostValues)
+  if (columns >= 1 && rows >= 1 && columns <= kMaxPoints && rows <= kMaxPoints && columns * rows <= kMaxValues)
     return {};
   return Error{"has " + std::to_string(columns) + " x " + std::to_string(rows) +
                " values: give at least one, and at most 2^20 a side and 2^28 in all"};

@@ -75,7 +75,7 @@ std::string labelText(const std::string& heading, const std::string& line, doubl
 std::string colorScaleText(double z) {
   constexpr double kLength = 3.0, kHeight = 0.07;
   constexpr int kCells = 240;
-  constexpr double kRange = bullet::kGreatestErrorShown / bullet::kLeastErrorShown;
+  constexpr double kRange = bullet::kGreatestErrorShown / bullet::kMinErrorShown;
   std::string text;
   for (int i = 0; i < kCells; ++i) {
     const double left = kLength * (static_cast<double>(i) / kCells - 0.5);
@@ -83,7 +83,7 @@ std::string colorScaleText(double z) {
         "box {{ <{:.5g},-0.01,{:.5g}>, <{:.5g},0.01,{:.5g}> no_shadow pigment {{ {} }} finish {{ ambient 0 diffuse 0 "
         "emission 1 }} }}\n",
         left, z - kHeight / 2, left + kLength / kCells * 1.02, z + kHeight / 2,
-        srgb(bullet::errorColor(bullet::kLeastErrorShown * std::pow(kRange, (i + 0.5) / kCells))));
+        srgb(bullet::errorColor(bullet::kMinErrorShown * std::pow(kRange, (i + 0.5) / kCells))));
   }
   for (const double tick : {0.003, 0.01, 0.03, 0.1, 0.3})
     text += fmt::format("Label(\"{:.3g} %\", 0.064, {:.5g}, {:.5g})\n", 100 * tick,

@@ -10,10 +10,10 @@ namespace cairn::scenes {
 namespace {
 
 /// In diagonals of the mesh's bounding box.
-constexpr double kPanel = 1.12, kRow = 1.34, kLabelBelow = 0.6, kScaleRoom = 0.62, kLeastWidth = 3.4;
+constexpr double kPanel = 1.12, kRow = 1.34, kLabelBelow = 0.6, kScaleRoom = 0.62, kMinWidth = 3.4;
 
 double widthOf(const SphereSheet& sheet) {
-  return std::max(kLeastWidth, kPanel * static_cast<double>(sheet.front().size()));
+  return std::max(kMinWidth, kPanel * static_cast<double>(sheet.front().size()));
 }
 
 double heightOf(const SphereSheet& sheet) {

@@ -137,18 +137,19 @@ FitResult distances(Pieces& pieces, FitShape shape) {
   double worst = 0;
   std::string where;
   for (const bool toSphere : {true, false})
-    for (const double gap : {0.001, 0.01, 0.05, 0.2})
+    for (const double separation : {0.001, 0.01, 0.05, 0.2})
       for (const double threshold : {0.1, 0.3, 0.5, 0.7, 1.0}) {
-        if (threshold < gap) continue;
+        if (threshold < separation) continue;
         FitWorld world(pieces, shape);
         btRigidBody& link = world.add("link", 0, 1, at(0, 0, 0));
         // Straight above the middle of a side, whose highest line is at z = 0.06657.
         const double top = 0.0665739, y = 0.25;
-        btRigidBody& other =
-            toSphere ? world.addShape(std::make_shared<btSphereShape>(btScalar(0.1)), 1, 1, at(0, y, top + gap + 0.1))
-                     : world.add("link", 1, 1, at(0, 0, 2 * top + gap));
-        const double error = std::abs(distanceOf(world, link, other, threshold) - gap);
-        if (error > worst) where = fmt::format("{} at {} within {}", toSphere ? "sphere" : "link", gap, threshold);
+        btRigidBody& other = toSphere ? world.addShape(std::make_shared<btSphereShape>(btScalar(0.1)), 1, 1,
+                                                       at(0, y, top + separation + 0.1))
+                                      : world.add("link", 1, 1, at(0, 0, 2 * top + separation));
+        const double error = std::abs(distanceOf(world, link, other, threshold) - separation);
+        if (error > worst)
+          where = fmt::format("{} at {} within {}", toSphere ? "sphere" : "link", separation, threshold);
         worst = std::max(worst, error);
       }
   return {"distances", worst < 0.002, fmt::format("off by at most {:.4f} m ({})", worst, where)};

@@ -15,7 +15,7 @@
 #include <random>
 
 #include "cairn/core/atomic_file.h"
-#include "cairn/core/region_gap.h"
+#include "cairn/core/region_separation.h"
 #include "cairn/core/state_hash.h"
 #include "cairn/core/tree_file.h"
 #include "cairn/core/tree_pair_traversal.h"
@@ -42,7 +42,7 @@ struct Meeting {
 
 // What a run over all poses takes, in microseconds a pair of bodies, and what it finds.
 struct Figures {
-  double traversal = 0, gaps = 0;
+  double traversal = 0, separations = 0;
   double patches = 0, features = 0, decisions = 0, crossings = 0, regions = 0, whole = 0, carriedLists = 0;
   double leafPairs = 0, nearPatches = 0, listed = 0, contacts = 0;
   std::string hash;
@@ -214,12 +214,12 @@ void timeSpheres(const Options& options, const std::vector<Meeting>& meetings, c
     }
   });
   for (const Meeting& m : meetings) figures.leafPairs += double(m.leafPairs.size()) / double(meetings.size());
-  RegionGaps gaps;
-  figures.gaps = timed(options, meetings.size(), [&] {
+  RegionSeparations separations;
+  figures.separations = timed(options, meetings.size(), [&] {
     for (const Meeting& m : meetings)
       for (std::span<const NodePair> pairs = m.leafPairs; !pairs.empty();) {
-        const auto some = pairs.first(std::min<std::size_t>(pairs.size(), RegionGaps::kSize));
-        measureGaps(m.a.regions(), m.b.regions(), some, {0, limits.reach, limits.reach}, gaps);
+        const auto some = pairs.first(std::min<std::size_t>(pairs.size(), RegionSeparations::kSize));
+        measureSeparations(m.a.regions(), m.b.regions(), some, {0, limits.reach, limits.reach}, separations);
         pairs = pairs.subspan(some.size());
       }
   });
@@ -253,15 +253,15 @@ void print(const std::string& name, const Figures& f) {
   fmt::print(
       "{:<24} {:>9.0f} {:>8.2f} {:>6.2f} | {:>7.0f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} | {:>6.2f} {:>8.2f} "
       "{:>9.0f} | {:>8.1f} {}\n",
-      name, f.leafPairs, f.traversal, f.gaps, f.nearPatches, f.patches, f.features, f.decisions, f.crossings, f.regions,
-      f.whole, f.carriedLists, 1e3 * f.whole / std::max(f.leafPairs, 1.0), f.contacts, f.hash);
+      name, f.leafPairs, f.traversal, f.separations, f.nearPatches, f.patches, f.features, f.decisions, f.crossings,
+      f.regions, f.whole, f.carriedLists, 1e3 * f.whole / std::max(f.leafPairs, 1.0), f.contacts, f.hash);
 }
 
 nlohmann::json asJson(const std::string& name, const Figures& f) {
   return {{"tree", name},
           {"leaf_pairs", f.leafPairs},
           {"traversal_us", f.traversal},
-          {"gaps_us", f.gaps},
+          {"gaps_us", f.separations},
           {"near_patches", f.nearPatches},
           {"patches_us", f.patches},
           {"features_us", f.features},

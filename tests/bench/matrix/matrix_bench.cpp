@@ -11,7 +11,7 @@
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
 #include "cairn/core/atomic_file.h"
-#include "counterpart_trials.h"
+#include "collider_trials.h"
 
 namespace cairn::bench {
 namespace {

@@ -60,7 +60,7 @@ void PosesFound::look(const SmallSolid& solidA, const SmallSolid& solidB, const 
   ++apartButNamed;
   // The traversal's own slack: balls this far apart still count as overlapping (twice, for the sum of two frames).
   const double lengths =
-      length(poseB.translation - poseA.translation) + double(solidA.tree->reach() + solidB.tree->reach());
+      length(poseB.translation - poseA.translation) + double(solidA.tree->extent() + solidB.tree->extent());
   const double allowed = least + 2 * double(kOverlapSlack) * lengths;
   const double gap = scenes::surfaceDistance(*solidA.surface, *solidB.surface, bFromA);
   tooFar += gap > allowed ? 1 : 0;

@@ -15,9 +15,9 @@
 namespace cairn::hard {
 namespace {
 
-constexpr int kMostCompounds = 4;
-constexpr double kLeastScale = 1e-3;
-constexpr float kLeastRadius = 1e-6F;
+constexpr int kMaxCompounds = 4;
+constexpr double kMinScale = 1e-3;
+constexpr float kMinRadius = 1e-6F;
 /// Of a search for one turn: so many climbs of so many steps.
 constexpr int kTurnStarts = 10, kTurnSteps = 4000;
 
@@ -125,10 +125,10 @@ Place besides(Place place, Dice& dice) {
       place.apart += dice.vector(size);
       break;
     case 2:
-      place.scale = std::clamp(place.scale * std::exp(dice.draw() * size), kLeastScale, 1 / kLeastScale);
+      place.scale = std::clamp(place.scale * std::exp(dice.draw() * size), kMinScale, 1 / kMinScale);
       break;
     case 3:
-      place.ballInB.radius = std::clamp(place.ballInB.radius * float(std::exp(dice.draw() * size)), kLeastRadius, 1.0F);
+      place.ballInB.radius = std::clamp(place.ballInB.radius * float(std::exp(dice.draw() * size)), kMinRadius, 1.0F);
       break;
     case 4:
       place.outward = (place.outward + dice.vector(size)).normalized();
@@ -196,7 +196,7 @@ bool namesAll(const SphereTree& first, const SphereTree& second, const Pose& a, 
 WorstPlaces climbToWorstPlaces(int starts, int steps, std::mt19937_64& engine) {
   Dice dice(engine);
   WorstPlaces worst;
-  for (int compounds = 0; compounds <= kMostCompounds; ++compounds) {
+  for (int compounds = 0; compounds <= kMaxCompounds; ++compounds) {
     double& used = worst.usedByDepth.emplace_back(0);
     for (int start = 0; start < starts; ++start) {
       const Place place = climb(compounds + 1, steps, dice);

@@ -156,7 +156,7 @@ constexpr double kErrorResolution = 0.01;
 // An answer counts until its bodies have moved by so many per cent of their size: as deep may be what was apart.
 constexpr double kUnasked = 3;
 // A sixth of a second: the list names a wait, and no limit.
-constexpr double kMostSteps = 10;
+constexpr double kMaxSteps = 10;
 
 constexpr const char* kWhy =
     "What leaves say deeper than 1 % can be there for a step; a slab sinks by 3 % of its size before it is asked "
@@ -175,7 +175,7 @@ std::vector<Asked> askedOf(const std::string& name) {
                            {"bodies lost", 0, Bound::atMost, ""},
                            {"energy gained after any loss", 1, Bound::atMost, "%"},
                            {"steps in which the deepest pair had no contact", 0, Bound::atMost, ""},
-                           {"steps in a row in which it had none, the most", kMostSteps, Bound::atMost, ""},
+                           {"steps in a row in which it had none, the most", kMaxSteps, Bound::atMost, ""},
                            {"deepest it was without one", kUnasked, Bound::atMost, "% of size"},
                            {"deepest of all steps", 25, Bound::atMost, "% of size"},
                            {"deepest once they lie", kUnasked, Bound::atMost, "% of size"}};

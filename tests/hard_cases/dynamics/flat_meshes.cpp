@@ -5,8 +5,8 @@
 #include <functional>
 #include <random>
 
+#include "collider_trials.h"
 #include "compare.h"
-#include "counterpart_trials.h"
 #include "dynamics_cases.h"
 #include "random_tree.h"
 #include "scenes/figures/random.h"

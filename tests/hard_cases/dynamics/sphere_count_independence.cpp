@@ -9,8 +9,8 @@
 #include <span>
 
 #include "bodies.h"
+#include "collider_shapes.h"
 #include "compare.h"
-#include "counterpart_shapes.h"
 #include "dynamics_cases.h"
 #include "gimpact_mesh.h"
 #include "scenes/figures/random.h"

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "casts.h"
-#include "counterpart_shapes.h"
+#include "collider_shapes.h"
 #include "mt_world.h"
 
 namespace cairn::test::threads_test {

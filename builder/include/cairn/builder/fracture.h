@@ -28,7 +28,7 @@ struct Fracture {
 };
 
 /// The largest `volumeError` that is let pass.
-inline constexpr double kMostVolumeError = 1e-9;
+inline constexpr double kMaxVolumeError = 1e-9;
 
 /// Cuts a solid where the branches of its tree meet (thesis 8.3.5: objects that break along their sphere-trees). Each
 /// child of the root gets the points of the solid whose power distance to its sphere is least, so that cuts are about

@@ -30,7 +30,7 @@ struct RepairCounts {
 ///
 /// The result has passed `checkMesh`; its coordinates are floats, and it is the mesh `importMesh` reads from
 /// `plyBytes`, whose SHA-256 it carries. Fails, with the place, where that is not enough: edges of more than two
-/// triangles, surfaces without a consistent side, triangles that cross, holes of more than `kMostHoleEdges` edges or
+/// triangles, surfaces without a consistent side, triangles that cross, holes of more than `kMaxHoleEdges` edges or
 /// that no triangles fill. `wrap` takes those. `counts` may be null. Precondition: a mesh of `importSurface`.
 /// O(n log n) and the square of a border's length. Single thread. Source: see docs/algorithms/repair.md.
 Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = nullptr);
@@ -38,6 +38,6 @@ Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = 
 /// Border vertices closer than this fraction of the bounding box's diagonal are one: a few units of float rounding.
 inline constexpr double kStitchTolerance = 1e-6;
 /// A border of more edges is the rim of an open sheet rather than a hole.
-inline constexpr std::size_t kMostHoleEdges = 5000;
+inline constexpr std::size_t kMaxHoleEdges = 5000;
 
 }  // namespace cairn::builder

@@ -10,12 +10,12 @@ namespace cairn::builder {
 
 /// Lengths are fractions of the bounding box's diagonal.
 struct WrapOptions {
-  double alpha = 0.02;  ///< openings narrower than about this are closed; kLeastAlpha..1
+  double alpha = 0.02;  ///< openings narrower than about this are closed; kMinAlpha..1
   double offset =
-      0.002;  ///< how far outside the surface the wrap keeps, about (a tenth less at times); kLeastOffset..0.2
+      0.002;  ///< how far outside the surface the wrap keeps, about (a tenth less at times); kMinOffset..0.2
 };
-inline constexpr double kLeastAlpha = 0.005, kMostAlpha = 1;
-inline constexpr double kLeastOffset = 1e-4, kMostOffset = 0.2;
+inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;
+inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;
 
 /// A closed skin around a surface, and how far it is from it. Mesh frame and unit.
 struct Wrap {

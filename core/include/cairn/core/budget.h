@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kSphereUpdateCost = 2;
 inline constexpr std::uint32_t kOverlapTestCost = 1;
 
 /// Work that has to be done once refinement has stopped, whatever is left then: contacts to be made of what was found.
-struct Promise {
+struct Reservation {
   std::uint64_t operations = 0;
   double nanoseconds = 0;  ///< expected
 };
@@ -39,27 +39,27 @@ class Budget {
   /// alone.
   bool charge(std::uint32_t cost) {
     if (cost > remaining() || timeIsUp()) return false;
-    chargeAnyway(cost);
+    forceCharge(cost);
     return true;
   }
 
   /// Books work that is done whatever is left (re-testing known contacts): what is left shrinks, down to nothing.
-  void chargeAnyway(std::uint64_t cost) {
+  void forceCharge(std::uint64_t cost) {
     remaining_ -= cost < remaining_ ? cost : remaining_;
     used_ += cost;
     sinceClock_ += cost;
   }
 
-  /// Holds back what promised work will take, until `redeem` gives it free for the work itself. Promises may exceed
+  /// Holds back what promised work will take, until `release` gives it free for the work itself. Promises may exceed
   /// what is left; then nothing more is charged.
-  void promise(const Promise& work) {
-    promisedOperations_ += work.operations;
-    promisedNanoseconds_ += work.nanoseconds;
+  void reserve(const Reservation& work) {
+    reservedOperations_ += work.operations;
+    reservedNanoseconds_ += work.nanoseconds;
   }
   /// What was promised before; never more than all promises come to.
-  void redeem(const Promise& work) {
-    promisedOperations_ -= std::min(promisedOperations_, work.operations);
-    promisedNanoseconds_ = std::max(promisedNanoseconds_ - work.nanoseconds, 0.0);
+  void release(const Reservation& work) {
+    reservedOperations_ -= std::min(reservedOperations_, work.operations);
+    reservedNanoseconds_ = std::max(reservedNanoseconds_ - work.nanoseconds, 0.0);
   }
 
   /// Lets the next `operations`, if there are as many, through whatever the clock says: what is given no time at all
@@ -68,11 +68,11 @@ class Budget {
 
   std::uint64_t used() const { return used_; }
   /// What may still be charged: promised work is held back.
-  std::uint64_t remaining() const { return remaining_ - std::min(remaining_, promisedOperations_); }
+  std::uint64_t remaining() const { return remaining_ - std::min(remaining_, reservedOperations_); }
   /// Until the deadline, promised work not held back; infinite without one, negative after it.
   double nanosecondsLeft() const;
   /// The same, with what is promised held back: may be negative.
-  double nanosecondsFree() const { return nanosecondsLeft() - promisedNanoseconds_; }
+  double nanosecondsFree() const { return nanosecondsLeft() - reservedNanoseconds_; }
   /// Whether work that was charged as a whole should stop: a look at the clock, where there is a deadline.
   bool isLate() { return hasDeadline() && lookAtClock(); }
   bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
@@ -83,8 +83,8 @@ class Budget {
   bool lookAtClock();
 
   std::uint64_t remaining_;
-  std::uint64_t promisedOperations_ = 0;
-  double promisedNanoseconds_ = 0;
+  std::uint64_t reservedOperations_ = 0;
+  double reservedNanoseconds_ = 0;
   std::uint64_t used_ = 0;
   std::uint64_t guaranteedUntil_ = 0;
   std::uint64_t sinceClock_ = kClockInterval;  // look at once: a budget of zero microseconds does nothing

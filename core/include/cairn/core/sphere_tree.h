@@ -169,7 +169,7 @@ class SphereTree {
   const SphereTreeData& data() const { return data_; }
   /// How far a node's ball reaches from the tree frame's origin, in its unit, to some roundings: nothing of the tree is
   /// farther out.
-  float reach() const { return reach_; }
+  float extent() const { return extent_; }
   /// Bytes of memory the tree holds, shared by all its bodies.
   std::size_t memoryBytes() const;
 
@@ -196,7 +196,7 @@ class SphereTree {
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
   TreeSurface surface_;
-  float reach_ = 0;
+  float extent_ = 0;
   std::uint32_t depth_ = 0;
   std::uint32_t leafCount_ = 0;
 };

@@ -22,11 +22,11 @@ struct Box {
   bool holds(const Vec3& p) const;
   /// Of the axes along which the boxes are apart, how far along the one where they are farthest; negative where they
   /// overlap.
-  float gapTo(const Box& other) const {
-    float gap = -std::numeric_limits<float>::infinity();
+  float separationTo(const Box& other) const {
+    float separation = -std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis)
-      gap = std::max({gap, other.lower[axis] - upper[axis], lower[axis] - other.upper[axis]});
-    return gap;
+      separation = std::max({separation, other.lower[axis] - upper[axis], lower[axis] - other.upper[axis]});
+    return separation;
   }
 };
 

@@ -8,8 +8,8 @@ namespace {
 
 /// HACD scales a mesh to a diagonal of 1000: this is a tenth of the mesh's size, the value of HACD's own example.
 constexpr double kConcavity = 100;
-constexpr std::size_t kFewestParts = 2;
-constexpr std::size_t kMostCorners = 100;  // of a part's hull
+constexpr std::size_t kMinParts = 2;
+constexpr std::size_t kMaxCorners = 100;  // of a part's hull
 
 std::vector<Vec3d> cornersOf(HACD::HACD& hacd, std::size_t part) {
   std::vector<HACD::Vec3<HACD::Real>> points(hacd.GetNPointsCH(part));
@@ -33,9 +33,9 @@ Result<std::vector<std::vector<Vec3d>>> convexParts(std::span<const Vec3d> verti
   hacd.SetNPoints(points.size());
   hacd.SetTriangles(faces.data());
   hacd.SetNTriangles(faces.size());
-  hacd.SetNClusters(kFewestParts);
+  hacd.SetNClusters(kMinParts);
   hacd.SetConcavity(kConcavity);
-  hacd.SetNVerticesPerCH(kMostCorners);
+  hacd.SetNVerticesPerCH(kMaxCorners);
   if (!hacd.Compute() || hacd.GetNClusters() == 0) return Error{"HACD found no convex parts of the mesh"};
   std::vector<std::vector<Vec3d>> parts;
   for (std::size_t part = 0; part < hacd.GetNClusters(); ++part) parts.push_back(cornersOf(hacd, part));

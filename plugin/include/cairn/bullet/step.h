@@ -54,7 +54,7 @@ struct StepStatistics {
   std::uint32_t pairs = 0;
   /// Pairs of which a body's place, speed or force is no number or endless, those included that queries asked about
   /// since the last step: they have no contacts, so that it harms no other. The first one is told on standard error.
-  std::uint32_t brokenPairs = 0;
+  std::uint32_t nonFinitePairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< of `pairs`, those the budget left nothing for, or stopped half-way
   std::uint32_t contacts = 0;         ///< points handed to the solver by these pairs
   std::uint32_t exactContacts = 0;    ///< of these, measured between source triangles

@@ -17,7 +17,7 @@ namespace cairn::bullet {
 /// in the tree, and every sphere is some 150 lines to a drawer that does not draw spheres itself.
 
 /// The range of the colour scale, which is logarithmic: certified errors as fractions of `SphereTreeShape::size`.
-inline constexpr double kLeastErrorShown = 0.003, kGreatestErrorShown = 0.5;
+inline constexpr double kMinErrorShown = 0.003, kGreatestErrorShown = 0.5;
 
 /// Red, green and blue at equal steps of the scale, 2.8 times the error each: blue 0.3 %, sky 0.83 %, teal 2.3 %,
 /// green 6.5 %, lime 18 %, yellow 50 %. Lightness rises steadily, so that the scale is readable by everyone.

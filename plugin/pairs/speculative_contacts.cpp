@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Zlib
+#include "pairs/speculative_contacts.h"
+
+#include <algorithm>
+
+namespace cairn::bullet {
+
+namespace {
+
+// Normals more than 120 degrees apart hold against opposite motions.
+constexpr float kOpposedCosine = 0.5F;
+
+// Along another direction, that what has passed the contact ahead is deeper in than it would have to go back.
+bool isLongerWayOut(const Contact& now, const Contact& speculative) {
+  const float passed = speculative.distance();
+  return passed < 0 && now.separation < passed && dot(now.normal, speculative.normal) < kSameNormalCosine;
+}
+
+bool isOpposed(const Contact& now, const Contact& speculative) {
+  return dot(now.normal, speculative.normal) < -kOpposedCosine;
+}
+
+}  // namespace
+
+// What runs into something, or has passed it, is held on the side it came from: what touches on the other means
+// nothing, nor does what would bring it out by a longer way. Leaves as wide as the body and far wider than the slab
+// they are of overlap along the lines of centres by half the body: it was thrown along the slab, and out below.
+void dropOverruled(std::span<const Contact> speculative, float maxSeparation, ClusteredContacts& contacts) {
+  if (speculative.empty()) return;
+  for (int k = 0; k < kMaxClusters; ++k) {
+    for (Contact& c : contacts.cluster(k)) {
+      const auto overrules = [&](const Contact& one) { return isOpposed(c, one) || isLongerWayOut(c, one); };
+      if (!c.isSpeculative && std::ranges::any_of(speculative, overrules)) c.separation = maxSeparation;
+    }
+    contacts.resort(k, maxSeparation);
+  }
+}
+
+}  // namespace cairn::bullet
