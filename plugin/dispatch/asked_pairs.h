@@ -10,22 +10,22 @@
 
 namespace cairn::bullet {
 
-/// The order in which Bullet asks about pairs, which hardly changes from step to step: what it asks next is fetched
-/// ahead. In a large heap the states of all pairs are far more than any cache holds.
+/// The order in which Bullet asks about pairs, which hardly changes from step to step. It tells which pairs to
+/// prefetch: in a large heap all pairs together exceed any cache.
 class AskedPairs {
  public:
   void reserve(std::size_t pairs) { makeWrittenRoom(asked_, pairs); }
-  /// A step of so many pairs.
+  /// Begins a step of this many pairs.
   void begin(std::size_t pairs) {
     asked_.resize(pairs);
     until_ = 0;
   }
-  /// It asks about this one now. May be called from several threads.
+  /// Bullet asks about this pair now. May be called from several threads.
   void ask(TreePair& pair, bool isEstimated) {
     using step_tuning::kCopiesAhead, step_tuning::kSubjectsAhead;
     const std::size_t at = until_++;
     if (at + kSubjectsAhead >= asked_.size()) return;
-    // What one thread reads, another may have written.
+    // Atomic, because another thread may write the entry.
     const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
     const auto load = [&](std::size_t i) { return asked(i).load(std::memory_order_relaxed); };
     if (const TreePair* next = load(at + kSubjectsAhead)) prefetch(*next, PairPart::subject);
@@ -35,7 +35,7 @@ class AskedPairs {
   }
 
  private:
-  std::vector<TreePair*> asked_;  // up to `until_` as in this step, from there on as in the last
+  std::vector<TreePair*> asked_;  // this step's order up to `until_`, the last step's beyond
   std::atomic<std::size_t> until_{0};
 };
 

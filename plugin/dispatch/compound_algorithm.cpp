@@ -33,7 +33,7 @@ void CompoundAlgorithm::forget() {
   answering_ = nullptr;
 }
 
-// Children of children may change without the revision of the outermost compound: they are looked at every time.
+// Grandchildren may change without a new revision of the outermost compound, so all are checked every time.
 void CompoundAlgorithm::processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                                          const btDispatcherInfo& info, btManifoldResult* result) {
   const btCollisionShape& shape0 = *body0->getCollisionShape();

@@ -13,15 +13,15 @@ namespace cairn::bullet {
 /// Whether the shape is a sphere-tree, or a compound with one in it at any depth.
 bool hasTree(const btCollisionShape& shape);
 
-/// Who answers for a compound against one of GImpact's shapes.
+/// The creators of algorithms for a compound against one of GImpact's shapes.
 struct CompoundAnswers {
   btCollisionAlgorithmCreateFunc* withTree;
   btCollisionAlgorithmCreateFunc* withoutTree;
 };
 
-/// What Bullet keeps for a pair of a compound and one of GImpact's shapes: the algorithm of one of two, changed when
-/// the compound gets its first sphere-tree or loses the last. May outlive who made it; small for the reason
-/// `TreeAlgorithm` is.
+/// Bullet's algorithm for a compound against one of GImpact's shapes. It forwards to one of two algorithms and changes
+/// between them when the compound gets its first sphere-tree or loses its last. It may outlive its creator, and it is
+/// small for the same reason as `TreeAlgorithm`.
 class CompoundAlgorithm final : public btCollisionAlgorithm {
  public:
   CompoundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const CompoundAnswers& answers);

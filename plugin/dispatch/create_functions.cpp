@@ -29,13 +29,13 @@ bool isRegistered(int type) {
 
 using Functions = btCollisionAlgorithmCreateFunc* [MAX_BROADPHASE_COLLISION_TYPES][MAX_BROADPHASE_COLLISION_TYPES];
 
-// A dispatcher lets its tables be written by all and read by derived classes.
+// A dispatcher's tables can be written by all, but read only by derived classes.
 struct Tables : btCollisionDispatcher {
   static Functions& contacts(btCollisionDispatcher& d) { return d.*(&Tables::m_doubleDispatchContactPoints); }
   static Functions& closestPoints(btCollisionDispatcher& d) { return d.*(&Tables::m_doubleDispatchClosestPoints); }
 };
 
-// Calls `visit(type0, type1)` for every cell of the tables that is ours, once.
+// Calls `visit(type0, type1)` once for every entry of the tables that is Cairn's.
 template <class Visit>
 void forEachCell(const Visit& visit) {
   for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
@@ -51,7 +51,7 @@ bool isGImpacts(btCollisionAlgorithmCreateFunc* create) {
 
 }  // namespace
 
-// Stands in for what one table had in our cells, and asks that for what is not ours.
+// Replaces one table's entries, and forwards to the former entry for other shapes.
 class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
  public:
   CreateTreeAlgorithm(Functions& table, NarrowPhase::Impl& narrowPhase, bool isForQueries)
@@ -67,8 +67,8 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
     });
   }
 
-  // GImpact's registration means its own shapes against all others and knows nothing of trees, whose triangles it would
-  // take. It stays what is asked for what is not ours.
+  // GImpact registers its own shapes against all others and knows nothing of trees, whose triangles it would take. Its
+  // entry keeps serving other shapes.
   void takeBackFromGImpact() {
     const auto takeBack = [&](int type0, int type1) {
       btCollisionAlgorithmCreateFunc*& cell = table_[type0][type1];
@@ -106,8 +106,7 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
   std::array<std::array<btCollisionAlgorithmCreateFunc*, MAX_BROADPHASE_COLLISION_TYPES>, 2> originals_{};
 };
 
-// Stands in for GImpact where it has taken a table's cells for compounds: those with sphere-trees go to whom compounds
-// with anything else go to, child by child.
+// Replaces GImpact's entries for compounds: compounds with sphere-trees go to Bullet's own algorithm, child by child.
 class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
  public:
   explicit CreateCompoundAlgorithm(Functions& table) : table_(table) { takeFromGImpact(); }
@@ -140,7 +139,7 @@ class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
   }
 
   Functions& table_;
-  btCollisionAlgorithmCreateFunc* gimpacts_ = nullptr;  // one for all its cells
+  btCollisionAlgorithmCreateFunc* gimpacts_ = nullptr;  // one for all entries
 };
 
 bool Registration::isOn(btCollisionDispatcher& dispatcher) {

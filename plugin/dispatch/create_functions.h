@@ -12,19 +12,20 @@ namespace cairn::bullet {
 class CreateTreeAlgorithm;
 class CreateCompoundAlgorithm;
 
-/// Enters the tree algorithms into a dispatcher's two tables (contacts and closest points), for sphere-trees against
-/// every shape that is neither a compound nor soft; compounds reach them child by child through Bullet's own algorithm.
-/// A shape of the same type number that is not ours gets what the tables had for it before, and so does a sphere-tree
-/// against a GImpact compound, which cannot show its triangles. Compounds that GImpact has taken against its meshes
-/// come back to Bullet's own algorithm as long as they have a sphere-tree in them. On destruction the tables get back
-/// what they had, where nobody has entered anything since.
+/// Enters the tree algorithms into a dispatcher's two tables (contacts and closest points). They serve sphere-trees
+/// against every shape that is neither a compound nor soft. Compounds reach them child by child through Bullet's own
+/// algorithm.
+///
+/// The tables' former entries still serve other shapes of the same type number, and sphere-trees against GImpact
+/// compounds, which cannot show their triangles. Where GImpact has taken compounds, those with a sphere-tree go back to
+/// Bullet's own algorithm. On destruction every entry that nobody replaced since is restored.
 class Registration {
  public:
   /// Precondition: `!isOn(dispatcher)`.
   Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);
   ~Registration();
   static bool isOn(btCollisionDispatcher& dispatcher);
-  /// Enters the tree algorithms again where GImpact has registered itself since, for pairs that are made from now on.
+  /// Enters the tree algorithms again where GImpact has registered itself since. This affects pairs made from now on.
   void renew();
   Registration(const Registration&) = delete;
   Registration& operator=(const Registration&) = delete;

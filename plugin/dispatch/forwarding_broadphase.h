@@ -8,13 +8,14 @@
 
 namespace cairn::bullet {
 
-/// Hands everything on to another pair cache and tells the narrow phase when its dispatcher goes through the pairs.
+/// A pair cache that forwards to another one. It tells the narrow phase when its dispatcher begins and ends a pass over
+/// the pairs.
 class ForwardingPairCache final : public btOverlappingPairCache {
  public:
   ForwardingPairCache(btBroadphaseInterface& broadphase, const btDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase)
       : broadphase_(broadphase), dispatcher_(dispatcher), narrowPhase_(narrowPhase) {}
 
-  /// The pass. Only that of the narrow phase's own dispatcher is a step.
+  /// The dispatcher's pass. Only a pass of the narrow phase's own dispatcher is a step.
   void processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher,
                                   const btDispatcherInfo& info) override;
 
@@ -58,14 +59,14 @@ class ForwardingPairCache final : public btOverlappingPairCache {
   NarrowPhase::Impl& narrowPhase_;
 };
 
-/// Hands everything on to another broad phase, and has its pair cache do so too.
+/// A broad phase that forwards to another one, through a forwarding pair cache.
 class ForwardingBroadphase final : public btBroadphaseInterface {
  public:
   ForwardingBroadphase(btBroadphaseInterface& broadphase, const btDispatcher& dispatcher,
                        NarrowPhase::Impl& narrowPhase)
       : to_(broadphase), pairs_(broadphase, dispatcher, narrowPhase) {}
 
-  /// What everything is handed on to.
+  /// The broad phase behind this one.
   btBroadphaseInterface& original() { return to_; }
 
   btOverlappingPairCache* getOverlappingPairCache() override { return &pairs_; }

@@ -26,7 +26,7 @@ std::uint64_t bodiesOf(const btPersistentManifold& manifold) {
   return idOf(*manifold.getBody0()) << 32 | idOf(*manifold.getBody1());
 }
 
-// What is no number has to have a place as well.
+// NaN needs a place in the order as well.
 auto bitsOf(btScalar number) {
   return std::bit_cast<std::conditional_t<sizeof(btScalar) == 8, std::uint64_t, std::uint32_t>>(number);
 }

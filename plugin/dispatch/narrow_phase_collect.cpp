@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// How a step begins, and what is done with a pair when Bullet asks about it.
+// How a step begins, and how a pair is processed when Bullet asks about it.
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -27,8 +27,8 @@ bool isGhost(const btCollisionObject& object) {
   return (object.getInternalType() & btCollisionObject::CO_GHOST_OBJECT) != 0;
 }
 
-// A ghost object keeps its own pairs and has them dispatched whenever a character looks around; every one of them
-// contains the ghost, so the first tells.
+// A ghost object keeps its own pairs and has them dispatched whenever a character looks around. Each of them contains
+// the ghost, so the first pair shows it.
 bool isGhostCache(btOverlappingPairCache& pairs) {
   const btBroadphasePair& first = *pairs.getOverlappingPairArrayPtr();
   return isOwnedBy(*static_cast<const btCollisionObject*>(first.m_pProxy0->m_clientObject), pairs) ||
@@ -47,13 +47,13 @@ void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatc
   asked_.begin(static_cast<std::size_t>(pairs.getNumOverlappingPairs()));
 }
 
-// Where Bullet is not to look ahead, its broad phase does not either.
+// Where Bullet does not look ahead, its broad phase does not either.
 void NarrowPhase::Impl::takeTime(const btDispatcherInfo& info) {
   step_.timeStep = info.m_timeStep;
   step_.sweptTime = info.m_useContinuous ? info.m_timeStep : btScalar(0);
 }
 
-// A cache without pairs does not say whose it is: it counts as the world's if it had the world's pairs before.
+// A cache without pairs does not show whose it is: it counts as the world's if it had the world's pairs before.
 bool NarrowPhase::Impl::isWorlds(btOverlappingPairCache& pairs) {
   if (pairs.getNumOverlappingPairs() == 0) return !worldPairs_ || worldPairs_ == &pairs;
   if (isGhostCache(pairs)) return false;
@@ -65,7 +65,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                 btManifoldResult& result, bool mayDefer) {
   pair.rest = PairRest::asked;
-  // A result of another class belongs to who wants its points before this returns.
+  // A result of another class belongs to a caller who wants its points before this returns.
   const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
   const bool isOfCompound = body0.m_parent || body1.m_parent;
   if (mayDefer && isOfCompound && !isRetired_ && !pair.notes.isOfCompound) noteCompound(pair);
@@ -85,7 +85,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
 bool NarrowPhase::Impl::collect(TreePair& pair, const btCollisionObjectWrapper& body0,
                                 const btCollisionObjectWrapper& body1) {
   if (!bullet::collect(pair, body0, body1)) return false;
-  // While it is in the cache.
+  // Now, while the pair is in the cache.
   if (step_.rules.isPlanned()) estimate(pair, step_.usual(), step_.left.hasDeadline(), step_.timeStep);
   const std::lock_guard lock(mutex_);
   step_.pairs.add(pair);
@@ -98,7 +98,7 @@ void NarrowPhase::Impl::noteCompound(TreePair& pair) {
   nonFinite_.watch(pair);
 }
 
-// False, and nothing done, for what is answered at once: pairs of ghosts, and those nested too deep to be remembered.
+// False, and nothing done, for pairs that are answered at once: pairs of ghosts, and pairs nested too deep for a copy.
 bool NarrowPhase::Impl::answerInOpenStep(TreePair& pair, const btCollisionObjectWrapper& body0,
                                          const btCollisionObjectWrapper& body1, const btDispatcherInfo& info,
                                          btManifoldResult& result) {

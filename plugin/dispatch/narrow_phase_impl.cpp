@@ -56,7 +56,7 @@ const StepStatistics& NarrowPhase::Impl::lastStep() {
   return step_.rules.end() == StepEnd::reported ? step_.tally.statistics : open_.lastStep();
 }
 
-// A user's callback may set a budget, and may do so in every step.
+// A user's callback may set a budget, even in every step.
 void NarrowPhase::Impl::reserveFor(const StepBudget& budget) {
   if (budget.microseconds && !std::exchange(hasRoomForDeadlines_, true)) reserve(kReserved);
 }
@@ -75,7 +75,7 @@ void NarrowPhase::Impl::reserve(const PairCounts& pairs) {
   asked_.reserve(all);
 }
 
-// What callbacks asked for meanwhile.
+// Requests that callbacks made meanwhile.
 void NarrowPhase::Impl::endAnswering() {
   isAnswering_ = false;
   step_.rules.adoptPriority();
@@ -132,7 +132,7 @@ void NarrowPhase::Impl::answerCollected() {
   const auto began = Budget::Clock::now();
   const std::uint64_t operationsBefore = step_.left.used();
   refinement_.beginPairs();
-  // However short the time, some turns are given: pairs without an answer would hold each other off for ever.
+  // Some turns are given however short the time is: pairs without an answer would otherwise block each other for ever.
   if (step_.rules.limit().microseconds.value_or(0) > 0) step_.left.guarantee(step_tuning::kMinOperations);
   refinement_.refinePairs();
   refinement_.finishBegunPairs();

@@ -18,15 +18,15 @@
 
 namespace cairn::bullet {
 
-/// One step: `beginStep`, then Bullet's own pass, in which every algorithm calls `process` and is collected or answered
-/// at once, then `endStep`. Only `process`, `acquire` and `release` may be called from several threads, and these only
-/// where the end of a step is told.
+/// The narrow phase of one dispatcher. A step is `beginStep`, then Bullet's own pass, then `endStep`. In the pass every
+/// algorithm calls `process`, which answers the pair at once or collects it. Several threads may call `process`,
+/// `acquire` and `release`, but only where somebody announces the end of a step.
 class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase::Impl> {
  public:
   Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd);
-  /// Has steps begin and end with the world's own pass. Precondition: the dispatcher is the world's.
+  /// Ties steps to the world's own pass. Precondition: the dispatcher is the world's.
   void hook(btCollisionWorld& world);
-  /// Leaves dispatcher and world as they were; what algorithms are left are answered at once and in full.
+  /// Restores dispatcher and world. Algorithms that remain are answered at once and in full.
   void retire();
 
   StepRules& rules() { return step_.rules; }
@@ -35,8 +35,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginFrame(int steps);
   void setPriority(std::unique_ptr<Priority> priority);
   const StepStatistics& lastStep();
-  /// Makes as many idle pairs of each kind as these, if there are fewer: the first step of a scene would otherwise take
-  /// most of its time for memory. Within a step, which walks its lists, that is left for its end.
+  /// Makes idle pairs until there are as many of each kind as given. Otherwise the first step of a scene would spend
+  /// most of its time on memory. Within a step the request is kept for its end.
   void reserve(const PairCounts& pairs);
 
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
@@ -61,7 +61,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void reserveFor(const StepBudget& budget);
   void endAnswering();
 
-  // Made ahead for who sets a deadline, about five megabytes: trees, planes, convex shapes, triangles, fields,
+  // Made in advance for users with a deadline, about five megabytes: trees, planes, convex shapes, triangles, fields,
   // terrains.
   static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};
 
@@ -71,20 +71,20 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   StepRefinement refinement_{step_, carryOver_, answers_};
   NonFinitePairs nonFinite_;
   OpenStepAnswers open_{step_, refinement_, carryOver_, nonFinite_};
-  std::mutex mutex_;  // guards pool and lists of pairs while algorithms run
+  std::mutex mutex_;  // protects pool and lists of pairs while algorithms run
   PairPool pool_;
   AskedPairs asked_;
   std::atomic<std::uint32_t> culledPairs_{0};
-  const bool hasThreads_;  // Bullet's own pairs are answered by several
+  const bool hasThreads_;  // several threads answer Bullet's own pairs
   bool isRetired_ = false;
   bool isCollecting_ = false;
   bool isAnswering_ = false;  // users' callbacks may be called
   std::optional<PairCounts> nextRoom_;
   bool hasRoomForDeadlines_ = false;
-  const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last that had pairs and was no ghost's
+  const btOverlappingPairCache* worldPairs_ = nullptr;  // only compared: the last cache with pairs that was no ghost's
   StepClock clock_;
   std::optional<WorldHook> hook_;
-  std::optional<Registration> registration_;  // last: algorithms may be made as soon as it stands
+  std::optional<Registration> registration_;  // last: algorithms may be made as soon as it exists
 };
 
 }  // namespace cairn::bullet

@@ -13,7 +13,7 @@ void NonFinitePairs::count() {
   tell();
 }
 
-// Bullet's interface cannot return it.
+// On standard error, because Bullet's interface cannot return it.
 void NonFinitePairs::tell() {
   if (hasWarned_.exchange(true)) return;
   std::fprintf(

@@ -9,21 +9,21 @@
 
 namespace cairn::bullet {
 
-/// Pairs of bodies whose place, speed or force is no number: counts them, tells the user once, and settles those that
-/// Bullet does not ask about. `count` may be called from several threads.
+/// Pairs with a non-finite body: counts them, warns the user once, and culls those that Bullet does not ask about.
+/// Several threads may call `count`.
 class NonFinitePairs {
  public:
-  /// One more in this step.
+  /// Counts one pair in this step.
   void count();
-  /// How many were counted since this was asked last.
+  /// Returns the count since the last call.
   std::uint32_t takeCount() { return count_.exchange(0); }
 
-  /// This pair is of a compound's child: Bullet may keep its points without asking about it.
+  /// Watches a pair of a compound's child: Bullet may keep its points without asking about it.
   void watch(TreePair& pair) { ofCompounds_.push_back(&pair); }
-  /// It is destroyed.
+  /// The pair is destroyed.
   void forget(TreePair& pair);
-  /// Settles watched pairs that have points of broken bodies; returns how many. What is collected in this step settles
-  /// itself, unless `alsoCollected`. Users' callbacks are told of contacts that end, and may remove bodies.
+  /// Culls watched pairs that have points of non-finite bodies, and returns their number. Pairs collected in this step
+  /// cull themselves, unless `alsoCollected`. Users' callbacks see contacts that end, and may remove bodies.
   std::uint32_t cullLeftOvers(bool alsoCollected);
 
  private:
@@ -32,7 +32,7 @@ class NonFinitePairs {
   std::atomic<std::uint32_t> count_{0};
   std::atomic<bool> hasWarned_{false};
   std::vector<TreePair*> ofCompounds_;
-  std::vector<TreePair*> leftOvers_;  // of these, while they are settled; null: destroyed since
+  std::vector<TreePair*> leftOvers_;  // the watched pairs being culled; null: destroyed since
 };
 
 }  // namespace cairn::bullet

@@ -26,7 +26,7 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, StepPairs& expected) {
     TreePair& pair = *known_[i];
     const bool isAwake = dispatcher.needsCollision(pair.bodies.object0(), pair.bodies.object1());
     if (isAwake && !follow(pair)) {
-      forget(pair);  // puts another in its place
+      forget(pair);  // moves another pair to its place
       continue;
     }
     if (isAwake) expected.add(pair);
@@ -37,7 +37,7 @@ void OpenStep::begin(btCollisionDispatcher& dispatcher, StepPairs& expected) {
 void OpenStep::answered(TreePair& pair, bool wasExpected) {
   pair.notes.answeredIn = number_;
   if (!wasExpected) ++newcomers_;
-  // What is no number is never where it was.
+  // NaN poses always compare as moved.
   if (witnesses_.size() < kMaxWitnesses && !pair.is(PairStage::nonFinite)) witnesses_.push_back(&pair);
   if (pair.notes.knownAt != PairNotes::kNowhere) return;
   pair.notes.knownAt = known_.size();

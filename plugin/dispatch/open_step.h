@@ -12,33 +12,33 @@ namespace cairn::bullet {
 class StepPairs;
 struct TreePair;
 
-/// The steps of a dispatcher that says neither where they begin nor where they end: tells from the pairs that come, and
-/// remembers which to expect next time.
+/// The steps of a dispatcher that announces neither their beginning nor their end. They are recognised by the pairs
+/// that come, and the pairs of a step are expected again in the next one.
 class OpenStep {
  public:
-  /// Whether a new step has begun when this pair comes: it has been answered in the step at hand, or nobody expected it
-  /// where it is (`isPrepared` false) and bodies have moved since.
+  /// Whether this pair begins a new step: it was answered in the present step already, or it comes unexpectedly
+  /// (`isPrepared` false) and bodies have moved since.
   bool isOver(const TreePair& pair, bool isPrepared) const;
-  /// The next pair begins a step, whatever it is.
+  /// The next pair begins a new step in any case.
   void end() { isEnded_ = true; }
   bool hasEnded() const { return isEnded_; }
 
-  /// A new step; adds the pairs to expect in it to `expected`, taken to where their bodies are now. Those that are
-  /// asleep wait for another step; those whose shapes have changed are no longer known.
+  /// Begins a new step and adds the pairs to expect to `expected`, at their bodies' present poses. Sleeping pairs wait
+  /// for another step. Pairs whose shapes have changed are forgotten.
   void begin(btCollisionDispatcher& dispatcher, StepPairs& expected);
-  /// The pair was answered, expected (or apart, which costs nothing) or not; it is known from now on.
+  /// The pair was answered, and is known from now on. `wasExpected`: it was expected, or culled, which costs nothing.
   void answered(TreePair& pair, bool wasExpected);
-  /// No longer known: destroyed, or expected and not come.
+  /// Forgets a pair that was destroyed, or that was expected and did not come.
   void forget(TreePair& pair);
 
-  /// What fraction of a step's budget to keep for pairs that nobody expects, going by those of the step before: for
-  /// each as much as for one that is known.
+  /// The fraction of a step's budget to reserve for unexpected pairs. It follows the step before: each unexpected pair
+  /// counts as much as a known one.
   double reserve(std::size_t expected) const;
 
  private:
-  // Pairs of this step whose bodies are watched: one that moved tells of a new step.
+  // Some pairs of this step, whose bodies are watched: a body that moved shows that a new step has begun.
   static constexpr std::size_t kMaxWitnesses = 8;
-  // Kept when the step before had no newcomers.
+  // Reserved when the step before had no unexpected pairs.
   static constexpr double kQuietReserve = 1.0 / 64;
 
   std::uint64_t number_ = 0;

@@ -18,7 +18,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// New pairs share what is kept for them, or left by others, first come first served: each may take an eighth.
+// Unexpected pairs share the reservation and the rest of others, first come first served: each may take an eighth.
 constexpr int kNewcomersShare = 8;
 
 double microsecondsSince(Budget::Clock::time_point began) {
@@ -53,7 +53,7 @@ bool OpenStepAnswers::answer(TreePair& pair, const btCollisionObjectWrapper& bod
   return true;
 }
 
-// Notes that it came. Whether there is nothing more to do.
+// Notes that the pair came. True when it needs no more work.
 bool OpenStepAnswers::cull(TreePair& pair, bool wasExpected) {
   steps_.answered(pair, wasExpected || pair.isCulled());
   pair.notes.lastReport = {};
@@ -64,7 +64,7 @@ bool OpenStepAnswers::cull(TreePair& pair, bool wasExpected) {
   return true;
 }
 
-// What was held back for it.
+// Releases the pair's reservation.
 void OpenStepAnswers::withdraw(TreePair& pair) {
   const Reservation own = std::exchange(pair.work.reserved, {});
   heldBack_.operations -= std::min(own.operations, heldBack_.operations);
@@ -74,7 +74,7 @@ void OpenStepAnswers::withdraw(TreePair& pair) {
 void OpenStepAnswers::tell(TreePair& pair, btManifoldResult& result) {
   const auto began = Budget::Clock::now();
   Budget budget = StepRules::budgetOf(left_);
-  budget.reserve(heldBack_);  // triangles leave the others what they need to be answered
+  budget.reserve(heldBack_);  // triangles leave the others enough to be answered
   const Reservation own = pair.work.reserved;
   heldBack_.operations -= own.operations;
   heldBack_.nanoseconds -= own.nanoseconds;
@@ -101,7 +101,7 @@ void OpenStepAnswers::beginStep() {
   step_.tally = {};
   left_ = step_.rules.limit();
   step_.tally.statistics.deadlineMicroseconds = left_.microseconds;
-  nonFinite_.cullLeftOvers(true);  // those Bullet asks about are counted when it does
+  nonFinite_.cullLeftOvers(true);  // those that Bullet asks about are counted when it does
 
   const auto began = Budget::Clock::now();
   steps_.begin(step_.dispatcher, step_.pairs);
@@ -111,7 +111,7 @@ void OpenStepAnswers::beginStep() {
   bookRefinement(step_.left, began);
 }
 
-// How many of them are not settled. Contacts end: users' callbacks may destroy any pair.
+// Returns the number of expected pairs that are not culled. Contacts end: users' callbacks may destroy any pair.
 std::size_t OpenStepAnswers::cullExpected() {
   std::size_t near = 0;
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
@@ -131,10 +131,10 @@ void OpenStepAnswers::refineExpected(double reserve) {
   const std::uint64_t operationsBefore = step_.left.used();
   refinement_.beginPairs();
   refinement_.refinePairs();
-  step_.tally.statistics.pairs = 0;  // they are counted as they come
+  step_.tally.statistics.pairs = 0;  // counted as they come
   refinement_.learnUpdates(operationsBefore, planned);
   carryOver_.withdraw();
-  // What was held back is left for the pairs as they come.
+  // The reservation is left for the pairs as they come.
   const StepBudget kept = fractionOf(step_.rules.limit(), reserve);
   heldBack_ = {static_cast<std::uint64_t>(kept.operations.value_or(0)), kept.microseconds.value_or(0) * 1e3};
   for (const TreePair* pair : step_.pairs.list())
@@ -155,8 +155,8 @@ const StepStatistics& OpenStepAnswers::lastStep() {
   return reported_.statistics;
 }
 
-// Bullet's order may begin with a pair that looked like the last of the step before: it was answered there, and comes
-// again when this one is over. Until then what it said stands.
+// Bullet's order may begin with a pair that seemed to be the last of the step before. It was answered there, and comes
+// again when this step is over. Until then its last report stands.
 StepTally OpenStepAnswers::withOutstanding() const {
   StepTally tally = step_.tally;
   for (std::size_t i = 0; i < step_.pairs.size(); ++i) {
@@ -178,8 +178,7 @@ void OpenStepAnswers::dropUnanswered() {
   step_.pairs.clear();
 }
 
-// Also for an expected pair whose bodies are not where they were when the step began. False when its shapes have no
-// contacts.
+// Also for an expected pair whose bodies have moved since the step began. False when its shapes have no contacts.
 bool OpenStepAnswers::refineNewcomer(TreePair& pair, const btCollisionObjectWrapper& body0,
                                      const btCollisionObjectWrapper& body1) {
   const auto began = Budget::Clock::now();

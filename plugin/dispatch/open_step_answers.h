@@ -7,21 +7,21 @@
 
 namespace cairn::bullet {
 
-/// The narrow phase on a dispatcher that does not say where steps end: pairs are refined together when the first of a
-/// step comes, and answered one by one as they come.
+/// The narrow phase on a dispatcher that does not announce steps. Expected pairs are refined together when the first
+/// pair of a step comes, and each pair is answered when it comes.
 class OpenStepAnswers {
  public:
   OpenStepAnswers(StepState& step, StepRefinement& refinement, StepCarryOver& carryOver, NonFinitePairs& nonFinite)
       : step_(step), refinement_(refinement), carryOver_(carryOver), nonFinite_(nonFinite) {}
 
-  /// False, and nothing done, for what is nested too deep to be remembered.
+  /// Answers a pair. False, and nothing done, for pairs that are nested too deep for a copy.
   bool answer(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
               btManifoldResult& result);
-  /// The next pair begins a step, whatever it is.
+  /// The next pair begins a new step in any case.
   void endStep();
-  /// It is destroyed.
+  /// The pair is destroyed.
   void forget(TreePair& pair) { steps_.forget(pair); }
-  /// Valid until it is asked for again.
+  /// Statistics of the last step. Valid until the next call.
   const StepStatistics& lastStep();
 
  private:
@@ -42,9 +42,9 @@ class OpenStepAnswers {
   StepCarryOver& carryOver_;
   NonFinitePairs& nonFinite_;
   OpenStep steps_;
-  StepTally reported_;    // what was last told
-  StepBudget left_;       // for refinement in the step at hand, triangles included
-  Reservation heldBack_;  // of it, for pairs that have still to come: their contacts, and newcomers
+  StepTally reported_;    // as last returned
+  StepBudget left_;       // for refinement in this step, triangles included
+  Reservation heldBack_;  // part of it, for the contacts of pairs that have not come yet, and for unexpected pairs
 };
 
 }  // namespace cairn::bullet

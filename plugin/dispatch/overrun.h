@@ -5,20 +5,20 @@
 
 namespace cairn::bullet {
 
-/// How much longer than planned steps take. What is done for a pair is not stopped half-way, and a machine that is
-/// shared is slower at times than it was a moment ago: what steps took too long, those after them are planned to end
-/// earlier, less so with every step that ends as planned. Microseconds.
+/// Learns by how much steps exceed their plan. Work on a pair is not stopped half-way, and a shared machine may slow
+/// down suddenly. After an overrun the next steps are planned to end earlier; the correction fades with every step that
+/// ends as planned. Microseconds.
 class Overrun {
  public:
-  /// The time to plan with where a step may take `allowed`: three quarters of it at least, so that one long disturbance
-  /// does not stop all work. What was learnt of steps that might take more than twice as long, or less than half, is
+  /// The time to plan with in a step that may take `allowed`. It is at least three quarters of `allowed`, so that one
+  /// long disturbance does not stop all work. Overruns of steps with less than half or more than twice the time are
   /// forgotten.
   double plannable(double allowed) {
     if (allowed > kAlike * allowed_ || kAlike * allowed < allowed_) expected_ = 0;
     allowed_ = allowed;
     return allowed - std::min(expected_, kMaxShare * allowed);
   }
-  /// A step that was planned to take `planned`, as `plannable` said last, took `taken`.
+  /// A step took `taken`; it was planned to take `planned`, the last result of `plannable`.
   void learn(double taken, double planned) {
     expected_ = std::min(std::max(taken - planned, kKept * expected_), kMaxShare * allowed_);
   }

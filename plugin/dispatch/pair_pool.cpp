@@ -36,7 +36,7 @@ void PairPool::endStep() {
   const std::size_t part = steps_++ % kStepsToLookAtAll;
   const auto upTo = [&](std::size_t parts) { return all_.size() * parts / kStepsToLookAtAll; };
   for (std::size_t i = upTo(part); i < upTo(part + 1); ++i)
-    if (all_[i]->subject.isKnown()) all_[i]->lookAtRest();  // idle ones keep what they were given ahead
+    if (all_[i]->subject.isKnown()) all_[i]->lookAtRest();  // idle pairs keep memory reserved in advance
 }
 
 }  // namespace cairn::bullet

@@ -12,16 +12,17 @@ namespace cairn::bullet {
 
 using PairCounts = std::array<std::size_t, kColliderKinds>;
 
-/// The states of all pairs. None is freed before this is: a pair that comes back costs no allocation, unless it rested.
+/// Owner of all pairs. It frees none before its own end: a pair that returns costs no allocation, unless it was at
+/// rest.
 class PairPool {
  public:
-  /// An idle one, or a new one.
+  /// Returns an idle pair, or a new one.
   TreePair* take(ColliderKind kind);
-  /// Precondition: taken, and not given back since; without manifolds.
+  /// Takes a pair back. Precondition: it was taken, not given back since, and has no manifolds.
   void giveBack(TreePair& pair);
-  /// Makes as many idle pairs of each kind as these, if there are fewer. Returns how many there are in all.
+  /// Makes idle pairs until there are as many of each kind as given. Returns the number of all pairs.
   std::size_t reserve(const PairCounts& pairs);
-  /// Once a step: looks at some pairs, others in each, so that those that rest give memory back.
+  /// Called once a step: looks at some pairs in turn, so that pairs at rest give memory back.
   void endStep();
 
  private:

@@ -14,7 +14,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// GImpact counts who looks at its triangles, for one thread; and users' own shapes may keep what they find.
+// GImpact's triangles can be locked by one thread only, and users' own shapes may cache results.
 bool mayBeAskedByMany(const btCollisionShape& shape) {
   switch (shape.getShapeType()) {
     case GIMPACT_SHAPE_PROXYTYPE:
@@ -41,9 +41,9 @@ void StepAnswers::answerAll() {
   run(0, works_.size());
 }
 
-// First all that what meshes are expected to take is enough for. Then, one after the other, those for whom it is not
-// known, or may yet do: what is expected is a guess. Last all others: where nothing is left, meshes may take what was
-// promised to leaves.
+// Meshes are asked in this order. First the pairs whose expected cost fits. Then, one after the other, pairs with
+// unknown or doubtful cost, because expectations are guesses. Last all others: where nothing is left, meshes may use
+// the reservations of leaves.
 void StepAnswers::answerBegun() {
   if (works_.empty()) return;
   takeRules();
@@ -66,8 +66,8 @@ void StepAnswers::answerBegun() {
   run(last, works_.size());
 }
 
-// Puts those that get nothing for meshes last. Where meshes tell, leaves do not: they take what was promised to these,
-// and more from what is left. The rest of that may serve any: something new may have come near.
+// Orders pairs without a share for meshes last. Where meshes answer, leaves need not: meshes use the leaves'
+// reservation, and more from the rest. The remainder may serve any pair, because something new may have come near.
 std::size_t StepAnswers::shareOut() {
   std::uint64_t left = step_.left.remaining();
   std::size_t asking = 0;
@@ -85,14 +85,14 @@ std::size_t StepAnswers::shareOut() {
   return asking;
 }
 
-// Nothing where that is not known.
+// Nothing where the cost is unknown.
 std::optional<std::uint64_t> StepAnswers::meshCostOf(const Work& work) const {
   const TreePair& pair = *step_.pairs[work.pair];
   if (policy_.finest != Finest::triangles || !pair.isDone()) return 0;
   return pair.collider->expectedMeshCost(pair.motion.relative.placement);
 }
 
-// One thread writes a pair while it is in the cache.
+// Each pair is finished by one thread while it is in the cache.
 void StepAnswers::run(std::size_t first, std::size_t last) {
   workers_.begin();
   const std::size_t together = workers_.count() > 1 ? last - first : 1;
@@ -108,7 +108,7 @@ void StepAnswers::runTogether(std::span<Work> works) {
   for (Work& work : works) write(work);
 }
 
-// That is for the calling thread.
+// Users' code must run on the calling thread.
 bool StepAnswers::asksForUsersCode(const TreePair& pair) const {
   const PairSides sides = PairSides::of(pair.bodies.body0(), pair.bodies.body1());
   if (!mayBeAskedByMany(sides.otherShape())) return true;
@@ -122,7 +122,7 @@ void StepAnswers::work(Work& work, ContactScratch& scratch) const {
   if (pair && !pair->isCulled() && !asksForUsersCode(*pair)) measure(work, scratch);
 }
 
-// What is not begun is so from the beginning, without a budget.
+// Begins pairs that are not begun, without a budget.
 void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
   TreePair& pair = *step_.pairs[work.pair];
   if (areNew_ && policy_.finest == Finest::triangles)
@@ -144,7 +144,7 @@ void StepAnswers::measure(Work& work, ContactScratch& scratch) const {
   work.outcome = Outcome::measured;
 }
 
-// Callbacks may have destroyed pairs meanwhile. Those begun before are counted already.
+// Callbacks may have destroyed pairs meanwhile. Pairs begun before are counted already.
 void StepAnswers::write(Work& work) {
   TreePair* const pair = step_.pairs[work.pair];
   if (!pair || pair->isCulled()) return;
@@ -157,7 +157,7 @@ void StepAnswers::write(Work& work) {
   step_.pairs.dismiss(work.pair);
 }
 
-// Its own callbacks may destroy a pair that is written.
+// The pair's own callbacks may destroy it while it is written.
 StepAnswers::Reported StepAnswers::tell(TreePair& pair, const Work& work) {
   if (work.outcome == Outcome::reused) {
     const PairReport report = reuse(pair, work.still);

@@ -13,19 +13,20 @@
 
 namespace cairn::bullet {
 
-/// Makes the answers of a step's pairs. Contacts are measured on the threads of Bullet's task scheduler. The calling
-/// thread brings the manifolds up to date, and calls the user's callbacks, in an order that depends on the pairs alone:
-/// the same bits for any number of threads.
+/// Makes the contacts of a step's pairs. Threads of Bullet's task scheduler measure contacts. The calling thread writes
+/// the manifolds and calls users' callbacks, in an order that depends on the pairs alone. The result has the same bits
+/// for any number of threads.
 class StepAnswers {
  public:
   explicit StepAnswers(StepState& step) : step_(step) {}
 
-  // Precondition of all: the pairs are in their order, and the step ends when it is told.
+  // Precondition of all functions: the pairs are in order, and the end of the step is announced.
 
-  /// Without a budget: from the beginning, of all there are.
+  /// Answers all pairs from the beginning, without a budget.
   void answerAll();
-  /// Of those that were added since it was cleared, within a budget of operations. Each may use what was promised to
-  /// it; meshes are asked as long as the rest is enough for them, else leaves. Precondition: they are begun.
+  /// `answerBegun` answers the pairs that were added since `clear`, within a budget of operations. Each pair may use
+  /// its reservation. Meshes are asked while the rest of the budget lasts, leaves otherwise. Precondition: the pairs
+  /// are begun.
   void clear() { works_.clear(); }
   void add(std::size_t pair) { works_.emplace_back().pair = pair; }
   void answerBegun();
@@ -36,14 +37,14 @@ class StepAnswers {
   struct Work {
     std::size_t pair = 0;
     Outcome outcome = Outcome::none;
-    bool asksMeshes = true;                    // they are in its share
-    std::uint64_t share = Budget::kUnlimited;  // operations it may use
-    std::uint64_t operations = 0;              // it used
-    Unmoved still{};                           // of what is carried over
+    bool asksMeshes = true;                    // its share includes meshes
+    std::uint64_t share = Budget::kUnlimited;  // operations that it may use
+    std::uint64_t operations = 0;              // operations that it used
+    Unmoved still{};                           // of a reused pair
     PairAnswer answer;
   };
 
-  // What a pair told, and how it is seen.
+  // A pair's report, and how a viewer sees it.
   struct Reported {
     PairReport report;
     ScheduledPair seen;
@@ -63,8 +64,8 @@ class StepAnswers {
   StepState& step_;
   Workers workers_;
   std::vector<Work> works_;
-  AnswerPolicy policy_;  // of the step at hand: callbacks may ask for others
-  bool areNew_ = true;   // the pairs: nothing was done for them in this step before
+  AnswerPolicy policy_;  // of this step: callbacks may ask for another
+  bool areNew_ = true;   // nothing was done for the pairs in this step before
 };
 
 }  // namespace cairn::bullet

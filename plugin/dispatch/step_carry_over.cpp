@@ -47,7 +47,7 @@ void StepCarryOver::carryOverPairs() {
     const std::size_t i = (first + k) % all;
     prefetchAfter(i, isLate);
     if (!pairs[i]) continue;
-    // Callbacks may have destroyed some meanwhile.
+    // Callbacks may have destroyed some pairs meanwhile.
     if (!isLate && looked++ % step_tuning::kCarriedBetweenClockLooks == 0 && isTooLateFor(std::min(waiting, all - k))) {
       isLate = true;
       firstLate_ = pairs.nameOf(i);
@@ -69,7 +69,8 @@ void StepCarryOver::carryOverPair(std::size_t index, bool isLate) {
   step_.pairs.dismiss(index);
 }
 
-// What is less is better measured at the end, together with the rest: flat faces find their common direction so.
+// A smaller cost is better left to the end, where all leaf pairs are measured together: flat faces find their common
+// normal so.
 bool StepCarryOver::isLargeShareOfStep(const Reservation& reserve) const {
   using step_tuning::kLargeShareOfStep;
   const StepBudget limit = step_.rules.limit();
@@ -77,7 +78,7 @@ bool StepCarryOver::isLargeShareOfStep(const Reservation& reserve) const {
          (limit.microseconds && reserve.nanoseconds > kLargeShareOfStep * 1e3 * *limit.microseconds);
 }
 
-// What was promised for it is withdrawn, or the next step would hold it back again.
+// Cancels its reservation; otherwise the next step would reserve for it again.
 PairReport StepCarryOver::carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
   const bool isTooMuch = isLargeShareOfStep(pair.work.reserved);
   cancelReservation(pair, budget);
@@ -87,12 +88,12 @@ PairReport StepCarryOver::carryOver(TreePair& pair, btManifoldResult& result, Bu
   return step_.count(report, seen(pair));
 }
 
-// Whether so many pairs can only be held as the late are, if at all.
+// Whether there is only time to carry this many pairs over as late ones, if at all.
 bool StepCarryOver::isTooLateFor(std::size_t pairs) const {
   return step_.left.nanosecondsLeft() < lateCost_.expectedNanoseconds(0) * static_cast<double>(pairs);
 }
 
-// What is late hardly ever gets to its points.
+// Late pairs hardly ever read their points.
 void StepCarryOver::prefetchAfter(std::size_t index, bool isLate) const {
   if (const TreePair* pair = step_.pairs.after(index, step_tuning::kCarriedAhead))
     prefetch(*pair, PairPart::carriedOver);

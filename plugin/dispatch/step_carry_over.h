@@ -6,22 +6,21 @@
 
 namespace cairn::bullet {
 
-/// What becomes of the pairs of a step that are not brought up to date: they are held, and time and operations for that
-/// are held back before.
+/// Carries over the pairs that a step does not update. Time and operations for it are reserved before.
 class StepCarryOver {
  public:
   explicit StepCarryOver(StepState& step) : step_(step) {}
 
-  /// Holds back what the plan's held pairs will take.
+  /// Reserves the cost of the pairs that the plan carries over.
   void reserve();
   void withdraw();
   const CostModel& cost() const { return cost_; }
   void endStep();
 
-  /// All that still wait, in the order of their names: callbacks may tell. But where time ran out the step before, what
-  /// had to wait then comes first.
+  /// Carries over all pairs that still wait, in the order of their names, because callbacks may observe it. After a
+  /// step that ran out of time, the pairs that waited longest come first.
   void carryOverPairs();
-  /// One, charged to this budget.
+  /// Carries one pair over, charged to this budget.
   PairReport carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate);
 
  private:
@@ -32,9 +31,9 @@ class StepCarryOver {
 
   StepState& step_;
   Reservation reserved_;
-  CostModel cost_{step_tuning::kCarryOverCost};      // of a pair that is held
-  CostModel lateCost_{step_tuning::kCarryOverCost};  // of one that is when it is too late for that
-  std::uint64_t firstLate_ = 0;  // the name of the first pair held in the last step for which it was too late
+  CostModel cost_{step_tuning::kCarryOverCost};      // of a pair carried over in time
+  CostModel lateCost_{step_tuning::kCarryOverCost};  // of a pair carried over after the deadline
+  std::uint64_t firstLate_ = 0;                      // name of the first pair that was too late in the last step
 };
 
 }  // namespace cairn::bullet

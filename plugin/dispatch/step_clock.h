@@ -11,10 +11,10 @@
 
 namespace cairn::bullet {
 
-/// When a step began, until when it may go on, and how long it took.
+/// The time of a step: its beginning, its deadline and its end.
 class StepClock {
  public:
-  /// The step begins. Returns the budget to plan it with: earlier than its limit, by what steps ran over lately.
+  /// Begins a step. Returns the budget to plan with: its deadline is earlier than the limit by recent overruns.
   StepBudget begin(StepBudget limit) {
     beganOnCpu_ = ThreadCpuClock::now();
     began_ = Budget::Clock::now();
@@ -23,15 +23,15 @@ class StepClock {
     planned_ = limit.microseconds;
     return limit;
   }
-  /// Microseconds that the step may take, if there is a limit.
+  /// Microseconds that the step may take, if it has a limit.
   std::optional<double> deadline() const { return deadline_; }
-  /// The step ends. Returns the microseconds it took.
+  /// Ends the step. Returns the microseconds it took.
   double end() {
     const std::chrono::duration<double, std::micro> elapsed = Budget::Clock::now() - began_;
     if (planned_) overrun_.learn(elapsed.count(), *planned_);
     return elapsed.count();
   }
-  /// Microseconds of its thread's processor time since it began.
+  /// CPU time of the calling thread since the beginning, microseconds.
   double spentOnCpu() const {
     return std::chrono::duration<double, std::micro>(ThreadCpuClock::now() - beganOnCpu_).count();
   }

@@ -16,7 +16,7 @@ void StepPairs::reserve(std::size_t pairs) {
   makeWrittenRoom(scheduled_, pairs);
 }
 
-// Some may be left of a step that an exception ended.
+// Some may remain of a step that an exception ended.
 void StepPairs::clear() {
   for (std::size_t i = 0; i < pairs_.size(); ++i) dismiss(i);
   pairs_.clear();
@@ -61,7 +61,7 @@ std::size_t StepPairs::waiting() const {
   return static_cast<std::size_t>(std::ranges::count_if(pairs_, [](const TreePair* pair) { return pair != nullptr; }));
 }
 
-// Unless its own callbacks have destroyed it.
+// Unless the pair's own callbacks have destroyed it.
 void StepPairs::dismiss(std::size_t index) {
   if (pairs_[index]) pairs_[index]->notes.collectedAt = PairNotes::kNowhere;
   pairs_[index] = nullptr;

@@ -12,13 +12,13 @@ namespace cairn::bullet {
 
 namespace {
 
-// Of what a pair is expected to take: with less than this left it is not begun.
+// Minimum fraction of a pair's expected cost: with less left, the pair is not begun.
 constexpr double kMinShare = 0.5;
 
-// With less time left than such a pair takes none is begun, where that may be.
+// With less time left than such a pair takes, no pair is begun, where that is allowed.
 constexpr std::uint64_t kMinOperations = 2 * Scheduler::kTurnOperations;
 
-// And the least is one part of it.
+// The minimum weight is 1 / maximum.
 constexpr double kMostImportant = 1e6;
 
 void spend(StepMeans& left, double operations, double nanoseconds) {
@@ -26,7 +26,7 @@ void spend(StepMeans& left, double operations, double nanoseconds) {
   left.nanoseconds -= nanoseconds;
 }
 
-// What needs nothing takes no time either.
+// A pair without operations takes no time.
 double nanosecondsFor(const PairEstimate& estimate, const CostModel& cost) {
   return estimate.operations > 0 ? cost.expectedNanoseconds(estimate.operations) : 0;
 }
@@ -76,8 +76,8 @@ void StepPlan::decide(StepMeans left, const CostModel& cost, const CostModel& ca
   chooseMostUrgent(left, cost, mustServe ? 1 : 0);
 }
 
-// A turn each, or as much as there is; where that is too little for all, none of those that can be held. Where the step
-// ends at a time, a whole turn: what a look takes besides its operations is most of a shorter one.
+// A coarse look is a turn for each pair, or as much as there is. Where that is too little, pairs that can be carried
+// over get none. Under a deadline it is a whole turn, because a shorter look costs mostly overhead.
 void StepPlan::chooseCoarse(StepMeans& left, const CostModel& cost) {
   if (coarse_.empty()) return;
   const StepMeans share{left.operations * step_tuning::kCoarseShare, left.nanoseconds * step_tuning::kCoarseShare};

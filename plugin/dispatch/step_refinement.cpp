@@ -24,13 +24,13 @@ void StepRefinement::planStep() {
   if (priority.hasImportances() && plan.isTooMuchFor(step_.means(), updateCost_))
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (pairs[i] && !pairs[i]->isCulled()) plan.weigh(i, priority.importance(describe(*pairs[i])));
-  const bool hasNoTime = step_.rules.limit().microseconds == 0;  // nor any that is given all the same
+  const bool hasNoTime = step_.rules.limit().microseconds == 0;  // nor the operations that every step gets
   const bool mayServeNone =
       step_.left.hasDeadline() && (hasNoTime || stepsWithoutTurn_ < step_tuning::kMaxStepsWithoutTurn);
   plan.decide(step_.means(), updateCost_, carryOver_.cost(), mayServeNone);
 }
 
-// Nothing of what is settled or carried over.
+// Culled and reused pairs cost nothing.
 PairEstimate StepRefinement::estimateOf(std::size_t index) {
   if (!step_.pairs[index] || step_.pairs[index]->isCulled() || reuses(index)) return {};
   TreePair& pair = *step_.pairs[index];
@@ -55,7 +55,7 @@ void StepRefinement::beginPairs() {
   }
 }
 
-// What is only looked at goes on waiting. Then only what shares the rest stays scheduled.
+// A pair with only a coarse look goes on waiting. From then on only pairs that share the rest stay scheduled.
 void StepRefinement::lookCoarsely() {
   const std::span<const std::size_t> coarse = step_.plan.coarse();
   for (const std::size_t i : coarse) {
@@ -70,7 +70,7 @@ void StepRefinement::lookCoarsely() {
 
 void StepRefinement::beginPair(std::size_t index) {
   TreePair& pair = *step_.pairs[index];
-  // Where steps are planned, what is carried over was before.
+  // In planned steps, reused pairs were handled before.
   if (pair.isCulled() || (!step_.rules.isPlanned() && reuses(index))) return;
   if (pair.isBegun()) {
     step_.pairs.scheduled()[index] = scheduled(pair);
@@ -81,7 +81,7 @@ void StepRefinement::beginPair(std::size_t index) {
     return step_.pairs.dismiss(index);
   ++step_.tally.statistics.pairs;
   ++updated_;
-  // Without a limit nobody has to wait for a turn.
+  // Without a limit no pair has to wait for a turn.
   if (!step_.rules.mayBeInterrupted()) pair.traversal().refine(step_.left);
   reserve(pair, step_.left, cost_);
   if (pair.isDone() && step_.rules.finishesResolvedAtOnce()) return finishPair(index);
@@ -102,7 +102,7 @@ bool StepRefinement::reuses(std::size_t index) {
 }
 
 void StepRefinement::bookTo(TreePair& pair) {
-  // In an open step a pair that is done is finished later, from another budget.
+  // In an open step a finished traversal is answered later, from another budget.
   const bool isFinishedLater = step_.rules.end() == StepEnd::open && pair.isDone();
   const std::uint64_t later = isFinishedLater ? pair.work.reserved.operations : 0;
   step_.learnUsual(charge(pair, step_.left.used() - bookedUntil_ + later));
@@ -129,7 +129,7 @@ void StepRefinement::finishPair(std::size_t index) {
   step_.pairs.dismiss(index);
 }
 
-// Meshes are asked where there is time for them. They are not promised any: they would keep others from their leaves.
+// Meshes are asked where there is time for them. They have no reservation: it would keep other pairs from their leaves.
 PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result) {
   AnswerPolicy policy = step_.rules.answerPolicy();
   const double reserved = pair.work.reserved.nanoseconds;
@@ -157,7 +157,7 @@ PairReport StepRefinement::finishInTime(TreePair& pair, btManifoldResult& result
 void StepRefinement::refinePairs() {
   carryOver_.reserve();
   Progress progress = scheduler_.run(step_.pairs.scheduled(), step_.rules.priority(), step_.left, this);
-  // What was promised to those that are done is more than triangles take.
+  // Reservations of finished traversals exceed the cost of triangles.
   if (progress != Progress::done && finishResolvedPairs()) progress = resumePairs();
   while (step_.plan.isScarce() && progress == Progress::done) {
     if (!step_.plan.decideOnMore(step_.means(), updateCost_)) break;
@@ -182,7 +182,7 @@ Progress StepRefinement::resumePairs() {
   return progress;
 }
 
-// In an open step Bullet asks for them one by one.
+// In an open step Bullet asks for pairs one by one.
 bool StepRefinement::finishResolvedPairs() {
   if (step_.rules.end() != StepEnd::reported) return false;
   return finishPairs([](const TreePair& pair) { return pair.isDone(); });
@@ -192,7 +192,7 @@ void StepRefinement::finishBegunPairs() {
   (void)finishPairs([](const TreePair& pair) { return !isBetterCarriedOver(pair); });
 }
 
-// One by one where a step ends at a time: what each takes is learnt from.
+// One by one under a deadline, because the cost of each pair is learnt.
 template <class IsAsked>
 bool StepRefinement::finishPairs(const IsAsked& isAsked) {
   bool hasAny = false;

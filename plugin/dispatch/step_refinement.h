@@ -8,20 +8,19 @@
 
 namespace cairn::bullet {
 
-/// Brings the pairs of a step up to date, as far as its budget goes and its plan says: begins them, refines them in
-/// turns, finishes them.
+/// Updates the pairs of a step within its budget and its plan: begins them, refines them in turns, finishes them.
 class StepRefinement final : private TurnListener {
  public:
   StepRefinement(StepState& step, StepCarryOver& carryOver, StepAnswers& answers)
       : step_(step), carryOver_(carryOver), answers_(answers) {}
 
-  /// In this order, once the pairs are in theirs. From `beginPairs` on a user's callbacks may destroy any pair that is
-  /// not finished.
+  /// To be called in this order, after the pairs were ordered. From `beginPairs` on, a user's callback may destroy any
+  /// pair that is not finished.
   void planStep();
   void beginPairs();
   void refinePairs();
   void finishBegunPairs();
-  /// From the whole of what was done since `began`, for pairs that were not held.
+  /// Learns the cost of updated pairs from all work since `began`.
   void learnUpdates(std::uint64_t operationsBefore, Budget::Clock::time_point began);
   void endStep();
 
@@ -45,11 +44,11 @@ class StepRefinement final : private TurnListener {
   StepAnswers& answers_;
   Scheduler scheduler_;
   CostModel cost_;
-  // Of all that is done for a pair that is not held, but for its meshes.
+  // Of all work on an updated pair except its meshes.
   CostModel updateCost_{step_tuning::kUpdateCost, step_tuning::kUpdateWeight};
   MeshTime meshTime_;
   Budget::Clock::duration onMeshes_{};    // in this step
-  std::uint64_t operationsOnMeshes_ = 0;  // the same
+  std::uint64_t operationsOnMeshes_ = 0;  // in this step
   std::uint64_t bookedUntil_ = 0;         // operations of this step that were charged to a pair
   std::uint32_t updated_ = 0;             // pairs begun in this step
   std::uint32_t stepsWithoutTurn_ = 0;

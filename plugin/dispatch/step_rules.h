@@ -11,10 +11,10 @@
 
 namespace cairn::bullet {
 
-/// Whether somebody says when a step ends. If not, pairs are answered as they come: see `open_step.h`.
+/// Whether somebody announces the end of a step. If not, pairs are answered as they come: see `open_step.h`.
 enum class StepEnd : std::uint8_t { reported, open };
 
-/// What users ask of a narrow phase's steps.
+/// The user's settings for the steps of a narrow phase.
 class StepRules {
  public:
   explicit StepRules(StepEnd end);
@@ -23,29 +23,29 @@ class StepRules {
   Status setFrameBudget(const StepBudget& budget);
   void setUnresolved(Unresolved policy) { policy_ = policy; }
   void setFinest(Finest finest) { finest_ = finest; }
-  /// From `adoptPriority` on: not while another is at work, as a user's callback may ask for one.
+  /// Takes effect at `adoptPriority`, because a user's callback may call this while another priority is at work.
   void setPriority(std::unique_ptr<Priority> priority);
   void adoptPriority();
   Status setViewer(const std::optional<Viewer>& viewer);
   void beginFrame(int steps) { frame_.begin(steps); }
-  /// A step has used this.
+  /// A step has used this much.
   void spend(std::uint64_t operations, double microseconds) { frame_.spend(operations, microseconds); }
 
   StepEnd end() const { return end_; }
-  /// Of the step at hand.
+  /// The limits of the present step.
   StepBudget limit() const { return tighter(budget_, frame_.share()); }
   static Budget budgetOf(const StepBudget& limit);
   bool mayBeInterrupted() const;
   bool asksTriangles() const { return finest_ == Finest::triangles; }
-  /// Whether pairs are finished while they are in the cache. In an open step they are when they come; and what goes on
-  /// to triangles first leaves the others what they need to find their leaves.
+  /// Whether pairs are finished while they are in the cache. An open step finishes them when they come, and a step that
+  /// goes on to triangles first reserves for the others' leaves.
   bool finishesResolvedAtOnce() const { return end_ == StepEnd::reported && !(asksTriangles() && mayBeInterrupted()); }
-  /// In an open step Bullet asks for a pair's points later, and about where the bodies are then.
+  /// In an open step Bullet asks for a pair's points later, and about the poses at that time.
   bool reusesPairs() const { return end_ == StepEnd::reported && asksTriangles(); }
-  /// Not while other policies than guards stand in: their answers cannot wait.
+  /// Not with other policies than `guard`: their answers cannot wait.
   bool isPlanned() const { return mayBeInterrupted() && policy_ == Unresolved::guard; }
   AnswerPolicy answerPolicy() const { return {policy_, finest_, mayBeInterrupted()}; }
-  /// Of a pair that is answered at once, and in full.
+  /// The policy for a pair that is answered at once and in full.
   AnswerPolicy policyAtOnce() const { return {policy_, finest_, false}; }
   Priority& priority() const { return *priority_; }
   const std::optional<Viewer>& viewer() const { return viewer_; }

@@ -11,7 +11,7 @@ class btCollisionDispatcher;
 
 namespace cairn::bullet {
 
-/// The step at hand, for all who work on it.
+/// The present step, shared by all parts that work on it.
 struct StepState {
   StepState(btCollisionDispatcher& ofBullet, StepEnd end) : dispatcher(ofBullet), rules(end) {}
 
@@ -28,17 +28,17 @@ struct StepState {
     const bool asksTriangles = rules.asksTriangles();
     return {timeStep, sweptTime, asksTriangles ? timeStep : btScalar(0), asksTriangles};
   }
-  /// What the plan may use.
+  /// What the plan may spend.
   StepMeans means() const;
-  /// Operations that pairs were resolved with lately, from their start.
+  /// Recent operations per complete traversal.
   std::uint64_t usual() const { return static_cast<std::uint64_t>(usual_); }
-  /// What a whole traversal took; 0: none ended.
+  /// Reports the operations of a complete traversal; 0 if none ended.
   void learnUsual(std::uint64_t operations);
-  /// Adds it to the tally; what was counted. `pair`: where it is seen.
+  /// Adds a report to the tally and returns it. `pair`: how a viewer sees it.
   PairReport count(PairReport report, const ScheduledPair& pair);
 
-  /// How an answer that is kept is measured. While budgets leave pairs unresolved, those that have an answer take turns
-  /// in looking for what else came near.
+  /// Which leaf pairs of a cached answer are measured again. While budgets leave pairs unresolved, pairs with an answer
+  /// take turns in measuring all.
   RefreshPolicy refreshPolicyOf(const TreePair& pair) const;
   void endStep();
 

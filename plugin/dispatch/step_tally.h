@@ -9,17 +9,17 @@
 
 namespace cairn::bullet {
 
-/// What the pairs of a step add up to. What a step costs is entered by who spends it.
+/// Sums the reports of a step's pairs. The step's cost is entered by whoever spends it.
 struct StepTally {
   StepStatistics statistics;
 
-  /// The step has taken so long so far.
+  /// The elapsed time of the step so far.
   void tookUntilNow(double microseconds) {
     statistics.elapsedMicroseconds = microseconds;
     statistics.missedByMicroseconds =
         std::max(microseconds - statistics.deadlineMicroseconds.value_or(microseconds), 0.0);
   }
-  /// What a pair answered. Its place among `pairs` is counted apart: some have nothing to report.
+  /// Adds a pair's report. The number of pairs is counted elsewhere, because some pairs have nothing to report.
   void add(const PairReport& report) {
     statistics.unresolvedPairs += report.isUnresolved ? 1 : 0;
     statistics.contacts += report.contacts;

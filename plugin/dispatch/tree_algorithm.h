@@ -13,9 +13,9 @@ namespace cairn::bullet {
 
 struct TreePair;
 
-/// What Bullet keeps for a pair with a sphere-tree: a handle on the pair's state, and a share of the narrow phase,
-/// which may be taken off the dispatcher while Bullet still holds this. It must stay small, because Bullet's pool of
-/// algorithms hands out elements of one size whatever is asked for.
+/// Bullet's algorithm for a pair with a sphere-tree. It holds the pair's state and a share of the narrow phase, which
+/// may leave the dispatcher while Bullet still holds this. It must stay small, because Bullet's pool of algorithms
+/// hands out elements of one size.
 class TreeAlgorithm final : public btCollisionAlgorithm {
  public:
   TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, std::shared_ptr<NarrowPhase::Impl> narrowPhase,
@@ -26,7 +26,7 @@ class TreeAlgorithm final : public btCollisionAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
-  /// 1: no time of impact is computed. What fast trees run into is told as contacts ahead, see `continuous/sweep.h`.
+  /// Returns 1: no time of impact is computed. Fast trees get speculative contacts instead, see `continuous/sweep.h`.
   btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& info,
                                  btManifoldResult* result) override;
   void getAllContactManifolds(btManifoldArray& manifolds) override;

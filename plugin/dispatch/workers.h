@@ -12,19 +12,19 @@
 
 namespace cairn::bullet {
 
-/// The threads of Bullet's task scheduler (`btSetTaskScheduler`), each with working memory of its own. Where none is
-/// set, as in Bullet's own worlds but `btDiscreteDynamicsWorldMt`, the calling thread works alone.
+/// The threads of Bullet's task scheduler (`btSetTaskScheduler`), each with its own working memory. Without a scheduler
+/// the calling thread works alone, as in all of Bullet's worlds except `btDiscreteDynamicsWorldMt`.
 class Workers {
  public:
-  /// Sees how many there are.
+  /// Adopts the scheduler's present number of threads.
   void begin();
   std::size_t count() const { return count_; }
-  /// What any of them chose for manifolds.
+  /// Clears the contacts that any thread chose for manifolds.
   void forget();
-  /// The calling thread's, while no loop runs.
+  /// The calling thread's working memory, while no loop runs.
   ContactScratch& own() { return *scratch_.front(); }
-  /// Calls `work(scratch, i)` once for each `i` below `all`, in any order, on several threads at a time; nobody else
-  /// has the scratch meanwhile. Returns when all have returned. What one writes no other may read.
+  /// Calls `work(scratch, i)` once for each `i` below `all`, in any order, on several threads. No two threads share a
+  /// scratch. Returns when all calls have returned. No call may read data that another one writes.
   template <class Work>
   void forEach(std::size_t all, const Work& work);
 
@@ -33,11 +33,11 @@ class Workers {
   class Body;
 
   std::size_t count_ = 1;
-  std::vector<std::unique_ptr<ContactScratch>> scratch_;  // one for each of the most there have been
+  std::vector<std::unique_ptr<ContactScratch>> scratch_;  // one for each of the most threads so far
 };
 
-// Bullet's loop goes over workers, not over the work: who is done takes the next, and nobody waits for a worker whose
-// share was the harder one.
+// Bullet's loop runs over workers, not over the work: a worker that is done takes the next item, and nobody waits for
+// one with a harder share.
 template <class Work>
 class Workers::Body final : public btIParallelForBody {
  public:

@@ -25,11 +25,11 @@ bool isOfTree(const btBroadphasePair& pair) {
   return isOfTree(*pair.m_pProxy0) || isOfTree(*pair.m_pProxy1);
 }
 
-// Looks at no shape: when all is taken down, they may be gone before their bodies.
+// Looks at no shape: on teardown, shapes may be gone before their bodies.
 bool mayBeOurs(const btBroadphasePair& pair) {
   return dynamic_cast<const TreeAlgorithm*>(pair.m_algorithm) ||
          dynamic_cast<const CompoundAlgorithm*>(pair.m_algorithm) ||
-         dynamic_cast<const btCompoundCollisionAlgorithm*>(pair.m_algorithm);  // whose children may be
+         dynamic_cast<const btCompoundCollisionAlgorithm*>(pair.m_algorithm);  // its children may have one
 }
 
 template <class IsWanted>
@@ -39,7 +39,7 @@ void forgetAlgorithms(btOverlappingPairCache& cache, btDispatcher& dispatcher, c
     if (pairs[i].m_algorithm && isWanted(pairs[i])) cache.cleanOverlappingPair(pairs[i], &dispatcher);
 }
 
-// In the world's own cache and those of its ghosts.
+// In the world's own cache and in those of its ghosts.
 template <class IsWanted>
 void forgetAlgorithms(btCollisionWorld& world, btDispatcher& dispatcher, const IsWanted& isWanted) {
   forgetAlgorithms(*world.getPairCache(), dispatcher, isWanted);

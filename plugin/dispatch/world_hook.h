@@ -12,10 +12,10 @@ namespace cairn::bullet {
 
 class ForwardingBroadphase;
 
-/// Has a narrow phase's steps begin and end with a world's own pass over its pairs, by standing in for the world's
-/// broad phase. On construction, pairs with a sphere-tree lose the algorithms Bullet knew for them, and on destruction
-/// pairs with ours and compounds, so that the next pass asks the dispatcher for new ones. Precondition: `world`
-/// outlives this; its dispatcher is `dispatcher`.
+/// Ties a narrow phase's steps to a world's own pass over its pairs, by replacing the world's broad phase with a
+/// forwarding one. On construction, pairs with a sphere-tree lose Bullet's algorithms. On destruction, pairs with
+/// Cairn's algorithms and compounds lose theirs, so that the next pass makes new ones. Precondition: `world` outlives
+/// this, and `dispatcher` is its dispatcher.
 class WorldHook {
  public:
   WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);

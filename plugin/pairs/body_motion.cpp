@@ -21,12 +21,12 @@ float inverseMass(const btCollisionObject& object) {
   return body ? static_cast<float>(body->getInvMass()) : 0;
 }
 
-// Of any other body the solver looks at the place alone.
+// The solver reads only the place of any other body.
 bool isMoved(const btRigidBody& body) {
   return body.getInvMass() != 0 || body.isKinematicObject();
 }
 
-// What is no number, or endless, makes no number of a sum, or an endless one.
+// A sum with a NaN or infinite term is not finite.
 btScalar sumOf(const btVector3& v) {
   return v.x() + v.y() + v.z();
 }
@@ -35,7 +35,7 @@ btScalar sumOf(const btTransform& pose) {
   return sumOf(pose.getOrigin() + pose.getBasis()[0] + pose.getBasis()[1] + pose.getBasis()[2]);
 }
 
-// How thick a shell's wall is, world length; endless of what is no shell.
+// Thickness of a shell's wall, world length; infinite for a solid.
 float wallOf(const SphereTreeShape& shape) {
   const float thickness = shape.tree().surface().thickness * static_cast<float>(shape.scale());
   const bool isShell = thickness < tuning::kTrustedDepth * static_cast<float>(shape.size());

@@ -10,40 +10,40 @@ struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
-/// World axes, length per second. What is no rigid body (a multibody's link, a ghost) says how it moved, not how it
-/// moves; zero of a static rigid body, whose speed Bullet's solver does not look at either.
+/// Linear velocity, world axes, length per second. For objects that are not rigid bodies (a multibody's link, a ghost)
+/// it is the last step's motion. It is zero for static rigid bodies, as in Bullet's solver.
 Vec3 linearVelocity(const btCollisionObject& object);
-/// World axes, radians per second.
+/// Angular velocity, world axes, radians per second.
 Vec3 angularVelocity(const btCollisionObject& object);
 
-/// About how fast the surfaces of two bodies approach at most, world length per second: the second's turning counts as
-/// far as the first reaches. `disc`: that far, from its origin, world length.
+/// Estimate of the greatest closing speed of two surfaces, world length per second. `disc`: the first body's largest
+/// distance from its origin, world length; the second body's rotation is counted up to there.
 float closingSpeed(const btCollisionObject& first, const btCollisionObject& second, float disc);
 
-/// How far two bodies, one of them a sphere-tree, may come nearer to each other in so much time, world length, if that
-/// is so far that one of them asks for continuous collision detection (`setCcdMotionThreshold`, as with Bullet's own
-/// shapes; a tree's turning counts too); else 0.
+/// How far two bodies, one of them a sphere-tree, may approach in `time` (seconds), world length. It is 0 unless one of
+/// them moves far enough to ask for continuous collision detection (`setCcdMotionThreshold`, as for Bullet's own
+/// shapes). A tree's rotation counts too.
 float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
-/// The same of two sphere-trees of which one is a shell, its wall thinner than `kTrustedDepth` of its size, if they may
-/// come so far in that time that they cross half of the wall: from there on its other side is nearer. Else 0.
+/// How far two sphere-trees may approach in `time` if one of them is a shell with a wall thinner than `kTrustedDepth`
+/// of its size. It is 0 unless they may cross half of the wall: beyond that, the wall's other side is nearer.
 float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
-/// Bound on how fast points of the first body move in the frame of the second, which may turn; world length
-/// per second. `disc`: as above.
+/// Bound on the speed of the first body's points in the second body's frame, which may rotate; world length per second.
+/// `disc`: as in `closingSpeed`.
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc);
 
-/// The same of a whole body in the frame of a larger one.
+/// Bound on the speed of the smaller body's points in the larger body's frame, world length per second.
 float speedIn(const btCollisionObjectWrapper& larger, const btCollisionObjectWrapper& smaller);
 
-/// Whether its place, or, of a body that moves, its speeds or the forces on it are no number or endless: the solver
-/// would hand that on to whatever it touches.
+/// Whether the body's place, or a moving body's velocity or force, is NaN or infinite. The solver would pass such
+/// values on to everything that the body touches.
 bool isNonFinite(const btCollisionObject& object);
-/// The same of a body, or of a part of one, that stands elsewhere.
+/// Checks a body, or a part of one, at the place that the wrapper gives.
 bool isNonFinite(const btCollisionObjectWrapper& body);
 
-/// m0 m1 / (m0 + m1); that of the other where one cannot be moved, 0 where neither can. A multibody's link, whose mass
-/// is not its own alone, counts as held fast.
+/// Reduced mass m0 m1 / (m0 + m1). It is the other body's mass where one body cannot move, and 0 where neither can. A
+/// multibody's link counts as immovable, because its mass is not its own alone.
 float reducedMass(const btCollisionObject& first, const btCollisionObject& second);
 
 }  // namespace cairn::bullet

@@ -10,25 +10,25 @@
 
 namespace cairn::bullet {
 
-/// A copy of what Bullet hands to an algorithm about a body. Its wrappers live on the stack of the dispatch (those of
-/// compound children with their transforms), and the answer to a collected pair is given after that.
+/// A copy of the wrapper that Bullet hands to an algorithm. Bullet's wrappers live on the stack of the dispatch, but
+/// collected pairs are answered after it.
 class BodySnapshot {
  public:
-  /// A shape, in a compound, in a compound.
+  /// Wrapper levels: a shape in a compound in a compound.
   static constexpr std::size_t kMaxNesting = 3;
 
   BodySnapshot() = default;
   BodySnapshot(const BodySnapshot&) = delete;
   BodySnapshot& operator=(const BodySnapshot&) = delete;
 
-  /// False when compounds are nested deeper than `kMaxNesting`; then there is no copy.
+  /// Copies the wrapper. False, and no copy, when compounds are nested deeper than `kMaxNesting`.
   bool take(const btCollisionObjectWrapper& wrapper);
-  /// Takes the copy to where its body is now: the object's pose, and those of the compounds' children in it. False
-  /// when the shapes are not those copied; then there is no copy. Precondition: `take` succeeded, the object lives.
+  /// Moves the copy to its body's present pose, compound children included. False, and no copy, when the shapes have
+  /// changed. Precondition: `take` succeeded and the object lives.
   bool follow();
-  /// Whether the object has another pose than the copy. Precondition: as for `follow`.
+  /// Whether the object's pose differs from the copy's. Precondition: as for `follow`.
   bool hasMoved() const;
-  /// Whether the copy says what `wrapper` says. Precondition: `take` succeeded.
+  /// Whether the copy equals `wrapper`. Precondition: `take` succeeded.
   bool isOf(const btCollisionObjectWrapper& wrapper) const;
   /// Precondition: `take` succeeded.
   const btCollisionObjectWrapper& wrapper() const { return *levels_[depth_ - 1].wrapper; }
@@ -42,7 +42,7 @@ class BodySnapshot {
   std::array<Level, kMaxNesting> levels_;  // outermost first
 };
 
-/// Digest of the child indices on the way to a wrapper's shape; 0 for a body that is no compound.
+/// Digest of the child indices from a body down to a wrapper's shape; 0 for a body that is no compound.
 std::uint32_t childPath(const btCollisionObjectWrapper& wrapper);
 
 }  // namespace cairn::bullet

@@ -19,21 +19,21 @@ const TerrainLattice& latticeOf(const btCollisionObjectWrapper& ground) {
   return static_cast<const TerrainShape&>(*ground.getCollisionShape()).lattice();
 }
 
-// The ground below a body. A terrain's cells are looked up once: it is over few of them, and its points over the same
-// again and again. A static plane is one triangle without end.
+// The ground below a body. A terrain's cells are cached, because the body's points lie over few of them. A static plane
+// is one infinite triangle.
 class CellsBelow {
  public:
   explicit CellsBelow(const btCollisionObjectWrapper& ground);
 
   struct Plane {
-    int index = -1;  // the triangle's, if it is one
+    int index = -1;  // of the triangle, if it is one
     bool isMissing = false;
     Vec3d normal, corner;
 
-    // Height over it.
+    // Height above the plane.
     double over(const Vec3d& at) const { return dot(normal, at - corner); }
   };
-  // Of the triangle below a point; null where there is none. Valid until the next call.
+  // The plane of the triangle below a point; null where there is none. Valid until the next call.
   const Plane* planeBelow(const Vec3d& at);
 
  private:
@@ -41,7 +41,7 @@ class CellsBelow {
     double fromX, toX, fromY, toY;
     std::int64_t column, row;
     bool isRising;
-    std::array<Plane, 2> planes;  // lower, upper; looked up when they are needed
+    std::array<Plane, 2> planes;  // lower, upper; computed when they are needed
 
     bool contains(const Vec3d& at) const { return at.x >= fromX && at.x < toX && at.y >= fromY && at.y < toY; }
     bool isUpperBelow(const Vec3d& at) const {
@@ -54,8 +54,8 @@ class CellsBelow {
 
   static constexpr std::size_t kMax = 4;
   const TerrainLattice* lattice_ = nullptr;
-  Plane plane_;                   // where there is none
-  std::array<Cell, kMax> cells_;  // those looked up last
+  Plane plane_;                   // of a static plane
+  std::array<Cell, kMax> cells_;  // the cells looked up last
   std::size_t count_ = 0;
 };
 
@@ -113,7 +113,7 @@ struct TreeOverGround {
   const SphereTree& tree;
   CellsBelow cells;
   Pose pairFromTree, groundFromTree;
-  Mat3d treeFromGround;  // turns
+  Mat3d treeFromGround;  // rotation only
   Mat3d pairFromGround;
   double margin, maxSeparation;
 
@@ -134,7 +134,7 @@ struct TreeOverGround {
     treeFromGround = transpose(groundFromTree.rotation);
   }
 
-  // Of a node, if it has one.
+  // The contact of a node, if it has one.
   bool contact(NodeId node, Contact& contact);
 };
 
@@ -182,7 +182,7 @@ bool isClearOfGround(const btCollisionObjectWrapper& tree, const btCollisionObje
   const Vec3d inGround = transpose(toMat3d(groundPose.getBasis())) * (way + toVec3d(arm));
   const btScalar wanted = radius + btScalar(kSpeculativeFraction) * shape.size() + travel;
   const auto maxSeparation = double(wanted + btScalar(kOverlapSlack) * 4 * (arm.length() + wanted));
-  // What is no higher than that is no farther either; most that are asked about stand on the ground.
+  // Points no higher than that are no farther away either; most bodies asked about stand on the ground.
   const TerrainLattice& lattice = latticeOf(ground);
   if (inGround.z - lattice.heightOver(inGround.x, inGround.y) <= maxSeparation) return false;
   return groundBelow(lattice, inGround, maxSeparation).leastDistance() > maxSeparation;

@@ -7,7 +7,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Those that are touched now, deepest first; contacts ahead, whose directions are known, come after them.
+// The present contacts, deepest first. Speculative contacts, whose normals are known, come after them.
 std::span<Contact> ofNow(std::span<Contact> cluster) {
   const auto end = std::partition(cluster.begin(), cluster.end(), [](const Contact& c) { return !c.isSpeculative; });
   const auto now = cluster.first(static_cast<std::size_t>(end - cluster.begin()));
@@ -17,7 +17,7 @@ std::span<Contact> ofNow(std::span<Contact> cluster) {
 
 }  // namespace
 
-// What the meshes said has its directions already; contacts ahead have directions of their own.
+// Contacts of meshes have their normals already, and speculative contacts have normals of their own.
 void CommonNormals::keep(ClusteredContacts& contacts) {
   isFlat_ = !contacts.list().empty();
   for (int k = 0; k < kMaxClusters; ++k) {
@@ -35,7 +35,7 @@ void CommonNormals::alignNormals(Collider& collider, float maxSeparation, Cluste
     const std::span<Contact> cluster = contacts.cluster(k), now = ofNow(cluster);
     Vec3& common = normals_[static_cast<std::size_t>(k)];
     common = now.empty() ? Vec3() : collider.alignNormals(now, lasts, outliers.now);
-    // Along the common normal some turn out to be farther apart than what is wanted.
+    // Along the common normal some contacts are farther apart than wanted.
     if (lengthSq(common) > 0 || now.size() < cluster.size()) contacts.resort(k, maxSeparation);
   }
   clusterOutliers(collider, maxSeparation, lasts, contacts, outliers);
@@ -45,11 +45,11 @@ void CommonNormals::alignNormals(Collider& collider, float maxSeparation, Cluste
     if (!contacts.cluster(k).empty() && lengthSq(normals_[static_cast<std::size_t>(k)]) == 0) isFlat_ = false;
 }
 
-// Faces at a shallow angle to each other share a cluster, and each needs its own, as far as there are any free: two
-// sides of a groove hold against different motions.
+// Faces at a shallow angle share a cluster, but each needs its own while clusters are free: two sides of a groove
+// resist different motions.
 void CommonNormals::clusterOutliers(Collider& collider, float maxSeparation, std::span<const Vec3> lasts,
                                     ClusteredContacts& contacts, Outliers& outliers) {
-  std::sort(outliers.now.begin(), outliers.now.end(), deeper);  // they are of several clusters
+  std::sort(outliers.now.begin(), outliers.now.end(), deeper);  // they come from several clusters
   for (int k = 0; k < kMaxClusters && !outliers.now.empty(); ++k) {
     if (!contacts.cluster(k).empty()) continue;
     Vec3& common = normals_[static_cast<std::size_t>(k)];
@@ -63,7 +63,7 @@ void CommonNormals::clusterOutliers(Collider& collider, float maxSeparation, std
   }
 }
 
-// Tilted centre lines can put one pair of faces into several clusters.
+// Tilted lines between centres can divide the contacts of one pair of faces among several clusters.
 void CommonNormals::joinSameNormals(ClusteredContacts& contacts) {
   for (std::size_t k = 0; k < normals_.size(); ++k)
     for (std::size_t j = k + 1; j < normals_.size(); ++j) {

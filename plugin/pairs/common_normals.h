@@ -10,26 +10,27 @@
 
 namespace cairn::bullet {
 
-/// Contacts that do not fit the direction found for their cluster: at hand, and left over by the next one. Working
-/// memory.
+/// Working memory: contacts that do not fit their cluster's normal. `now`: to be clustered; `next`: left over for the
+/// next cluster.
 struct Outliers {
   std::vector<Contact> now, next;
 };
 
-/// The directions of a pair's clusters of contacts, from step to step: one for each cluster between flat faces.
+/// The normals of a pair's contact clusters, kept from step to step. A cluster between flat faces has one common
+/// normal.
 class CommonNormals {
  public:
   void forget() { *this = {}; }
-  /// Where clusters began in the last step; grouping moves them.
+  /// The seeds of the last step's clusters; grouping moves them.
   ClusterSeeds& seeds() { return seeds_; }
-  /// Zero where a cluster has none.
+  /// Common normals by cluster; zero where a cluster has none.
   const std::array<Vec3, kMaxClusters>& normals() const { return normals_; }
-  /// Whether every contact of the last step has one.
+  /// Whether every contact of the last step has a common normal.
   bool areFlat() const { return isFlat_; }
 
-  /// What the meshes said has its directions already.
+  /// Takes the normals of contacts from meshes, which need no alignment.
   void keep(ClusteredContacts& contacts);
-  /// Finds one for each cluster of leaves' contacts.
+  /// Finds a common normal for each cluster of contacts from leaves.
   void alignNormals(Collider& collider, float maxSeparation, ClusteredContacts& contacts, Outliers& outliers);
 
  private:

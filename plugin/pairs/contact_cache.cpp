@@ -19,7 +19,7 @@ void ContactCache::forgetTraversal() {
   turn_ = 0;
 }
 
-// What moves on at once gains nothing from looking farther.
+// Bodies that move on at once gain nothing from a skin.
 float ContactCache::begin(const Collider& collider, const RelativeMotion& motion) {
   forgetTraversal();
   const float skin = kSkinFraction * motion.smallerSize;
@@ -35,7 +35,7 @@ void ContactCache::resume(const RelativePlacement& now) {
   drift_ = motionWhenSelected_ = std::max(drift_, static_cast<float>(now.displacementSince(beganAt_)));
 }
 
-// From wherever something was ruled out, the bodies have moved by no more than the way there and the way here.
+// Bound on the motion since any pair was ruled out: the drift during the traversal plus the motion since its beginning.
 bool ContactCache::holdsAt(const RelativePlacement& now, float maxSeparation) const {
   return skin_ > 0 && maxSeparation <= maxSeparation_ &&
          drift_ + static_cast<float>(now.displacementSince(beganAt_)) <= skin_;
@@ -57,7 +57,7 @@ void ContactCache::select(std::span<const NodePair> leafPairs, const RelativeMot
                           std::span<const NodePair> known, RefreshPolicy refresh) {
   const bool isTooMuchAtOnce = refresh == RefreshPolicy::allIfFew && leafPairs.size() > kFewLeafPairs;
   areAllNear_ = separations_.empty() || (isDueForAll(leafPairs.size()) && !isTooMuchAtOnce);
-  // Or it would be due in each step from now on.
+  // Otherwise all pairs would be measured in each step from now on.
   if (isTooMuchAtOnce && isDueForAll(leafPairs.size())) measuredInVain_ = 0;
   const bool isOnlyTouching = !areAllNear_ && refresh == RefreshPolicy::touching && !known.empty();
   if (isOnlyTouching)
@@ -78,7 +78,7 @@ void ContactCache::allAreMeasured(const RelativeMotion& motion) {
   motionWhenSelected_ = 0;
 }
 
-// Pairs whose surfaces were farther apart than the bodies have moved since still are.
+// Pairs whose separation exceeded the bodies' motion since then are still separated.
 void ContactCache::findNear(std::span<const NodePair> leafPairs, const RelativeMotion& motion) {
   const float near = motion.maxSeparation + static_cast<float>(motion.placement.displacementSince(measuredAt_));
   near_.clear();
@@ -86,8 +86,8 @@ void ContactCache::findNear(std::span<const NodePair> leafPairs, const RelativeM
     if (separations_[i] < near) near_.push_back(leafPairs[i]);
 }
 
-// What was in contact, and of the rest every so many, others in each step: faces that come flat upon each other are
-// noticed all over them, and nothing is overlooked for long.
+// Selects the pairs in contact, and every n-th of the rest, different ones in each step. Faces that meet flat are
+// noticed all over, and no pair is overlooked for long.
 void ContactCache::selectFew(std::span<const NodePair> known) {
   few_.reserve(kFewLeafPairs);
   few_.assign(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), kFewLeafPairs)));

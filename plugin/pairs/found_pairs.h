@@ -8,18 +8,18 @@
 
 namespace cairn::bullet {
 
-/// Of the leaf pairs that a traversal over several steps has found and measured before it was done: the deepest. They
-/// stand for the rest when all of it is told, so that what is measured then is bounded however many there were.
+/// The deepest leaf pairs that an unfinished traversal has found and measured in earlier steps. They represent all of
+/// them at the end, so that the final measurement has bounded cost.
 class FoundPairs {
  public:
   static constexpr std::size_t kMax = 32;
 
-  /// Allocates, once, all that `add` needs.
+  /// Allocates all memory that `add` needs, once.
   void makeRoom();
   void clear();
-  /// Keeps those of these contacts' pairs that are deeper than what is there, once each. Linear.
+  /// Keeps the leaf pairs of these contacts that are deeper than the present ones, once each. Linear time.
   void add(std::span<const Contact> contacts);
-  /// In no order. Valid until the next `add`.
+  /// The leaf pairs, unordered. Valid until the next `add`.
   std::span<const NodePair> pairs() const { return pairs_; }
 
  private:

@@ -22,8 +22,8 @@ void KnownPairs::rememberDeepest(const Collider& collider, std::vector<Contact>&
     if (!contacts[i].ofSpheres) remember(collider.leavesOf(contacts[i]));
 }
 
-// Each pair may have dozens of contacts; beyond what there is room for, the deepest are kept. The room is made at once:
-// bodies that roll would else need a little more for minutes.
+// Each leaf pair may have dozens of contacts; the deepest are kept. Memory is reserved at once: rolling bodies would
+// otherwise need a little more for minutes.
 void KnownPairs::retest(Collider& collider, Budget& budget, std::vector<Contact>& all) {
   if (isRetested_) return;
   isRetested_ = true;

@@ -11,46 +11,47 @@
 
 namespace cairn::bullet {
 
-/// The resolved pairs that were in contact last, and what these say now: what is known while a traversal is unfinished.
+/// The leaf pairs that were in contact last, and their contacts now: the knowledge about a pair whose traversal is
+/// unfinished.
 class KnownPairs {
  public:
-  /// To so many they are topped up with what was not handed to Bullet. Bounds, with what was, the work of a pair that
-  /// gets no budget.
+  /// The deepest contacts that Bullet did not get fill the list up to this number. Together with those that Bullet got,
+  /// it bounds the work of a pair without a budget.
   static constexpr std::size_t kMax = 32;
   static constexpr std::size_t kMaxOfAll = kMax + kMaxClusters * kMaxPoints;
 
-  // Bodies may roll for minutes before as much is known of a pair as can be.
+  // Reserved at once: bodies may roll for minutes before a pair knows as many contacts as it can.
   KnownPairs() { pairs_.reserve(kMaxOfAll); }
 
   void reset();
-  /// Forgets the pairs, not what they said.
+  /// Forgets the pairs, but keeps their contacts.
   void forgetPairs() { pairs_.clear(); }
   std::vector<NodePair>& pairs() { return pairs_; }
   const std::vector<NodePair>& pairs() const { return pairs_; }
-  /// A contact of these was handed to Bullet.
+  /// Bullet got a contact of this leaf pair.
   void remember(const NodePair& leaves);
-  /// Tops them up with the deepest of the contacts that were not chosen, for steps that may be interrupted.
-  /// Reorders the contacts.
+  /// Fills the list up with the deepest contacts that were not chosen, for steps that may be interrupted. Reorders
+  /// `contacts`.
   void rememberDeepest(const Collider& collider, std::vector<Contact>& contacts);
-  /// Allocates, once, what only steps that may be interrupted need.
+  /// Allocates the memory that only interruptible steps need, once.
   void makeRoom() { retested_.reserve(kMaxOfAll); }
 
-  /// What they say is of an earlier step.
+  /// From now on their contacts are those of an earlier step.
   void beginStep() { isRetested_ = false; }
-  /// Asks them, once a step; `all`: working memory.
+  /// Measures the known pairs again, once a step. `all`: working memory.
   void retest(Collider& collider, Budget& budget, std::vector<Contact>& all);
   bool isRetested() const { return isRetested_; }
   std::span<const Contact> contacts() const { return retested_; }
 
-  /// See `prefetch`.
+  /// Prefetches the list.
   void prefetchData() const { prefetch(pairs_.data(), pairs_.size() * sizeof(NodePair)); }
 
  private:
-  // A flat leaf touches with its corners, four as a rule.
+  // A flat leaf usually touches with its four corners.
   static constexpr std::size_t kMaxRetested = 4 * kMaxOfAll;
 
   std::vector<NodePair> pairs_;
-  std::vector<Contact> retested_;  // at most `kMaxRetested`, whatever each known pair has to say
+  std::vector<Contact> retested_;  // at most `kMaxRetested`
   bool isRetested_ = false;
 };
 

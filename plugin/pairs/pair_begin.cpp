@@ -10,7 +10,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// The waiting of earlier steps.
+// The waiting time of earlier steps.
 void endWaiting(TreePair& pair, const PairSides& sides) {
   const auto moved =
       static_cast<float>(PairMotion::placementOf(sides).displacementSince(pair.motion.relative.placement));
@@ -47,7 +47,7 @@ PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, 
 bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
            const StepHorizon& horizon, btScalar threshold, RefreshPolicy refresh, Budget& budget,
            ContactScratch& scratch) {
-  pair.work.reserved = {};  // of a step that an exception ended
+  pair.work.reserved = {};  // left over from a step that an exception ended
   const PairSides sides = PairSides::of(body0, body1);
   pair.treeIsBody0 = &sides.tree == &body0;
   if (!pair.adopt(sides)) return false;
@@ -69,7 +69,7 @@ bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollis
 }
 
 ScheduledPair scheduled(TreePair& pair) {
-  // While there is no answer to speak of, spheres of the whole bodies may have to stand in.
+  // Without an answer, guards of the root spheres may be needed.
   Traversal& traversal = pair.traversal();
   const PairMotion& motion = pair.motion;
   const bool standsIn = !traversal.done() && !pair.contacts.hasAnswer(motion.relative);

@@ -11,14 +11,14 @@ namespace cairn::bullet {
 namespace {
 
 constexpr float kMaxFollowed = TreePair::kMaxFollowed;
-// How far they may come, of the smaller one's size, in steps that were late for what they say: where it has points, and
-// where it has none.
+// Largest motion in steps that were too late for the pair, as a fraction of the smaller body's size: for pairs with
+// points, and without.
 constexpr float kMaxUnseen = 0.03F, kMaxUnheld = 0.008F;
-// Of so many steps in a row in which a pair has no answer that holds, one looks at it however late it is: speeds do not
-// tell everything of bodies that are moved by hand. Its name says which, so that not all are looked at in one.
+// A pair without a valid answer is looked at once in this many steps however late it is, because velocities do not
+// explain bodies that users move. The pair's name decides in which step, so that not all are looked at in one.
 constexpr std::uint64_t kStepsUnseen = 8;
 
-// How far they would have to move, at least, to have their boxes apart; negative when they are.
+// Motion that would separate the bodies' boxes; negative when they are separated.
 float overlapOfBoxes(const PairSides& sides) {
   btVector3 lowerA, upperA, lowerB, upperB;
   sides.tree.getCollisionShape()->getAabb(sides.tree.getWorldTransform(), lowerA, upperA);
@@ -30,12 +30,13 @@ float overlapOfBoxes(const PairSides& sides) {
   return static_cast<float>(overlap[overlap.minAxis()]);
 }
 
-// Of spheres, how far they stand out; of points, all of the body may be in the ground beside them.
+// Error of a fallback: for guards the certified errors of the root spheres; for points of the body its whole size,
+// because all of it may be in the ground beside them.
 double fallbackErrorFraction(const TreePair& pair) {
   return pair.sizes.fraction(pair.isOnGround() ? pair.subject.rootDiameter() : pair.subject.rootErrors());
 }
 
-// Nothing is traversed yet.
+// No traversal has begun.
 void beginCarriedOver(TreePair& pair, const CarryOverStep& step) {
   const PairSides sides = pair.sides();
   pair.adopt(sides);
@@ -47,23 +48,24 @@ void beginCarriedOver(TreePair& pair, const CarryOverStep& step) {
   motion.maxSeparation = pair.sizes.maxSeparation;
   pair.age.isPlaced = true;
   pair.age.moved = 0;
-  // A step ago it may have been certainly apart, which says nothing of how far it has come since.
+  // The pair may have been culled a step ago, so nothing is known of the motion since.
   const float travel = PairMotion::speedInOther(sides) * static_cast<float>(step.timeStep);
   pair.contacts.age().approached(travel, 0);
   pair.age.error = pair.sizes.fraction(travel);
-  // Boxes deeper in each other than that were so a step ago, too: bodies that were set down there. Boxes take time.
+  // Boxes that overlap by more also overlapped a step ago: these bodies were placed there. Computing boxes takes time.
   if (pair.kind == ColliderKind::tree && (step.isLate || overlapOfBoxes(sides) > travel))
     pair.age.error = std::max(pair.age.error, fallbackErrorFraction(pair));
 }
 
-// Its traversal began here, but what it says is as old as before.
+// The traversal began at these poses, but the answer is as old as before.
 void countStepAsWaited(TreePair& pair) {
   pair.contacts.age().approached(pair.age.uncounted, 0);
   pair.age.error += pair.sizes.fraction(pair.age.uncounted);
   pair.age.uncounted = 0;
 }
 
-// While the bodies hardly move, as far as their speeds tell: what nobody looks at must not get past.
+// Whether the bodies hardly move according to their velocities. Nothing may pass through unnoticed while the pair is
+// not looked at.
 bool mayStay(TreePair& pair, const CarryOverStep& step) {
   pair.age.unseenMotion += PairMotion::speedInOther(pair.sides()) * static_cast<float>(step.timeStep);
   return pair.age.unseenMotion <= (pair.reported.mayHavePoints ? kMaxUnseen : kMaxUnheld) * pair.sizes.smaller;
@@ -76,7 +78,7 @@ void writeFallback(TreePair& pair, std::span<Contact> contacts, const CarryOverS
   pair.writerOf(step.result).write(*m, pair.choose(pair.manifolds.fallback(), contacts));
 }
 
-// Where its point stops, if it goes on.
+// The place where a speculative contact's point stops.
 Contact aheadOf(const RelativeMotion& motion, Contact contact) {
   contact.isSpeculative = contact.ofSpheres = true;
   contact.separationVector = contact.normal * contact.separation;
@@ -85,8 +87,8 @@ Contact aheadOf(const RelativeMotion& motion, Contact contact) {
   return contact;
 }
 
-// A body that asks for continuous collision is stopped at the ground below those points. Its course is not looked at:
-// the next that is looked at cannot go by where it stood before.
+// A body with continuous collision is stopped at the ground below those points. Its trajectory is not looked at, so the
+// next sweep cannot start from where it stood before.
 void standOnGround(TreePair& pair, const CarryOverStep& step) {
   const PairSides sides = pair.sides();
   pair.motion.setVelocities(sides, step.timeStep);
@@ -112,17 +114,17 @@ void fallback(TreePair& pair, const CarryOverStep& step) {
 void bringPoints(TreePair& pair, bool standsIn) {
   const float moved = pair.age.moved, size = pair.sizes.smaller;
   pair.forgetSpeculativeImpulses();
-  // A manifold of its own, if one is free; on the ground, where all others end, the one that says most.
+  // Its own manifold, if one is free. On the ground, where all others end, the manifold with most points.
   if (standsIn) pair.manifolds.chooseFallback(pair.isOnGround());
   if (standsIn && moved > kMaxFollowed * size) pair.manifolds.clearOthers();
-  // What stands in on the ground replaces every point: nothing has to follow.
+  // The fallback on the ground replaces every point: no point has to follow.
   if (standsIn && pair.isOnGround()) return pair.manifolds.noteAxes();
   const bool dropsParted = standsIn || pair.contacts.age().isAnsweredWithin(moved, size);
   pair.manifolds.follow(dropsParted ? std::optional(pair.breakingThreshold()) : std::nullopt, standsIn);
 }
 
-// `isRootContact`: what was said last does not suffice. Else the stand-in may still be carried along, until an answer
-// takes its place.
+// `isRootContact`: the last answer does not suffice. Otherwise an existing fallback may be carried along until an
+// answer replaces it.
 PairReport reportCarriedOver(const TreePair& pair, bool isRootContact) {
   const PairAge& age = pair.age;
   PairReport report;
@@ -160,17 +162,18 @@ PairReport carryOver(TreePair& pair, const CarryOverStep& step) {
     pair.lookForJump(pair.motion.seenNow, pair.sides(), step.timeStep);
   }
   pair.trajectory.speculative = {};
-  // What was said last says nothing of what is ahead.
+  // The last answer excludes no speculative contacts.
   const bool needsFallback = isNew || !age.repeatsLast || pair.trajectory.isFast;
   const bool isDue = needsFallback && (pair.notes.id + static_cast<std::uint64_t>(age.waited)) % kStepsUnseen == 0;
   const bool mayWait = step.isLate && !pair.trajectory.isFast && !pair.reported.wasSpeculative && !isDue,
              isFirst = age.unseenMotion == 0;
   if (mayWait && mayStay(pair, step)) {
-    if (isNew) pair.contacts.age().approached(2 * kMaxFollowed * pair.sizes.smaller, 0);  // apart they were, no longer
+    if (isNew)
+      pair.contacts.age().approached(2 * kMaxFollowed * pair.sizes.smaller, 0);  // they are no longer separated
     if (pair.reported.areGuardsLoaded) pair.manifolds.stayAwake();
     return reportCarriedOver(pair, needsFallback);
   }
-  // From below the ground everything comes up: for one step its points may follow at any speed.
+  // Bodies below the ground are pushed up: for one step their points may follow at any speed, because contacts recover.
   const bool standsIn = needsFallback && !(mayWait && pair.isOnGround() && isFirst);
   if (standsIn || !needsFallback) age.unseenMotion = 0;
   bringPoints(pair, standsIn);

@@ -9,23 +9,23 @@ class btDispatcher;
 
 namespace cairn::bullet {
 
-/// A step in which a pair has to wait for a later one.
+/// A step that has no time for a pair, so that the pair waits for a later one.
 struct CarryOverStep {
   btDispatcher& dispatcher;
   btManifoldResult& result;
   btScalar timeStep;  ///< seconds
-  bool isLate;        ///< the time is up; what was said stays as it was where bodies hardly move
+  bool isLate;        ///< the deadline has passed: contacts of bodies that hardly move stay as they are
 };
 
-/// Whether what the pair said last serves better than what was resolved in this step: it is to be held, begun or not.
-/// Of begun pairs only two trees': what stands in for the others sees more than their last contacts.
+/// Whether the pair's last answer is better than the result of this step, so that it is carried over. Among begun pairs
+/// this holds only for two trees: the fallback of other pairs sees more than their last contacts.
 bool isBetterCarriedOver(const TreePair& pair);
 
-/// The manifolds' points follow the bodies, and where the last answer no longer counts the spheres of whole bodies,
-/// which may not approach further, stand in, or on a terrain or a plane a few of the body's points. See
-/// docs/algorithms/narrow-phase.md. Precondition: `estimate` said it can be held, or it `isBetterCarriedOver`.
+/// Carries the pair over: its manifolds' points follow the bodies. Where the last answer no longer counts, a fallback
+/// answers: guards of the root spheres, or on terrains and planes some points of the body. See
+/// docs/algorithms/narrow-phase.md. Precondition: the estimate allows it, or `isBetterCarriedOver`.
 PairReport carryOver(TreePair& pair, const CarryOverStep& step);
-/// Where it is seen, and how large: what statistics need. Precondition: held or carried over in this step.
+/// The pair as a viewer sees it, for statistics. Precondition: carried over or reused in this step.
 ScheduledPair seen(const TreePair& pair);
 
 }  // namespace cairn::bullet

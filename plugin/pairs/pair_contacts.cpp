@@ -47,13 +47,13 @@ bool PairContacts::begin(Collider& collider, const RelativeMotion& motion, const
   }
   isResumed_ = true;
   cache_.resume(motion.placement);
-  // What would take most of the budget is left to the end, or the traversal would never get anywhere.
+  // Measuring that takes most of the budget is left to the end; otherwise the traversal would never proceed.
   const bool isDear = 2 * kContactCost * known_.pairs().size() > budget.remaining();
   if (!beginning.isCarriedOver && !isDear) known_.retest(collider, budget, scratch.retested);
   return false;
 }
 
-// Its traversal was done in a step in which nobody asked what it found.
+// Whether the traversal was done in a step in which nobody asked for its contacts.
 bool PairContacts::isDoneUnreported(const Collider& collider, const RelativeMotion& motion) {
   if (!started_ || isReported_ || !collider.traversal().done()) return false;
   isResumed_ = cache_.holdsAt(motion.placement, motion.maxSeparation);
@@ -72,7 +72,7 @@ void PairContacts::start(Collider& collider, const RelativeMotion& motion) {
 bool PairContacts::useCache(Collider& collider, const RelativeMotion& motion, RefreshPolicy refresh) {
   staleness_ = 0;
   if (!keepsAt(collider, motion.placement, motion.maxSeparation)) return false;
-  // Between flat faces that lie still, the points of the last step stand for all others.
+  // Between flat faces at rest, the points of the last step represent all others.
   const bool isStill = cache_.isStillAt(motion.placement, motion.maxSeparation);
   isAtRest_ = normals_.areFlat() && isStill;
   const std::span<const NodePair> leafPairs = collider.traversal().leafPairs();
@@ -84,7 +84,7 @@ bool PairContacts::useCache(Collider& collider, const RelativeMotion& motion, Re
   return true;
 }
 
-// What was resolved in earlier steps is left at what is known of it, unless only all of it together can be told.
+// Leaf pairs of earlier steps keep their remembered contacts, unless the collider must measure all of them together.
 std::span<const NodePair> PairContacts::unmeasured(const Collider& collider) const {
   if (isCached_) return cache_.near();
   const bool anew = collider.traversal().done() && collider.measuresTogether();
@@ -103,7 +103,7 @@ void PairContacts::measureFound(Collider& collider, Budget& budget, ContactScrat
 }
 
 void PairContacts::appendFound(Collider& collider, Budget& budget, std::vector<Contact>& contacts) {
-  if (found_.pairs().empty()) return;  // or what colliders gather once they would gather in vain
+  if (found_.pairs().empty()) return;  // else colliders would gather their data in vain
   budget.forceCharge(kContactCost * found_.pairs().size());
   collider.appendContacts(found_.pairs(), contacts);
   found_.clear();
@@ -172,7 +172,7 @@ void PairContacts::appendFront(Collider& collider, bool compensate, float maxSep
   }
 }
 
-// An answer that said "in contact" holds while some of its contacts still is one, as far as they have been looked at.
+// An answer with contacts holds while one of its contacts remains, as far as they were measured.
 bool PairContacts::hasAnswer(const RelativeMotion& motion) const {
   const bool hasLost = known_.isRetested() && known_.contacts().empty();
   return age_.isAnswered() && age_.isRecent(motion.smallerSize) && !(age_.hadContacts() && hasLost);
@@ -187,7 +187,7 @@ bool PairContacts::keepsAt(const Collider& collider, const RelativePlacement& no
   return isReported_ && collider.traversal().done() && cache_.holdsAt(now, maxSeparation);
 }
 
-// What lay still was asked about little of itself; once it moves, all is asked.
+// Only few pairs of bodies at rest were measured; once they move, all are measured.
 std::uint64_t PairContacts::cachedCost(const Collider& collider, const RelativePlacement& now,
                                        float maxSeparation) const {
   const std::size_t all = collider.traversal().leafPairs().size();
@@ -220,7 +220,7 @@ void PairContacts::finish(Collider& collider, const AnswerPolicy& policy, const 
     isReported_ = true;
     age_.traversalEnded(!contacts.empty());
   }
-  // What an answer ruled out long ago may have closed in since.
+  // Surfaces that an answer ruled out long ago may have approached since.
   if (isDone && age_.isRecent(motion.smallerSize))
     guards_.clear();
   else if (policy.unresolved == Unresolved::guard)
@@ -261,16 +261,16 @@ void PairContacts::appendGuards(Collider& collider, const RelativeMotion& motion
       inFront->isRootContact = whole.isRootContact;
   }
   for (const Contact& guard : guards) closingSpeed = std::max(closingSpeed, motion.closingSpeed(guard));
-  // What was ruled out may close in while the front stands still: a rod that turns about its end.
+  // Surfaces that were ruled out may approach while the front stands still: a rod that turns about its end.
   age_.approached(closingSpeed * motion.timeStep, motion.greatestSpeed() * motion.timeStep);
   std::erase_if(guards, [&](const Contact& c) { return c.certainDepth <= 0 && !isWanted(c, motion, maxSeparation); });
   guards_.choose(guards, motion.smallerSize, scratch.contacts.list());
   budget.forceCharge(kContactCost * collider.appendCoarse(scratch.contacts.list()));
 }
 
-// What the traversal has ruled out was apart when it was tested, and a front that is cut does not hold all there is: of
-// all of both only spheres around wholes are known to. Those of bodies of like size say so little that they are only
-// worth it where nothing says more.
+// Surfaces that the traversal ruled out were separated only when they were tested, and a cut front does not contain all
+// the rest. Only root spheres are known to contain both. Root spheres of like size say so little that they are used
+// only where nothing else answers.
 bool PairContacts::needsRootContacts(Collider& collider, float smallerSize,
                                      std::span<const Contact> rootContacts) const {
   Traversal& traversal = collider.traversal();
@@ -281,7 +281,7 @@ bool PairContacts::needsRootContacts(Collider& collider, float smallerSize,
   return error <= frontError(collider) + age_.sinceTraversal();
 }
 
-// Velocities do not tell everything: the solver also shifts bodies to part others.
+// Velocities do not explain all motion: the solver also moves bodies to separate others.
 bool PairContacts::isWanted(const Contact& guard, const RelativeMotion& motion, float maxSeparation) const {
   if (guard.separation >= maxSeparation) return false;
   const Vec3 centers = motion.treeCenter - motion.otherCenter;

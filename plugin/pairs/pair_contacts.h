@@ -18,100 +18,101 @@
 
 namespace cairn::bullet {
 
-/// How pairs answer in a step.
+/// How the pairs of a step answer.
 struct AnswerPolicy {
   Unresolved unresolved = Unresolved::guard;
   Finest finest = Finest::leaves;
-  bool mayBeInterrupted = false;  ///< whether the next step can stop half-way
+  bool mayBeInterrupted = false;  ///< the next step can stop half-way
 };
 
-/// Working memory that the pairs a thread works on share, one after the other.
+/// Working memory that a thread uses for its pairs, one after the other.
 struct ContactScratch {
-  ClusteredContacts contacts;  ///< of the pair at hand
+  ClusteredContacts contacts;  ///< of the present pair
   std::vector<Contact> guards, rootContacts;
   std::vector<Contact> chosen;    ///< for Bullet's manifolds, of all pairs since it was last cleared
-  std::vector<Contact> retested;  ///< before all but the deepest are dropped
+  std::vector<Contact> retested;  ///< all of them, before only the deepest are kept
   Outliers outliers;
   ContactKernel kernel;
 };
 
-/// From the traversal of one pair to its contacts, and what has to be remembered between steps for it: the resolved
-/// pairs that were in contact last, and the directions of the clusters.
+/// Makes contacts from one pair's traversal, and keeps the pair's knowledge between steps: leaf pairs in contact and
+/// normals of clusters.
 class PairContacts {
  public:
-  /// Forgets everything; for a pair that is new.
+  /// Forgets everything, for a new pair.
   void reset();
 
-  /// Everything is too far apart for contacts: that is an answer, and nothing else need be remembered. `centers`: from
-  /// the other body's centre to the tree's.
+  /// The bodies are too far apart for contacts, which counts as an answer. Everything else is forgotten. `centers`:
+  /// from the other body's centre to the tree's.
   void cullSeparated(const Vec3& centers);
 
-  /// True when the last answer was that nothing touches, and the bodies have not moved far enough since to change it.
-  /// `asksTriangles`: what leaves said is not enough.
+  /// Whether the last answer had no contacts and the bodies have not moved enough to change it. `asksTriangles`:
+  /// separations of leaves are not enough.
   bool isStillSeparated(const RelativePlacement& now, float maxSeparation, bool asksTriangles) const {
     return cache_.isSeparatedAt(now, maxSeparation, asksTriangles);
   }
-  /// False where `isStillSeparated` is, wherever the bodies are. Cheap.
+  /// A cheap test: false where `isStillSeparated` is false at all poses.
   bool mayBeSeparated(float maxSeparation) const { return cache_.mayBeSeparated(maxSeparation); }
 
-  /// How a pair is begun.
+  /// How a pair begins its work in a step.
   struct Beginning {
     RefreshPolicy refresh = RefreshPolicy::all;
-    bool isCarriedOver = false;  ///< until it is done it says what it said last: see `measureFound`
+    bool isCarriedOver = false;  ///< until it is done it repeats its last answer, see `measureFound`
   };
-  /// Starts or resumes the traversal at the poses the collider was placed at. A resumed pair that is not held over
-  /// re-tests what it knows now, before anything is refined, and charges that to the budget; unless that is most of it:
-  /// then when it is finished. True when it was started.
+  /// Starts or resumes the traversal at the collider's poses. True when it was started. A resumed pair that is not
+  /// carried over measures its known contacts again before anything is refined, and charges them to the budget. Where
+  /// they would take most of the budget, it measures them when it is finished.
   bool begin(Collider& collider, const RelativeMotion& motion, const Beginning& beginning, Budget& budget,
              ContactScratch& scratch);
 
-  /// What `finish` would be charged now for what the traversal resolved: within an operation budget that is held back.
+  /// The operations that `finish` would charge now for resolved leaf pairs. Operation budgets reserve them.
   std::uint64_t measuringCost(const Collider& collider) const;
-  /// And what it would be charged beyond: for what a pair that stays unresolved knew before, and for its guards.
+  /// The operations that `finish` would charge in addition for an unresolved pair's known contacts and guards.
   std::uint64_t fallbackCost(const Collider& collider) const;
 
-  /// Gathers the contacts the traversal stands for into `scratch`, by cluster. Work beyond the traversal is charged to
-  /// the budget whatever is left of it. `speculative`: contacts that are joined to them, see `Contact::isSpeculative`.
+  /// Gathers the traversal's contacts into `scratch`, by cluster. Work beyond the traversal is charged even if the
+  /// budget is spent. `speculative`: further contacts to add, see `Contact::isSpeculative`.
   void finish(Collider& collider, const AnswerPolicy& policy, const RelativeMotion& motion, float maxSeparation,
               std::span<const Contact> speculative, Budget& budget, ContactScratch& scratch);
-  /// Instead of `finish`, for a pair that is held over: measures what its traversal found in this step, and remembers
-  /// the deepest of it. What measuring will cost is held back from refinement: were all of it left to the end, a pair
-  /// with more leaf pairs than a step can measure would never come to it.
+  /// Replaces `finish` for a pair that is carried over: measures the leaf pairs found in this step and remembers the
+  /// deepest. The cost is reserved before refinement. If all measuring were left to the end, a pair with many leaf
+  /// pairs would never be finished.
   void measureFound(Collider& collider, Budget& budget, ContactScratch& scratch);
-  /// How far off what an unfinished traversal tells may be, world length: where the bodies were when it began.
+  /// The error of an unfinished traversal's front, world length, at the poses where the traversal began.
   static float frontError(Collider& collider);
-  /// After `finish`: how far the bodies may have come, world length, since what was not measured anew was.
+  /// After `finish`: bound on the bodies' motion, world length, since the leaf pairs that were not measured again were
+  /// measured.
   float staleness() const { return staleness_; }
-  /// In steps without `begin` and `finish`, in which contacts only follow the bodies: whether what was last said still
-  /// keeps them from each other, an answer or guards. `moved`: see `AnswerAge`.
+  /// In steps without `begin` and `finish`: whether the last answer or its guards still keep the bodies from each
+  /// other. `moved`: see `AnswerAge`.
   bool holds(float moved, float smallerSize) const;
   AnswerAge& age() { return age_; }
   const AnswerAge& age() const { return age_; }
   PairGuards& guards() { return guards_; }
   KnownPairs& known() { return known_; }
-  /// Whether `begin` would keep the answer at these poses, and what finishing would be charged then, about; and at
-  /// most, with `RefreshPolicy::allIfFew`.
+  /// Whether `begin` would use the cache at these poses. `cachedCost`: about how many operations finishing would take
+  /// then. `kCachedCostIfFew`: the most it takes with `RefreshPolicy::allIfFew`.
   bool keepsAt(const Collider& collider, const RelativePlacement& now, float maxSeparation) const;
   std::uint64_t cachedCost(const Collider& collider, const RelativePlacement& now, float maxSeparation) const;
   static constexpr std::uint64_t kCachedCostIfFew = kContactCost * ContactCache::kFewLeafPairs;
   bool isCached() const { return isCached_; }
-  /// How long the last `finish` was with the triangles, under a deadline; else 0.
+  /// Time that the last `finish` spent on triangles under a deadline; 0 without a deadline.
   Budget::Clock::duration onTriangles() const { return onTriangles_; }
-  /// Whether triangles told the last contacts, not leaves.
+  /// Whether the last contacts are of triangles, not of leaves.
   bool isOfTriangles() const { return isOfTriangles_; }
 
-  /// See `prefetch`: what a step looks at besides the object itself.
+  /// Prefetches the lists that a step reads besides this object.
   void prefetchLists() const {
     known_.prefetchData();
     cache_.prefetchLists();
   }
 
-  /// Whether the last answer still says anything about where the bodies are now.
+  /// Whether the last answer still says anything about the present poses.
   bool hasAnswer(const RelativeMotion& motion) const;
 
-  /// Frees memory that is not in use, of a pair that rests.
+  /// Frees unused memory of a pair at rest.
   void shrinkToFit() { cache_.shrinkToFit(); }
-  /// Allocates, once, what only steps that may be interrupted need: more than all the rest of a pair.
+  /// Allocates the memory that only interruptible steps need, once. It is most of a pair's memory.
   void expectInterruptions();
 
  private:
@@ -122,8 +123,8 @@ class PairContacts {
   void appendFound(Collider& collider, Budget& budget, std::vector<Contact>& contacts);
   void appendUnmeasured(Collider& collider, const RelativeMotion& motion, Budget& budget,
                         std::vector<Contact>& contacts);
-  // Bodies of like size, without wholes to fall back on: a front that holds all of them, however coarse. Else the head,
-  // which holds the coarsest pairs, as it is breadth-first: these reach farthest.
+  // The front that answers for an unfinished traversal. For bodies of like size it covers them completely, however
+  // coarse it is. Else it is the front's head, which holds the coarsest pairs because the front is breadth-first.
   static std::span<const NodePair> reportedFront(const Collider& collider);
   static void appendFront(Collider& collider, bool compensate, float maxSeparation, Budget& budget,
                           std::vector<Contact>& contacts);
@@ -134,22 +135,22 @@ class PairContacts {
   bool needsRootContacts(Collider& collider, float smallerSize, std::span<const Contact> rootContacts) const;
   bool isWanted(const Contact& guard, const RelativeMotion& motion, float maxSeparation) const;
 
-  // Comparing two bounding spheres moves one of them.
+  // One comparison of bounding spheres moves one of the two.
   static constexpr std::uint32_t kSphereCost = kSphereUpdateCost + kOverlapTestCost;
   static_assert(KnownPairs::kMaxOfAll <= ContactCache::kFewLeafPairs);
 
-  // First what a step looks at in any case.
+  // First the data that every step reads.
   PairGuards guards_;
   AnswerAge age_;
   bool isCached_ = false;
-  bool isAtRest_ = false;  // and the bodies hardly moved: only what was in contact was measured
+  bool isAtRest_ = false;  // cached, and the bodies hardly moved: only leaf pairs in contact were measured
   bool started_ = false;
-  bool isReported_ = false;  // what the traversal at hand found: `finish` came after it was done
+  bool isReported_ = false;  // `finish` came after the present traversal was done
   bool isResumed_ = false;
   bool isOfTriangles_ = false;
   float staleness_ = 0;
   Budget::Clock::duration onTriangles_{};
-  ContactCache cache_;  // its beginning as well, see there
+  ContactCache cache_;
   KnownPairs known_;
   FoundPairs found_;
   CommonNormals normals_;

@@ -20,15 +20,15 @@ bool isStillSeparated(const TreePair& pair, const btCollisionObjectWrapper& body
   return pair.contacts.isStillSeparated(PairMotion::placementOf(sides), maxSeparation, asksTriangles);
 }
 
-// Most pairs are so step after step: what they said then is theirs when they no longer are.
-void noteAway(TreePair& pair, const PairSides& sides) {
+// Most pairs are culled step after step; they keep the statistics of their last answer for when they no longer are.
+void noteDistant(TreePair& pair, const PairSides& sides) {
   pair.handles.note(sides.tree);
-  pair.awayBy = toVec3(sides.tree.getCollisionObject()->getWorldTransform().getOrigin() -
-                       sides.other.getCollisionObject()->getWorldTransform().getOrigin());
-  if (pair.is(PairStage::away) && pair.subject.is(*sides.shape(), sides.otherShape())) return;
+  pair.distantBy = toVec3(sides.tree.getCollisionObject()->getWorldTransform().getOrigin() -
+                          sides.other.getCollisionObject()->getWorldTransform().getOrigin());
+  if (pair.is(PairStage::distant) && pair.subject.is(*sides.shape(), sides.otherShape())) return;
   pair.adopt(sides);
   pair.forgetWaiting();
-  pair.contacts.cullSeparated(pair.awayBy);
+  pair.contacts.cullSeparated(pair.distantBy);
 }
 
 }  // namespace
@@ -38,20 +38,20 @@ bool cullSeparated(TreePair& pair, const btCollisionObjectWrapper& body0, const 
   const float fast = fastTravel(body0, body1, horizon.sweptTime);
   const float travel = std::max(fast, wallTravel(body0, body1, horizon.wallTime));
   pair.trajectory.isFast = fast > 0 || pair.trajectory.isAnchored();
-  PairStage culled = PairStage::apart;
+  PairStage culled = PairStage::separated;
   if (!isStillSeparated(pair, body0, body1, horizon.asksTriangles, travel)) {
     if (cullNonFinite(pair, body0, body1)) return true;
     const std::optional<RootSpheres> roots = rootSpheres(body0, body1);
     if ((!roots && !alsoFromGround) || !areRootsSeparated(body0, body1, roots, btScalar(travel))) {
       pair.motion.roots = roots;
-      if (pair.is(PairStage::away)) pair.contacts.cullSeparated(pair.awayBy);
+      if (pair.is(PairStage::distant)) pair.contacts.cullSeparated(pair.distantBy);
       return false;
     }
     pair.treeIsBody0 = asSphereTree(body0.getCollisionShape()) != nullptr;
-    noteAway(pair, PairSides::of(body0, body1, pair.treeIsBody0));
-    culled = PairStage::away;
+    noteDistant(pair, PairSides::of(body0, body1, pair.treeIsBody0));
+    culled = PairStage::distant;
   }
-  pair.clearManifolds();  // a guard may have been left
+  pair.clearManifolds();  // a guard may remain
   pair.enter(culled);
   return true;
 }

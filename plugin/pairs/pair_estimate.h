@@ -5,15 +5,16 @@
 
 namespace cairn::bullet {
 
-/// What is known of a pair before anything is done for it in a step.
+/// The expected cost and urgency of a pair, before any work in a step.
 struct PairEstimate {
-  double urgency = 0;             ///< the greater, the sooner it has to be brought up to date
-  std::uint64_t operations = 0;   ///< what that is expected to take, contacts included
-  bool canBeCarriedOver = false;  ///< what it said last may stand for a step more
-  bool mayBeCut = false;          ///< it has no answer: nothing is lost if it gets none in this step either
-  bool isUnanswered = false;      ///< nor anything else that still holds: it is looked at coarsely at least
+  double urgency = 0;             ///< pairs with greater urgency are refined first
+  std::uint64_t operations = 0;   ///< expected cost, contacts included
+  bool canBeCarriedOver = false;  ///< its last answer may stand for one more step
+  bool mayBeCut = false;          ///< it has no answer, so nothing is lost without one in this step
+  bool isUnanswered = false;      ///< it has neither an answer nor valid guards: it gets a coarse look at least
   bool outrunsAnswers = false;    ///< an answer of this step will not hold in the next
-  std::uint64_t operationsIfScarce = ~std::uint64_t{0};  ///< what it is at most where there is not enough for all
+  std::uint64_t operationsIfScarce =
+      ~std::uint64_t{0};  ///< upper bound of the cost where there is not enough for all pairs
 };
 
 }  // namespace cairn::bullet

@@ -10,11 +10,11 @@ namespace cairn::bullet {
 
 namespace {
 
-// Certified error of what nothing is known about, of the smaller body's size.
+// Certified error of a pair without any knowledge, as a fraction of the smaller body's size.
 constexpr double kUnknownError = 1;
 
-// Of two trees their whole spheres, of trees of like size; on the ground points of the body. Planes are few and soon
-// asked: where operations alone are counted, nobody has to wait for them.
+// The fallback of two trees of like size is their root spheres; on the ground it is points of the body. Planes are few
+// and cheap: under a budget of operations alone nobody has to wait for them.
 bool hasFallback(const TreePair& pair, bool isTimed) {
   if (pair.kind == ColliderKind::plane) return isTimed;
   return pair.kind == ColliderKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
@@ -41,7 +41,7 @@ PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTi
   age.moved = static_cast<float>(pair.motion.seenNow.displacementSince(begun.placement));
   const bool isOld = pair.contacts.age().isAbsenceStale(age.moved, pair.sizes.smaller);
   age.repeatsLast = pair.contacts.holds(age.moved, pair.sizes.smaller) && !(pair.reported.contacts == 0 && isOld);
-  // Spheres that stand in for an old answer hold the bodies, and are no reason to wait longer for a new one.
+  // Guards hold the bodies in place, but are no reason to wait longer for an answer.
   const bool isUrgent = !age.repeatsLast || (pair.manifolds.hasFallback() && isOld);
   const double error = isUrgent ? kUnknownError : age.error + pair.sizes.fraction(age.moved);
   const bool isCached =
@@ -65,7 +65,8 @@ void estimate(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btSca
   if (!pair.isCulled()) pair.enter(PairStage::estimated);
 }
 
-// Cheaper than placing it: a body is where its origin is. The size of what is no tree is known once it was placed.
+// Cheaper than placing the collider: a body counts as being at its origin. The size of a shape that is no tree is known
+// once it was placed.
 ScheduledPair describe(const TreePair& pair) {
   const PairSides sides = PairSides::of(pair.bodies.body0(), pair.bodies.body1());
   const SphereTreeShape* const tree = sides.shape();

@@ -6,12 +6,12 @@
 
 namespace cairn::bullet {
 
-/// Finds what the pair needs in this step; a settled one needs nothing. `usualOperations`: what pairs
-/// were resolved with lately. `isTimed`: whether the step ends at a time; then bodies on planes can wait as well,
-/// however far they have moved. `timeStep`: seconds. Precondition: the bodies are copied where they are.
+/// Estimates the pair's cost and urgency in this step; a culled pair needs nothing. `usualOperations`: the recent cost
+/// of pairs. `isTimed`: the step has a deadline; then bodies on planes may wait too, however far they have moved.
+/// `timeStep`: seconds. Precondition: the copied bodies are at their present poses.
 void estimate(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep);
 
-/// What a priority is told before anything is done for it. Precondition: as for `estimate`.
+/// The pair as a priority sees it before any work. Precondition: as for `estimate`.
 ScheduledPair describe(const TreePair& pair);
 
 }  // namespace cairn::bullet

@@ -8,8 +8,8 @@ class btDispatcher;
 
 namespace cairn::bullet {
 
-/// From what the traversal found to the manifolds: brings them up to date through `result`, and redeems the promise.
-/// Precondition: begun in this step.
+/// Makes contacts from the traversal's leaf pairs, writes the manifolds through `result`, and releases the pair's
+/// reservation. Precondition: the pair was begun in this step.
 PairReport finish(TreePair& pair, btDispatcher& dispatcher, btManifoldResult& result, const AnswerPolicy& policy,
                   Budget& budget, ContactScratch& scratch);
 

@@ -10,13 +10,13 @@ namespace cairn::bullet {
 
 namespace {
 
-// How far spheres may part, as a fraction of the smaller body's size, before their guard follows: less than the reach,
-// so that it stays a contact. Were it to follow what the solver's noise parts, bodies that are wedged would push each
-// other ever wider.
+// How far guard spheres may separate before the guard follows, as a fraction of the smaller body's size. It is less
+// than the contact distance, so that the guard remains a contact. If guards followed the solver's noise, wedged bodies
+// would push each other apart.
 constexpr float kUnfollowedFraction = 0.001F;
 
-// What overlaps for certain first, then the spheres of the whole bodies, then the deepest of each direction, then the
-// deepest of all: what overlaps a wall must not be all that is left of the floor.
+// Order of importance: certain overlaps, root contacts, the deepest contact of each direction, the deepest of all.
+// Overlaps with a wall must not displace the floor's.
 std::size_t putChosenFirst(std::vector<Contact>& guards) {
   std::sort(guards.begin(), guards.end(), deeper);
   std::size_t count = 0;
@@ -55,7 +55,7 @@ void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std
   for (std::size_t i = 0; i < count; ++i) {
     Contact& guard = candidates[i];
     const float allowed = allowedSeparation(guard, smallerSize);
-    // What it forgives is what spheres hold beyond the bodies: not how far these overlap for certain.
+    // A guard tolerates the overlap of spheres beyond the bodies, but not a certain overlap.
     guard.separation -= allowed;
     if (guard.certainDepth > 0) guard.separation = std::min(guard.separation, -guard.certainDepth);
     now[i] = noted(guard, allowed);
@@ -65,8 +65,8 @@ void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std
   guards_.assign(now.begin(), now.begin() + count);
 }
 
-// The same guard in the last step. Of whole bodies it is the one that faced the same way, whatever is nearest now: one
-// for the floor says nothing about a wall.
+// The same guard in the last step. For a root contact it is the one with a similar normal, whatever is nearest now: a
+// guard for the floor says nothing about a wall.
 const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
   const Guard* best = nullptr;
   float cosine = kSameWayCosine;
@@ -81,10 +81,10 @@ const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
   return same == guards_.end() ? nullptr : &*same;
 }
 
-// Where a guard is first seen it has depth zero. The solver only slows what has depth zero, so a guard remembers where
-// it was and reports what its spheres have sunk since; when they part, it follows, all but a little. Where refinement
-// has replaced the spheres by finer ones, those inherit what the guards that faced the same way had sunk: else every
-// step of a slow traversal would start anew from zero, and bodies creep through each other.
+// A new guard has depth zero, at which the solver only slows the bodies. So the guard remembers its first overlap and
+// reports the overlap gained since. When the spheres separate, it follows all but a little. Finer spheres inherit the
+// overlap of guards with similar normals: otherwise every step of a slow traversal would start at zero, and bodies
+// would creep through each other.
 float PairGuards::allowedSeparation(const Contact& guard, float smallerSize) const {
   const float now = std::min(guard.separation, 0.0F);
   if (const Guard* last = lastOf(guard))

@@ -8,30 +8,29 @@
 
 namespace cairn::bullet {
 
-/// Spheres that keep two bodies from each other while nothing newer is known: they may not approach further until they
-/// are resolved.
+/// Guard contacts of a pair: bounding spheres that may not overlap further until the pair is resolved.
 class PairGuards {
  public:
   static constexpr std::size_t kMax = 4;
 
-  // Bodies may roll for minutes before there are as many as can be.
+  // Reserved at once: bodies may roll for minutes before a pair has as many guards as it can.
   PairGuards() { guards_.reserve(kMax); }
 
   bool isEmpty() const { return guards_.empty(); }
   void clear() { guards_.clear(); }
-  /// Whether the same sphere, or, of whole bodies, one that faced the same way, was a guard in the last step.
+  /// Whether the same sphere was a guard in the last step. For root contacts: whether one with a similar normal was.
   bool had(const Contact& guard) const { return lastOf(guard) != nullptr; }
-  /// Those of the candidates, in any order before and after, that matter most, with the gaps that the solver is told;
-  /// appended to `contacts`.
+  /// Appends the most important candidates to `contacts`, with the separations for the solver. The order of the
+  /// candidates does not matter, and changes.
   void choose(std::vector<Contact>& candidates, float smallerSize, std::vector<Contact>& contacts);
-  /// The spheres of whole bodies as a guard, in place of what faced the same way: reports what they have sunk since
-  /// they were first seen.
+  /// Makes a root contact a guard, in place of a guard with a similar normal. Its separation is the overlap gained
+  /// since it was first seen.
   Contact guardByRoot(Contact whole, float smallerSize);
 
  private:
-  // How far a pair of spheres already overlapped when it was first seen, and what it has sunk since.
+  // A pair of spheres: its overlap when it was first seen, and the overlap gained since.
   struct Guard {
-    ContactId id;  // of the collider's own elements, whose positions in a traversal may change
+    ContactId id;  // of the collider's elements, because positions in a traversal may change
     bool isRootContact;
     Vec3 normal;
     float allowedSeparation;

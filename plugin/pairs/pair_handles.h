@@ -10,8 +10,8 @@
 
 namespace cairn::bullet {
 
-/// Bullet's handle on a pair and its tree's body, when Bullet last asked. Only fetched, also by other threads, and
-/// never followed: they may be gone.
+/// Addresses of Bullet's algorithm for a pair and of its tree's body, from Bullet's last question. They are only
+/// prefetched, also by other threads, and never read: the objects may be gone.
 struct PairHandles {
   std::atomic<const void*> algorithm{nullptr};
   std::atomic<const btCollisionObject*> treeObject{nullptr};
@@ -22,7 +22,7 @@ struct PairHandles {
     treeObject.store(tree.getCollisionObject(), std::memory_order_relaxed);
     treeShape.store(tree.getCollisionShape(), std::memory_order_relaxed);
   }
-  /// See `prefetch`.
+  /// Prefetches the objects behind the addresses.
   void prefetchAlgorithm() const { prefetch(algorithm.load(std::memory_order_relaxed), 1); }
   void prefetchBody() const {
     constexpr std::size_t kBodyBytes = 512;  // up to a rigid body's velocities

@@ -15,13 +15,13 @@ namespace cairn::bullet {
 
 namespace {
 
-// Seconds that Bullet lets bodies lie still before they want to sleep, unless it was told otherwise (btRigidBody's
-// gDeactivationTime, which is not of its collision library). Those that want to earlier were told to by the user.
+// Seconds at rest before Bullet puts bodies to sleep, by default (`gDeactivationTime` of btRigidBody, which is not in
+// its collision library). Bodies that want to sleep earlier were told to by the user.
 constexpr btScalar kPatience = 2;
 
 // Bullet's `refreshContactPoints` drops a point whose two sides slide apart. Here it stays, as a plane through the
-// point on body 1 that the one on body 0 may not pass: nothing looks for a new one in this step. `turned`: by which
-// body 1 has turned since the last. Points farther apart than `farthest` are dropped.
+// point on body 1, because no new point is searched in this step. `turned`: rotation of body 1 since the last call.
+// Points farther apart than `farthest` are dropped.
 void followBodies(btPersistentManifold& manifold, const btMatrix3x3& turned, btScalar farthest) {
   const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
   const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
@@ -52,7 +52,7 @@ bool isLoadedGuard(const btManifoldPoint& point) {
   return (point.m_contactPointFlags & kGuardFlag) != 0 && (point.m_appliedImpulse > 0 || point.m_lifeTime == 0);
 }
 
-// Calls it with each point and its manifold.
+// Calls `visit` with each point and its manifold.
 template <class OnPoint>
 void forEachPoint(std::span<btPersistentManifold* const> manifolds, const OnPoint& onPoint) {
   for (btPersistentManifold* m : manifolds)
@@ -65,7 +65,7 @@ btPersistentManifold* PairManifolds::make(int cluster, btDispatcher& dispatcher,
   btPersistentManifold*& m = manifolds_[static_cast<std::size_t>(cluster)];
   if (!m) {
     m = dispatcher.getNewManifold(bodies_[0], bodies_[1]);
-    if (m) prefetch(m + 1, sizeof(btPersistentManifold));  // the next, as long as Bullet's pool is in order
+    if (m) prefetch(m + 1, sizeof(btPersistentManifold));  // the next one, while Bullet's pool is in order
   }
   if (m) m->setContactBreakingThreshold(farthest);
   return m;
@@ -107,7 +107,7 @@ bool PairManifolds::areOfNonFinite() const {
 
 void PairManifolds::follow(std::optional<btScalar> farthest, bool keepsFallback) {
   const btMatrix3x3& axes = bodies_[1]->getWorldTransform().getBasis();
-  // A turn by nothing, step for step, would add its rounding up.
+  // Skipped without rotation: rounding would accumulate step by step.
   const btMatrix3x3 turned = axes == axes_ ? btMatrix3x3::getIdentity() : axes * axes_.transpose();
   constexpr btScalar kAnywhere = std::numeric_limits<btScalar>::max();
   for (int k = 0; k < kMaxClusters; ++k) {
@@ -162,7 +162,7 @@ void PairManifolds::stayAwake() const {
 
 void PairManifolds::prefetchCounts() const {
   for (const btPersistentManifold* m : manifolds_)
-    if (m) prefetch(&m->m_companionIdA, sizeof(int));  // how many points it holds is told beside these
+    if (m) prefetch(&m->m_companionIdA, sizeof(int));  // the number of points is stored beside it
 }
 
 void PairManifolds::prefetchPoints() const {

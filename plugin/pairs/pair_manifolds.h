@@ -16,56 +16,57 @@ class btDispatcher;
 
 namespace cairn::bullet {
 
-/// The manifolds of a pair in Bullet's hands, and how their points follow the bodies where nothing new is said. One of
-/// them may hold what stands in for an answer.
+/// The manifolds that Bullet holds of a pair. Their points follow the bodies in steps without new contacts. One
+/// manifold may hold the fallback.
 class PairManifolds {
  public:
-  /// In the manifolds' order. Precondition: any manifold is of these.
+  /// Sets the bodies, in the manifolds' order. Precondition: existing manifolds are of these bodies.
   void setBodies(const btCollisionObject* body0, const btCollisionObject* body1) { bodies_ = {body0, body1}; }
-  /// Null only when Bullet's pool is used up and the user forbade it to grow. Points farther apart than `farthest` are
-  /// not taken.
+  /// The manifold of a cluster, made if need be. It is null only when Bullet's pool is used up and may not grow. Points
+  /// farther apart than `farthest` are not accepted.
   btPersistentManifold* make(int cluster, btDispatcher& dispatcher, btScalar farthest);
-  /// Null where none was made.
+  /// The manifold of a cluster, or null.
   btPersistentManifold* at(int cluster) const { return manifolds_[static_cast<std::size_t>(cluster)]; }
   void append(btManifoldArray& manifolds) const;
   void release(btDispatcher& dispatcher);
-  /// They stay, empty: Bullet's islands and the user's callbacks see a contact that ended.
+  /// Removes all points but keeps the manifolds: Bullet's islands and the user's callbacks see a contact that ended.
   void clear();
-  /// Users may have taken some away.
+  /// Counts what Bullet holds; users may have removed points.
   std::uint32_t countPoints() const;
   std::uint32_t countFilled() const;
-  /// Whether a body `isNonFinite` that has points.
+  /// Whether there are points of a body that `isNonFinite`.
   bool areOfNonFinite() const;
 
-  /// Normals stand where body 1 has its axes now.
+  /// Notes body 1's axes, with which the normals turn.
   void noteAxes() { axes_ = bodies_[1]->getWorldTransform().getBasis(); }
-  /// All points follow the bodies. Those farther apart than `farthest` are dropped; none of the stand-in's if it is
+  /// Moves all points with the bodies. Points farther apart than `farthest` are dropped, except the fallback's if
   /// `keepsFallback`.
   void follow(std::optional<btScalar> farthest, bool keepsFallback);
-  /// Bullet refreshes the points of a compound's children before it asks for new ones, and drops what slid or parted by
-  /// more than the manifold's threshold: nothing would be left to hold.
+  /// Bullet refreshes the points of a compound's children before it asks for new ones, and drops points beyond the
+  /// manifold's threshold. This raises the threshold, so that points are left to carry over.
   void surviveRefresh(btScalar farthest);
-  /// What Bullet asks of the bodies whenever it is told a point.
+  /// Asks the bodies for friction and restitution, as Bullet does for each new point.
   void renewMaterials();
   void forgetImpulses();
 
-  /// The one for what stands in: of those that have fewest points, or most, if there is none yet.
+  /// Chooses the manifold for the fallback, if there is none yet: the one with fewest points, or with most if
+  /// `amongFullest`.
   void chooseFallback(bool amongFullest);
   void endFallback() { fallback_ = kNone; }
   bool hasFallback() const { return fallback_ != kNone; }
-  /// Precondition: it has.
+  /// The fallback's manifold. Precondition: there is one.
   int fallback() const { return fallback_; }
   bool reportsFallback() const { return hasFallback() && at(fallback_) && at(fallback_)->getNumContacts() > 0; }
-  /// Not what the stand-in is about to continue: for the user the bodies stay in contact.
+  /// Removes all points but the fallback's, so that the bodies stay in contact for the user.
   void clearOthers();
 
-  /// Whether guards bear load, by what the solver made of them in the last step; new ones may.
+  /// Whether guards carried load in the last solver step. New guards count as if they might.
   bool areGuardsLoaded() const;
-  /// What creeps down behind guards is slow enough for Bullet to put it to sleep where it floats. Sensors hold nobody;
-  /// what the user sends to sleep goes.
+  /// Keeps the bodies awake. A body that sinks slowly onto its guards would fall asleep in the air. Sensors keep nobody
+  /// awake, and bodies that the user sends to sleep go.
   void stayAwake() const;
 
-  /// See `prefetch`: how many points there are, then these.
+  /// Prefetches the numbers of points, then the points.
   void prefetchCounts() const;
   void prefetchPoints() const;
 

@@ -12,7 +12,7 @@ bool isOfMeshes(const Contact& contact) {
   return contact.isExact && contact.pair == NodePair{kRootNode, kRootNode};
 }
 
-// What a step that can be interrupted goes on with.
+// Remembers the leaf pairs with which an interruptible step continues.
 void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy) {
   if (chosen.ofSpheres || (!policy.mayBeInterrupted && isOfMeshes(chosen))) return;
   pair.contacts.known().remember(pair.collider->leavesOf(chosen));
@@ -40,8 +40,7 @@ void choose(TreePair& pair, const AnswerPolicy& policy, ContactScratch& scratch,
   }
 }
 
-// Of what the traversal reached, and of what it had ruled out before the bodies came here; but no more than that of
-// whole bodies.
+// Certified error of the front and of surfaces ruled out before the bodies came here, at most that of root spheres.
 float errorOf(TreePair& pair) {
   const float reached = PairContacts::frontError(*pair.collider);
   if (pair.contacts.isCached()) return reached;

@@ -13,10 +13,11 @@ namespace cairn::bullet {
 
 namespace {
 
-// How much farther than its speed explains a body may move in a step by itself, of the smaller one's size.
+// How much farther than its speed explains a body may move in a step by itself, as a fraction of the smaller body's
+// size.
 constexpr float kOwnMotionFraction = 0.25F;
 
-// Of the smaller body: the middle of its root sphere, or the origin of a shape that is no tree.
+// Centre of the smaller body: of its root sphere, or the origin of a shape that is no tree.
 Vec3d smallerCenter(const PairPlacement& placement, bool treeIsSmaller) {
   const SphereTreeShape* const shape = treeIsSmaller ? placement.treeShape : asSphereTree(placement.otherShape);
   const btTransform& body = treeIsSmaller ? placement.treeBody : placement.other;

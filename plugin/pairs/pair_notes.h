@@ -8,17 +8,17 @@
 
 namespace cairn::bullet {
 
-/// What the dispatch writes on a pair.
+/// The dispatch's own data about a pair.
 struct PairNotes {
   static constexpr std::uint64_t kUnnamed = ~std::uint64_t{0};
   static constexpr std::size_t kNowhere = ~std::size_t{0};
 
-  std::uint64_t id = kUnnamed;         ///< its name; says as well in which step of several it takes its turn
-  bool isOfCompound = false;           ///< one of its sides was a child of a compound
-  std::size_t collectedAt = kNowhere;  ///< position among the pairs collected in the current dispatch
-  std::size_t knownAt = kNowhere;      ///< among the pairs an open step knows
-  std::uint64_t answeredIn = 0;        ///< the last open step that answered it; they count from 1
-  PairReport lastReport;               ///< what it said then: stands until it is answered again
+  std::uint64_t id = kUnnamed;         ///< its name, which also decides in which of several steps it takes its turn
+  bool isOfCompound = false;           ///< one of its bodies was a child of a compound
+  std::size_t collectedAt = kNowhere;  ///< position among the pairs collected in this dispatch
+  std::size_t knownAt = kNowhere;      ///< position among the pairs that an open step knows
+  std::uint64_t answeredIn = 0;        ///< the last open step that answered it, counted from 1
+  PairReport lastReport;               ///< of that answer; valid until the next one
 
   bool isUnnamed() const { return id == kUnnamed; }
   bool isCollected() const { return collectedAt != kNowhere; }

@@ -7,10 +7,10 @@ namespace cairn::bullet {
 
 namespace {
 
-// Of what a step looks at, from its beginning; of a collider about as much as the largest of those a heap has.
+// Bytes of a pair that a step reads, from its beginning. For a collider, about the size of the largest kind in a heap.
 constexpr std::size_t kSubjectBytes = 384, kEstimateBytes = 512, kCarryOverBytes = 832, kColliderBytes = 768;
 
-// Unless the pair was settled in the last step.
+// Unless the pair was culled in the last step.
 void prefetchBodies(const TreePair& pair, bool forEstimate) {
   pair.handles.prefetchAlgorithm();
   pair.handles.prefetchBody();

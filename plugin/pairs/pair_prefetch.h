@@ -5,23 +5,23 @@
 
 namespace cairn::bullet {
 
-/// What a step looks at of a pair.
+/// The parts of a pair that a step reads together.
 enum class PairPart {
-  subject,   ///< what `cullSeparated` looks at
-  copies,    ///< what `collect` writes, and what tells of the bodies
-  estimate,  ///< the same, and what `estimate` looks at
+  subject,   ///< read by `cullSeparated`
+  copies,    ///< written by `collect`, with the data about the bodies
+  estimate,  ///< the same, and the data that `estimate` reads
   notes,
-  // From `begin` to `finish`, in three goes, each of which looks at what the one before fetches.
+  // From `begin` to `finish`, in three stages: each reads what the one before prefetches.
   state,
   lists,
   leafPairs,
-  // What `carryOver` looks at, likewise.
+  // The same for `carryOver`.
   carriedOver,
   carriedBodies,
   points,
 };
 
-/// See `prefetch`; changes nothing.
+/// Prefetches a part of the pair; changes nothing but time.
 void prefetch(const TreePair& pair, PairPart part);
 
 }  // namespace cairn::bullet

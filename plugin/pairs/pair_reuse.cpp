@@ -8,7 +8,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Where a callback or the bodies have a say in each point of each step, points are made anew.
+// Points are made anew where callbacks or the bodies must see each point in each step.
 bool isAskedAbout(const btCollisionObject& body) {
   constexpr int kOwnSay = btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING |
                           btCollisionObject::CF_HAS_FRICTION_ANCHOR | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK;

@@ -8,16 +8,16 @@
 
 namespace cairn::bullet {
 
-/// How the bodies of a pair stand that have hardly moved against each other since it was answered.
+/// The poses of a pair whose bodies have hardly moved against each other since it was answered.
 struct Unmoved {
   RelativePlacement placement;  ///< now
-  float moved;                  ///< world length, since then
+  float moved;                  ///< world length, since the answer
 };
 
-/// For a pair that triangles answered: whether what it said does as it is (`tuning::kReused`). Precondition: the
-/// bodies are copied where they are.
+/// Whether a pair that triangles answered may keep its contacts (`tuning::kReused`). Precondition: the copied bodies
+/// are at their present poses.
 std::optional<Unmoved> unmoved(const TreePair& pair);
-/// The manifolds' points follow the bodies as they are. May call users' callbacks.
+/// Keeps the contacts; the manifolds' points follow the bodies. May call users' callbacks.
 PairReport reuse(TreePair& pair, const Unmoved& still);
 
 }  // namespace cairn::bullet

@@ -7,21 +7,21 @@
 
 namespace cairn::bullet {
 
-/// The bodies of a pair, told apart: the one whose sphere-tree it is, and the other.
+/// The two bodies of a pair: the one with the sphere-tree, and the other.
 struct PairSides {
   const btCollisionObjectWrapper &tree, &other;
 
   static PairSides of(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, bool treeIsBody0) {
     return treeIsBody0 ? PairSides{body0, body1} : PairSides{body1, body0};
   }
-  /// Of two trees body 0's. Where neither is one, the shape is null.
+  /// Of two trees, body 0's is the tree. Where neither body is a tree, `shape` is null.
   static PairSides of(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1) {
     return of(body0, body1, asSphereTree(body0.getCollisionShape()) != nullptr);
   }
 
   const SphereTreeShape* shape() const { return asSphereTree(tree.getCollisionShape()); }
   const btCollisionShape& otherShape() const { return *other.getCollisionShape(); }
-  /// Null where it is none.
+  /// The other body's sphere-tree, or null.
   const SphereTreeShape* otherTree() const { return asSphereTree(other.getCollisionShape()); }
 };
 

@@ -13,7 +13,7 @@ const btStaticPlaneShape* asPlane(const btCollisionShape& shape) {
   return shape.getShapeType() == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape*>(&shape) : nullptr;
 }
 
-// 0 for what is no field.
+// 0 for a shape that is no distance field.
 std::uint64_t fieldFingerprint(const btCollisionShape& shape) {
   const btSdfCollisionShape* const sdf = asField(shape);
   if (!sdf) return 0;

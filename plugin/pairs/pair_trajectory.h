@@ -8,13 +8,13 @@
 
 namespace cairn::bullet {
 
-/// Of bodies that move far in a step: what they run into.
+/// Continuous collision of a pair: what fast bodies run into.
 struct PairTrajectory {
-  bool isFast = false;                   ///< in this step
+  bool isFast = false;                   ///< a body moves far in this step
   std::unique_ptr<Sweep> sweep;          ///< made when it is first needed
-  std::span<const Contact> speculative;  ///< of this step
+  std::span<const Contact> speculative;  ///< found in this step
 
-  /// Whether something had sunk in, or might: it is looked for in the next step as well.
+  /// Whether a part has sunk in or might have, so that the next step must look for it too.
   bool isAnchored() const { return sweep && sweep->isAnchored(); }
   void forgetAnchor() {
     if (sweep) sweep->forget();

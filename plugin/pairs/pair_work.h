@@ -10,22 +10,22 @@
 
 namespace cairn::bullet {
 
-/// What a pair's traversals take, and what is held back for it.
+/// The cost of a pair's traversals, and its reservation.
 struct PairWork {
-  PairEstimate estimate;             ///< of this step, if it was surveyed
-  Reservation reserved;              ///< what is held back for finishing it
-  bool wasDone = true;               ///< the traversal, when a step last ended in which something was done for it
-  std::uint64_t spent = 0;           ///< operations, on the traversal at hand
-  std::uint64_t ofLastComplete = 0;  ///< the same, of the last that ended
+  PairEstimate estimate;             ///< of this step, if it was estimated
+  Reservation reserved;              ///< for finishing the pair
+  bool wasDone = true;               ///< the traversal was done when a step last worked on it
+  std::uint64_t spent = 0;           ///< operations of the present traversal
+  std::uint64_t ofLastComplete = 0;  ///< operations of the last complete traversal
 
-  /// Operations that are left to do, or that the next one takes: a turn at least of what is not done. `usual`: what
-  /// others took lately.
+  /// Expected operations of the present traversal, or of the next one if the present one is done. An unfinished
+  /// traversal expects at least one turn. `usual`: the recent cost of other pairs.
   std::uint64_t expected(std::uint64_t usual) const {
     const std::uint64_t whole = ofLastComplete > 0 ? ofLastComplete : usual;
     if (wasDone) return whole;
     return std::max<std::uint64_t>(std::max(whole, 2 * spent) - spent, Scheduler::kTurnOperations);
   }
-  /// As of a pair that nothing was done for; what is promised stays.
+  /// Forgets the costs; the reservation stays.
   void forget() { spent = ofLastComplete = 0; }
 };
 

@@ -18,7 +18,7 @@ PairReport write(TreePair& pair, const PairAnswer& answer, const AnswerPolicy& p
     btPersistentManifold* const m = pair.manifold(dispatcher, cluster);
     if (!m) continue;
     pair.writerOf(result).write(*m, chosen);
-    // What the solver gets: Bullet takes two that come to one place for one.
+    // Counts the solver's points: Bullet merges two points at one place.
     const auto points = static_cast<std::uint32_t>(m->getNumContacts());
     report.contacts += points;
     report.exactContacts += std::min<std::uint32_t>(answer.exact[k], points);

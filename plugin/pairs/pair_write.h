@@ -7,7 +7,7 @@ class btDispatcher;
 
 namespace cairn::bullet {
 
-/// Brings the manifolds up to date with what was measured in this step, through `result`. Calls the user's callbacks.
+/// Writes the contacts measured in this step into the manifolds, through `result`. Calls users' callbacks.
 PairReport write(TreePair& pair, const PairAnswer& answer, const AnswerPolicy& policy, btDispatcher& dispatcher,
                  btManifoldResult& result);
 

@@ -22,7 +22,7 @@ std::optional<RootSpheres> rootSpheres(const btCollisionObjectWrapper& body0, co
   RootSpheres roots;
   a->getBoundingSphere(roots.centerA, roots.radiusA);
   b->getBoundingSphere(roots.centerB, roots.radiusB);
-  // From one body's origin, where numbers are small.
+  // Relative to one body's origin, where coordinates are small.
   const btTransform &poseA = body0.getWorldTransform(), &poseB = body1.getWorldTransform();
   roots.centerA = poseA.getBasis() * roots.centerA;
   const btVector3 armB = poseB.getBasis() * roots.centerB;
@@ -75,7 +75,7 @@ bool areRootsSeparated(const btCollisionObjectWrapper& body0, const btCollisionO
 
 namespace {
 
-// The square of what is shorter has few digits left.
+// The square of a shorter length has few digits left.
 constexpr btScalar kMinLength = btScalar(1e-18);
 
 }  // namespace

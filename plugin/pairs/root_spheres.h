@@ -12,27 +12,27 @@ struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
-/// The spheres around two whole sphere-trees, margins included; world axes, origin at the first body's.
+/// The root spheres of two trees, margins included; world axes, origin at the first body.
 struct RootSpheres {
   btVector3 centerA, centerB;
   btScalar radiusA = 0, radiusB = 0;
-  btScalar lengths = 0;  ///< of what the centres were computed from, for rounding
+  btScalar lengths = 0;  ///< sum of the lengths that the centres were computed from, for rounding
 
-  /// Whether they are so far apart that nothing can be within `maxSeparation` (world length), rounding included.
+  /// Whether the spheres are certainly farther apart than `maxSeparation` (world length), rounding included.
   bool areSeparated(btScalar maxSeparation) const;
-  /// Whether neither is much larger than the other.
+  /// Whether their radii are similar, within `kMaxSizeRatio`.
   bool areAlike() const;
-  /// As a contact of the whole bodies; the pair frame is the spheres'.
+  /// The contact of the two spheres, in their own frame.
   Contact contact() const;
 };
 
-/// Whether the spheres around two whole trees, or one such sphere and a static plane or a terrain, are certainly too
-/// far apart for any contact, the speculative distance and `travel` (world length) included: then nothing else has to
-/// be looked at. `roots`: those of two trees. Precondition: one of the shapes is a sphere-tree.
+/// Whether the root spheres of two trees, or of a tree and a plane or terrain, are certainly too far apart for any
+/// contact. The speculative distance and `travel` (world length) are included. `roots`: those of two trees.
+/// Precondition: one shape is a sphere-tree.
 bool areRootsSeparated(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1,
                        const std::optional<RootSpheres>& roots, btScalar travel);
 
-/// Nothing unless both shapes are sphere-trees. Cheap.
+/// The root spheres of two trees; nothing if a shape is no tree. Cheap.
 std::optional<RootSpheres> rootSpheres(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
 
 }  // namespace cairn::bullet

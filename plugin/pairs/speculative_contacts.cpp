@@ -7,10 +7,10 @@ namespace cairn::bullet {
 
 namespace {
 
-// Normals more than 120 degrees apart hold against opposite motions.
+// Normals more than 120 degrees apart resist opposite motions.
 constexpr float kOpposedCosine = 0.5F;
 
-// Along another direction, that what has passed the contact ahead is deeper in than it would have to go back.
+// Along another direction: the overlap exceeds the way back by which it passed the speculative contact.
 bool isLongerWayOut(const Contact& now, const Contact& speculative) {
   const float passed = speculative.distance();
   return passed < 0 && now.separation < passed && dot(now.normal, speculative.normal) < kSameNormalCosine;
@@ -22,9 +22,10 @@ bool isOpposed(const Contact& now, const Contact& speculative) {
 
 }  // namespace
 
-// What runs into something, or has passed it, is held on the side it came from: what touches on the other means
-// nothing, nor does what would bring it out by a longer way. Leaves as wide as the body and far wider than the slab
-// they are of overlap along the lines of centres by half the body: it was thrown along the slab, and out below.
+// A body that runs into something, or has passed it, is held on the side it came from. Contacts on the other side mean
+// nothing, and neither do those that would push it out by a longer way. Leaves as wide as the body, and far wider than
+// a slab, overlap along their lines of centres by half the body: without this rule it was thrown along the slab and out
+// below.
 void dropOverruled(std::span<const Contact> speculative, float maxSeparation, ClusteredContacts& contacts) {
   if (speculative.empty()) return;
   for (int k = 0; k < kMaxClusters; ++k) {

@@ -7,8 +7,8 @@
 
 namespace cairn::bullet {
 
-/// Of contacts of now, drops those that a contact ahead overrules. `maxSeparation` (world length): what is dropped is
-/// put as far apart.
+/// Drops present contacts that a speculative contact overrules. A dropped contact's separation is set to
+/// `maxSeparation` (world length).
 void dropOverruled(std::span<const Contact> speculative, float maxSeparation, ClusteredContacts& contacts);
 
 }  // namespace cairn::bullet

@@ -5,12 +5,12 @@
 
 namespace cairn::bullet {
 
-/// How far ahead a step looks, and how closely.
+/// How far ahead in time a step looks, and whether it asks triangles.
 struct StepHorizon {
   btScalar timeStep = 0;      ///< seconds
-  btScalar sweptTime = 0;     ///< seconds that fast bodies look ahead, see `fastTravel`; 0: they do not
-  btScalar wallTime = 0;      ///< the same of bodies that are fast for thin walls, see `wallTravel`
-  bool asksTriangles = true;  ///< what leaves say is not enough
+  btScalar sweptTime = 0;     ///< seconds that fast bodies look ahead, see `fastTravel`; 0 for none
+  btScalar wallTime = 0;      ///< seconds that bodies near thin walls look ahead, see `wallTravel`
+  bool asksTriangles = true;  ///< contacts of leaves are not enough
 };
 
 }  // namespace cairn::bullet

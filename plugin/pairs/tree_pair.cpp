@@ -10,7 +10,7 @@ namespace cairn::bullet {
 namespace {
 
 constexpr float kBreakingFactor = 1.01F;
-// How far a contact may wander in a step, as a fraction of the smaller body's size, and still be the same one.
+// How far a contact may move in a step, as a fraction of the smaller body's size, and still be the same contact.
 constexpr float kInheritanceFraction = 0.02F;
 // Bullet matches points closer than the breaking threshold: chosen points keep half as much again between them.
 constexpr float kSeparationFactor = 1.5F;
@@ -72,7 +72,7 @@ void TreePair::forgetWaiting() {
   trajectory.forgetAnchor();
 }
 
-// What stopped a body is no guess at what holds it now.
+// An impulse that stopped a body does not predict the impulse that holds it now.
 void TreePair::forgetSpeculativeImpulses() {
   if (reported.wasSpeculative) manifolds.forgetImpulses();
   reported.wasSpeculative = !trajectory.speculative.empty();

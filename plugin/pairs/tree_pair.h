@@ -22,47 +22,47 @@
 
 namespace cairn::bullet {
 
-/// How far a pair has come in a step: it is settled, or collected; then it is carried over, or begun and finished, or
-/// held.
+/// How far a pair has come in a step. It is culled or collected. A collected pair is reused, or carried over, or begun
+/// and finished.
 enum class PairStage : std::uint8_t {
-  idle,       ///< nobody has asked yet
-  apart,      ///< settled: by what was measured last there can be no contacts
-  away,       ///< settled: the same by the spheres around the bodies, and nothing else is known
-  nonFinite,  ///< settled: a body is no number
+  idle,       ///< not asked about in this step
+  separated,  ///< culled by cached separations
+  distant,    ///< culled by bounding spheres; nothing else is known
+  nonFinite,  ///< culled because a body is non-finite
   collected,  ///< its bodies are copied
-  estimated,  ///< its need is known
+  estimated,  ///< its cost and urgency are known
   begun,      ///< its collider is placed, its traversal started or resumed
 };
 
-/// Whether a pair rests: Bullet does not ask about bodies that sleep.
+/// Whether a pair is at rest: Bullet does not ask about sleeping bodies.
 enum class PairRest : std::uint8_t {
   asked,    ///< since the last look
-  unasked,  ///< not since then
-  trimmed,  ///< nor since the one before: it gave back memory it does not use
+  unasked,  ///< not since the last look
+  trimmed,  ///< not since the last two looks: it gave unused memory back
 };
 
-/// One sphere-tree and its collider, from the moment Bullet creates their algorithm until it destroys it: all that
-/// is known of them from step to step. What is done with it stands in files of their own: pair_cull.h,
-/// pair_collect.h, pair_estimation.h, pair_reuse.h, pair_begin.h, pair_measure.h, pair_write.h, pair_carry_over.h. What
-/// tells whether anything has to be done in a step comes first: of most pairs of a heap nothing else is looked at.
+/// All that is known of one sphere-tree and its collider from step to step, from the creation of Bullet's algorithm to
+/// its destruction. Each action on a pair is a file: pair_cull.h, pair_collect.h, pair_estimation.h, pair_reuse.h,
+/// pair_begin.h, pair_measure.h, pair_write.h, pair_carry_over.h. The first members decide whether anything has to be
+/// done in a step: for most pairs of a heap nothing else is read.
 struct alignas(64) TreePair {
-  /// How far bodies may move before points that followed them mean nothing any more, of the smaller one's size.
+  /// Points that follow their bodies lose their meaning after this motion, as a fraction of the smaller body's size.
   static constexpr float kMaxFollowed = 0.04F;
 
   explicit TreePair(ColliderKind colliderKind) : kind(colliderKind), collider(makeCollider(colliderKind)) {}
 
   ColliderKind kind;
   bool treeIsBody0 = true;
-  std::atomic<PairStage> stage{PairStage::idle};  // threads look at others' pairs to fetch them
+  std::atomic<PairStage> stage{PairStage::idle};  // atomic, because threads prefetch each other's pairs
   PairRest rest = PairRest::asked;
   ReportedContacts reported;
   PairSizes sizes;
   PairTrajectory trajectory;
   PairHandles handles;
-  Vec3 awayBy;  ///< from the other body's centre to the tree's
+  Vec3 distantBy;  ///< from the other body's centre to the tree's
   PairSubject subject;
   PairContacts contacts;
-  // Then what tells what it needs where there is not enough for all.
+  // Then the data for the estimate, which is read where there is not enough for all pairs.
   PairMotion motion;
   std::unique_ptr<Collider> collider;
   PairAge age;
@@ -71,46 +71,46 @@ struct alignas(64) TreePair {
   PairManifolds manifolds;
   PairBodies bodies;
 
-  /// For use by a new pair of bodies; lets go of the trees. Precondition: no manifolds.
+  /// Prepares for a new pair of bodies and releases the trees. Precondition: no manifolds.
   void reset();
   void enter(PairStage next) { stage.store(next, std::memory_order_relaxed); }
   bool is(PairStage asked) const { return stage.load(std::memory_order_relaxed) == asked; }
-  bool isCulled() const { return is(PairStage::apart) || is(PairStage::away) || is(PairStage::nonFinite); }
+  bool isCulled() const { return is(PairStage::separated) || is(PairStage::distant) || is(PairStage::nonFinite); }
   bool isBegun() const { return is(PairStage::begun); }
-  /// Of the copied bodies.
+  /// The copied bodies, tree first.
   PairSides sides() const { return PairSides::of(bodies.body0(), bodies.body1(), treeIsBody0); }
   Traversal& traversal() { return collider->traversal(); }
   bool isDone() const { return std::as_const(*collider).traversal().done(); }
-  /// What everything comes up from, however deep it is.
+  /// Whether the other body is ground, from which bodies come up however deep they are.
   bool isOnGround() const { return kind == ColliderKind::terrain || kind == ColliderKind::plane; }
-  /// Begun or not, until it is done.
+  /// Whether the pair may repeat its last answer until its traversal is done.
   bool mayRepeatLast() const { return motion.roots && age.repeatsLast && !trajectory.isFast; }
 
-  /// Takes these shapes. What is known of others is forgotten first. False, and nothing known, where they cannot meet.
+  /// Takes these shapes and forgets knowledge about others. False, and nothing known, where the shapes cannot meet.
   bool adopt(const PairSides& sides);
-  /// All that is known of the shapes; contacts end.
+  /// Forgets all knowledge about the shapes; contacts end.
   void forget();
-  /// A look at it, now and then: if it rests, it gives back memory that it does not use.
+  /// Called now and then: a pair at rest gives unused memory back.
   void lookAtRest();
   void forgetWaiting();
   void forgetSpeculativeImpulses();
-  /// The bodies stand elsewhere: how far spheres had overlapped, and were allowed to, means nothing here.
+  /// Detects bodies that were placed elsewhere. The overlap that their guards were allowed means nothing there.
   void lookForJump(const RelativePlacement& now, const PairSides& sides, btScalar timeStep);
 
   void clearManifolds();
-  /// Of what Bullet holds; users may have taken some away.
+  /// Counts the contacts that Bullet holds; users may have removed some.
   void countReported();
-  /// What only follows the bodies is to outlive Bullet's own refresh.
+  /// Lets points that only follow their bodies outlive Bullet's own refresh.
   void surviveRefresh() { manifolds.surviveRefresh(btScalar(kMaxFollowed * sizes.smaller)); }
-  /// Bodies that guards bear stay awake.
+  /// Keeps bodies awake that rest on guards.
   void keepGuardedAwake();
-  /// How far apart points of a manifold may be: a little more than contacts reach, so that rounding refuses none.
+  /// Largest separation of a manifold's points: a little more than the contact distance, so that rounding rejects none.
   btScalar breakingThreshold() const;
-  /// Null only when Bullet's pool is used up and the user forbade it to grow.
+  /// The manifold of a cluster. It is null only when Bullet's pool is used up and may not grow.
   btPersistentManifold* manifold(btDispatcher& dispatcher, int cluster);
   ManifoldWriter writerOf(btManifoldResult& result) const;
-  /// Moves to the front, and returns, those of a manifold's contacts that Bullet gets, so far apart that it does not
-  /// take two for one. Precondition: deepest first.
+  /// Chooses the contacts of a manifold for Bullet, moves them to the front and returns them. They are so far apart
+  /// that Bullet does not take two for one. Precondition: deepest first.
   std::span<Contact> choose(int manifold, std::span<Contact> members) const;
 };
 
