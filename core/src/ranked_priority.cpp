@@ -18,7 +18,7 @@ void RankedPriority::begin(std::span<const ScheduledPair> pairs) {
   }
 }
 
-// What is not a number (a body lost in the void) has no rank, and still its place in line.
+// A pair with NaN (a body lost in the void) has no rank, but keeps its place in line.
 RankHeap::Entry RankedPriority::entryOf(std::size_t pair) {
   const double rank = weights_[pair] * error(pairs_[pair]) * (1 + static_cast<double>(line_.age(pair)));
   return {rank > 0 ? rank : 0, line_.ticket(pair), pair};

@@ -21,7 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace cairn::HWY_NAMESPACE {
 
-/// A number for each pair of a batch, in memory, where pairs can be told apart.
+/// One number for each pair of a batch, in memory.
 struct alignas(64) Row {
   float of[RegionSeparations::kSize];
 };
@@ -42,7 +42,7 @@ struct PointRows {
   }
 };
 
-/// What is kept of a batch between its parts.
+/// Data of a batch that passes from one part to the next.
 struct Measuring {
   PointRows normal, centerB;
   Row radiusA, radiusB;

@@ -8,7 +8,7 @@ namespace cairn {
 
 namespace {
 
-// What a pair's turn came to; `budgetSpent` as well when there could be none. `used`: operations.
+// The result of a pair's turn; `budgetSpent` also when no turn was possible. `used`: operations.
 struct Turn {
   Progress progress = Progress::budgetSpent;
   std::uint64_t used = 0;

@@ -16,9 +16,8 @@ constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
 // Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
 constexpr float kLargestLength = 1e15F;
-// What is farther than that many radii from the middle of the root's ball is in no proportion to it: it did not come
-// from a mesh in that ball. Whether a tree is right to the last digit is for `certify` to say, beside the mesh; here
-// nothing may overflow that the ball's own lengths do not.
+// Coordinates beyond this many radii from the centre of the root's ball cannot come from a mesh in that ball. `certify`
+// proves a tree against its mesh; this check only excludes overflow.
 constexpr double kProportion = 16;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 26;
 

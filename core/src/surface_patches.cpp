@@ -257,7 +257,7 @@ class SurfacePatches::Maker {
     });
   }
 
-  // What pads is at minus infinity: below every range of heights.
+  // Padding lies at minus infinity, below every range of heights.
   void addFaces(std::span<const std::uint32_t> triangles) {
     addColumns(triangles.size(), 16, [&](std::size_t i, int column) {
       const SurfaceFace* const face = i < triangles.size() ? &features_.faces()[triangles[i]] : nullptr;

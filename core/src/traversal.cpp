@@ -57,7 +57,7 @@ void Traversal::abandon() {
 }
 
 void Traversal::shrinkToFit() {
-  if (done()) {  // what has been refined is never looked at again
+  if (done()) {  // refined pairs are never read again
     queue_.clear();
     head_ = coarseBegin_ = coarseEnd_ = 0;
     forgetErrors();

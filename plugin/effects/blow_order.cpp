@@ -88,7 +88,8 @@ void BlowOrder::actLater(Contact& contact) {
   contact.point->m_distance1 = kNoSay;
 }
 
-// A corner that comes down before a rolling body is under it by then. What does not touch within the step stays.
+// A corner that comes down ahead of a rolling body is under it by then. Contacts that do not touch within the step stay
+// unchanged.
 void BlowOrder::actAtTouch(Contact& contact, const Step& step) {
   const btScalar time = -sinceTouch(contact);
   if (time > step.timeStep) return;

@@ -11,14 +11,14 @@
 
 namespace cairn::effects {
 
-/// A blow acts where and when bodies touch first. Within a step a fast body sinks in, or is seen to come, by as far as
-/// it moves: many of its corners are told at once that touch one after the other. All together they hold its spin, and
-/// friction takes what it should have turned into spin: the more, the longer the step.
+/// A blow acts where and when bodies touch first. Within one step a fast body sinks in as far as it moves, and contacts
+/// are reported together for corners that touch one after another. Solved together, they stop the body's spin, and
+/// friction takes speed that should become spin. The error grows with the step.
 ///
-/// So of a pair that closes fast, contacts that touch later than the first have no say until the next step, what is
-/// about to touch touches, and acts at the arm it will have then. What closes slower than a blow is left as it is. So
-/// is what has sunk in by more than its radius, of which no corner can be told to have come first. Only where an effect
-/// asks for it, see `Contact::ordersBlow`, and between bodies one of which has a volume.
+/// So in a pair that closes fast, contacts that touch later than the first have no say until the next step. Contacts
+/// that are about to touch act at the arm they will have then. Pairs that close slower than a blow stay unchanged. So
+/// do pairs that overlap by more than a radius, because the first corner is unknown. This applies only where an effect
+/// asks for it, see `Contact::ordersBlow`, and only if one of the bodies has a volume.
 class BlowOrder {
  public:
   /// Of the body's radius: what touches no farther apart than this touches together. A twentieth: of 80 rocks down a
@@ -34,7 +34,7 @@ class BlowOrder {
   struct First {
     btScalar sinceTouch = 0;  // s, negative: ahead
     bool isKnown = false, isAsked = false;
-    bool isDeep = false;  // deeper than a radius: which of its corners came first is not to be told any more
+    bool isDeep = false;  // deeper than a radius, so that the first corner is unknown
   };
   struct Changed {
     btManifoldPoint* point;

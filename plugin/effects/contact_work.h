@@ -8,9 +8,9 @@ namespace cairn::effects {
 /// Whether the solver did anything at a contact. Friction may stay where the normal impulse has gone back to nothing.
 bool wasAtWork(const Contact& contact);
 
-/// What the solver did at a contact: across its surface and along it. After it has solved, before normals are put back
-/// or impacts act. An impulse's work is by the middle of the velocities before and after, which is exact for whatever
-/// else acts in the step but gravity.
+/// The solver's work at a contact: across its surface and along it. It is computed after the solver, before normals are
+/// restored and impacts act. An impulse's work uses the mean of the velocities before and after, which is exact for
+/// everything in the step except gravity.
 struct ContactWork {
   explicit ContactWork(const Contact& contact);
 

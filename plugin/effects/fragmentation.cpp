@@ -21,7 +21,7 @@ void Fragmentation::setSiblings(std::span<const std::uint32_t> bodyIds) {
       siblings_.push_back({{std::min(bodyIds[i], bodyIds[j]), std::max(bodyIds[i], bodyIds[j])}});
 }
 
-// The solver is told depth zero: it stops what closes, and pushes nothing out.
+// The solver gets depth zero: it stops closing, and pushes nothing out.
 bool Fragmentation::holdApart(Contact& contact) {
   if (contact.sides[0].body == nullptr || contact.sides[1].body == nullptr) return false;
   const auto ids = std::minmax(contact.sides[0].body->id, contact.sides[1].body->id);

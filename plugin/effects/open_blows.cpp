@@ -12,8 +12,8 @@
 namespace cairn::effects {
 namespace {
 
-// Of the momentum that closes. What is still ahead by a whole step and told to have no say still gets what gravity adds
-// in a step; a blow at the end of a long rod is a hundredth.
+// Smallest blow, as a fraction of the closing momentum. A contact that is still a whole step ahead and has no say still
+// gets the step's gravity. A blow at the end of a long rod is a hundredth.
 constexpr btScalar kMinPart = btScalar(1e-3);
 
 bool isSame(const Impact& a, const Impact& b) {

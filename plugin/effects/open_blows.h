@@ -8,9 +8,9 @@
 
 namespace cairn::effects {
 
-/// Blows that take more than one step. Bullet stops a body that is about to touch in two: it lets it close by what is
-/// left of the way in the first, and takes the rest in the second. Each alone would be half a blow at the wrong speed.
-/// So a blow is told when it is over, with the motion before its first step and the impulses of all.
+/// Blows that take more than one step. Bullet stops a body that is about to touch in two steps: the first closes the
+/// rest of the distance, the second takes the speed. Each alone would be half a blow at the wrong speed. So a blow is
+/// reported when it is over, with the motion before its first step and the impulses of all its steps.
 class OpenBlows {
  public:
   /// Before the solver: gives pairs whose blow goes on what they had when it began.

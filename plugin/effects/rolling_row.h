@@ -13,7 +13,7 @@ struct btSolverBody;
 
 namespace cairn::effects {
 
-/// What resists rolling and spinning at a contact in a step, and once that is solved what it did.
+/// The resistance to rolling and spinning at a contact in a step, and its impulses once the step is solved.
 struct Resistance {
   const btManifoldPoint* point;
   btScalar rolling, spinning;  ///< m, torque per normal force

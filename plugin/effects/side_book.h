@@ -13,7 +13,7 @@
 
 namespace cairn::effects {
 
-/// What is known of the objects of a world. Looked up, never walked through, so the order of a hash table decides
+/// Properties of a world's objects. Objects are looked up and never iterated, so the order of a hash table decides
 /// nothing.
 class SideBook {
  public:

@@ -78,7 +78,7 @@ class SolverHook final : public btConstraintSolver {
   }
 
   btConstraintSolver& solver_;
-  Plain* plain_;  // the same, or null
+  Plain* plain_;  // the plain solver, or null
   SolveListener& listener_;
   std::unique_ptr<RollingSolver> rolling_;  // once something resists
   std::span<Resistance> resistances_;       // of this step

@@ -21,7 +21,7 @@ namespace {
 struct Motion {
   explicit Motion(const btCollisionObject& object) {
     const btRigidBody* body = btRigidBody::upcast(&object);
-    // What is both static and kinematic moves: Bullet takes its speed from where it is put.
+    // An object that is both static and kinematic moves: Bullet derives its speed from its poses.
     isMoving = body != nullptr && (!body->isStaticObject() || body->isKinematicObject());
     if (!isMoving) return;
     linear = body->getLinearVelocity();

@@ -17,7 +17,7 @@ namespace cairn::effects {
 /// Which contacts somebody wants to see.
 class WantedContacts {
  public:
-  /// What is wanted of two materials.
+  /// The combined properties of two materials.
   static constexpr unsigned kNothing = 0, kContacts = 1, kImpacts = 2;
 
   void add(const Hooks& hooks);

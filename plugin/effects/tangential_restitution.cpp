@@ -74,7 +74,7 @@ std::uint32_t TangentialRestitution::afterImpacts(std::span<const Impact> impact
     const btScalar part = parts_.at(impact.sides[0].material, impact.sides[1].material);
     const auto along = [&](const btVector3& v) { return v - impact.normal * impact.normal.dot(v); };
     const btVector3 now = body.getLinearVelocity();
-    // What other contacts took of it in the meantime stays taken.
+    // Impulses of other contacts in the meantime stay.
     const btVector3 before = along(impact.linearBefore[side]), after = along(now);
     const btVector3 kept = after.length2() < before.length2() ? after : before;
     body.setLinearVelocity(now - after + kept * part);

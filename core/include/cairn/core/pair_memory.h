@@ -9,8 +9,8 @@
 
 namespace cairn {
 
-/// What a policy remembers of each pair from one step to the next, found again by id. Pairs that were not in a step are
-/// forgotten. `Record` is default-constructed for a pair that is new.
+/// A policy's records of pairs from one step to the next, found by id. Pairs that were not in a step are forgotten. A
+/// new pair gets a default-constructed `Record`.
 template <class Record>
 class PairMemory {
  public:

@@ -7,17 +7,19 @@
 
 namespace cairn {
 
-/// What would be noticed first (after O'Sullivan and Dingliana 2001, who name gaps, eccentricity and the importance of
-/// the event): rank = projected gap x visibility x acuity x momentum x (1 + age), with
+/// Ranks pairs by how noticeable their errors are (after O'Sullivan and Dingliana 2001, who name gaps, eccentricity and
+/// the importance of the event): rank = projected gap x visibility x acuity x momentum x (1 + age), with
 ///
-/// * projected gap = certified error of the pair's answer / distance from the eye, radians: the gap that may show where
-///   there is none;
-/// * visibility = 1 in view, `kOutOfView` out of it: nobody sees it yet, but what is wrong there comes into view;
+/// * projected gap = certified error of the pair's answer / distance from the eye, radians;
+///
+/// * visibility = 1 in view and `kOutOfView` outside it, because errors outside may come into view;
+///
 /// * acuity = 1 / (1 + eccentricity / 2.5 degrees), see `acuityAt`;
-/// * momentum = 1/2 + p / (p + mean p), p = mass closingSpeed: from 1/2 at rest over 1 at the mean of the step's
-///   unfinished pairs to 3/2; 1 where nothing moves.
 ///
-/// Without a viewer the first is the error alone, world length, and the next two are 1.
+/// * momentum = 1/2 + p / (p + mean p), p = mass closingSpeed. It is 1/2 at rest, 1 at the mean of the step's
+/// unfinished pairs and 3/2 at most; 1 where nothing moves.
+///
+/// Without a viewer the projected gap is the error alone, world length, and visibility and acuity are 1.
 class Perceptual final : public RankedPriority {
  public:
   static constexpr double kOutOfView = 1.0 / 16;

@@ -5,9 +5,8 @@
 
 namespace cairn {
 
-/// Where a tree stands in the world: `world = rotation * (scale * p) + translation`. Doubles, so that the pose of one
-/// body relative to another keeps float accuracy far from the world's origin. Precondition: rotation orthonormal, scale
-/// > 0.
+/// A tree's pose in the world: `world = rotation * (scale * p) + translation`. It is in double precision, so that
+/// relative poses keep float accuracy far from the world's origin. Precondition: rotation orthonormal, scale > 0.
 struct Pose {
   Mat3d rotation;
   Vec3d translation;

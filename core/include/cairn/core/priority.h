@@ -25,9 +25,9 @@ struct ScheduledPair {
   float unansweredError = 0;
 };
 
-/// Decides which unfinished pair is refined next. A policy is told the pairs of a step, asked for turns, and told how
-/// each ended; the same calls must give the same answers on every run. No policy of ours lets a pair starve, or
-/// allocates once it has seen as many pairs as there are.
+/// Decides which unfinished pair is refined next. A policy gets the pairs of a step, hands out turns, and learns how
+/// each turn ended. The same calls must give the same answers on every run. Cairn's policies let no pair starve, and
+/// allocate nothing once they have seen as many pairs.
 class Priority {
  public:
   virtual ~Priority() = default;

@@ -33,10 +33,10 @@ class RankedPriority : public Priority {
  protected:
   /// Before the weights of a step are asked for.
   virtual void beginWeights(std::span<const ScheduledPair> /*pairs*/) {}
-  /// What about a pair's rank stays the same for a step, >= 0; asked once for each unfinished pair.
+  /// The part of a pair's rank that is constant within a step, >= 0. It is asked once for each unfinished pair.
   virtual double weight(const ScheduledPair& pair) const = 0;
-  /// What a turn may change, >= 0: the certified error of the pair's answer, world length: that of its front or of
-  /// what stands in for an answer, whichever is worse. Not NaN, or the pair has no rank.
+  /// The part of a pair's rank that a turn may change, >= 0: the certified error of its answer, world length. That is
+  /// the error of its front or of its fallback, whichever is worse. A pair with NaN has no rank.
   virtual double error(const ScheduledPair& pair);
 
  private:

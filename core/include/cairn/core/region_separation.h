@@ -31,17 +31,17 @@ struct PlacedRegions {
 struct SeparationLimits {
   float margins = 0;  ///< grow the two surfaces together, and so shrink every gap
   float atMost = 0;   ///< of a gap that is not below it, nothing but that need be found out
-  float reach = 0;    ///< what is not below it is no contact
+  float reach = 0;    ///< separations from here on are no contacts
 };
 
 /// How far two regions are apart along a direction; in the pair frame.
 struct RegionSeparation {
   float separation = 0;  ///< between the support points; where it is not below `atMost`, that or some lower bound of it
-  Vec3 position;         ///< where they are nearest, half-way between them; told where `isNear`
+  Vec3 position;         ///< half-way between the nearest points; set where `isNear`
   bool isNear = false;   ///< the gap is below both limits
 };
 
-/// The gap of a pair of nodes, a's and b's, along `normal` (unit, from b to a). Two support points, some 200 cycles.
+/// Separation of two nodes, a's and b's, along `normal` (unit, from b to a). Two support points, some 200 cycles.
 RegionSeparation measureSeparation(const PlacedRegions& a, const PlacedRegions& b, const NodePair& pair,
                                    const Vec3& normal, const SeparationLimits& limits);
 

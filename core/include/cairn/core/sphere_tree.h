@@ -52,7 +52,7 @@ struct NodeData {
   friend bool operator==(const NodeData&, const NodeData&) = default;
 };
 
-/// What a traversal reads of a node it may split or move: half a cache line.
+/// The data that a traversal reads of a node to split or move it: half a cache line.
 struct alignas(32) TraversalNode {
   Vec3 center;
   float radius = 0;

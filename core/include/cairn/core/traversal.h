@@ -14,9 +14,9 @@ namespace cairn {
 
 enum class Progress : std::uint8_t { done, budgetSpent };
 
-/// What a world length per tree unit is multiplied by before errors are, so that a pair's certified error stays an
-/// upper bound: this product, that with an error and the sum of two each round down by at most 2^-24 of themselves;
-/// 2^-21 is more than they do together.
+/// Factor on world length per tree unit that keeps certified errors upper bounds under rounding. This product, its
+/// product with an error and the sum of two errors each round down by at most 2^-24 of themselves; 2^-21 is more than
+/// all of them together.
 inline constexpr double kErrorGrowth = 1 + 0x1p-21;
 
 /// An interruptible breadth-first traversal (thesis 2.7.1), owned by whoever wants its answer.

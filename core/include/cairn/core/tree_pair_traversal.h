@@ -28,7 +28,7 @@ class TreePairTraversal final : public Traversal {
     const SphereTree* tree = nullptr;
     Similarity fromOther;
     float scale = 1;       // world length per tree unit
-    float errorScale = 1;  // the same for errors, which may only grow by rounding
+    float errorScale = 1;  // for errors, which may only grow by rounding
     float margin = 0;      // in tree units, with the rounding slack
   };
   void place(Side& side, const Side& other, const Pose& pose, const Pose& otherPose);

@@ -10,8 +10,8 @@
 
 namespace cairn {
 
-/// What contacts ask of a mesh besides its vertices and triangles. Of a tree's source mesh it is derived when the tree
-/// is made.
+/// The data about a mesh that contacts need besides vertices and triangles. A tree derives it from its source mesh when
+/// it is made.
 struct TreeSurface {
   SurfaceFeatures features;
   SurfacePatches patches;

@@ -26,7 +26,8 @@ struct Sight {
   bool isVisible = true;    ///< some of the ball is inside the field of view; nothing is known of what hides it
 };
 
-/// `center` and `radius` (world length, > 0) are of the ball. What is infinitely far, or nowhere, is not visible.
+/// `center` and `radius` (world length, > 0) describe the ball. A ball that is infinitely far away, or at NaN, is not
+/// visible.
 Sight sightOf(const Viewer& viewer, const Vec3d& center, double radius);
 
 /// Eccentricity at which two things must be twice as far apart as at the gaze to be told apart: 2.5 degrees, in the

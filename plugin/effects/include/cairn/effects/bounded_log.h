@@ -7,8 +7,8 @@
 
 namespace cairn::effects {
 
-/// What happened, until somebody takes it: room for a fixed number of entries; when it is full the oldest give way and
-/// are counted. Allocates when it is made and never again.
+/// A log of events until somebody takes them. It has room for a fixed number of entries; when it is full, the oldest
+/// are dropped and counted. It allocates when it is made and never again.
 template <class Entry>
 class BoundedLog {
  public:

@@ -16,7 +16,7 @@ class btRigidBody;
 
 namespace cairn::effects {
 
-/// What effects are told of an object that Bullet does not know.
+/// An object's properties that Bullet does not know.
 struct Traits {
   MaterialId material = 0;
   const MaterialMap* map = nullptr;  ///< in place of `material` where an object has several; must outlive its use
@@ -55,7 +55,7 @@ struct Contact {
       relativeVelocity;       ///< of side 0's surface against side 1's, there, forces of this step but gravity included
   btScalar closingSpeed = 0;  ///< m/s along the point's normal; positive where the surfaces approach
   std::int32_t impact = -1;   ///< which of this step's pairs it belongs to if they may strike each other, else -1
-  btScalar distance = 0;      ///< m, as collision detection told it; negative where the surfaces overlap
+  btScalar distance = 0;      ///< m, from collision detection; negative where the surfaces overlap
   /// Whether its blow is to act where bodies touch first: set by what gives it friction. See
   /// docs/algorithms/effects.md.
   bool ordersBlow = false;
@@ -65,9 +65,8 @@ struct Contact {
   btScalar rollingLength = 0, spinningLength = 0;
 };
 
-/// Two objects that struck each other: all their contacts, whatever manifolds hold them, taken together. Bullet takes
-/// two steps to stop what is about to touch; such a blow is told once, when it is over, with the motion before it
-/// began.
+/// A blow between two objects: all their contacts in all manifolds together. Bullet takes two steps to stop bodies that
+/// are about to touch. Such a blow is reported once, when it is over, with the motion before it began.
 struct Impact {
   std::array<Side, 2> sides;
   btVector3 place;                        ///< of the contact that closed fastest, world frame
@@ -90,9 +89,9 @@ class ForceHook {
   virtual std::uint32_t applyForces(std::span<Body* const> bodies, const Step& step) = 0;
 };
 
-/// Changes how contacts answer: friction, restitution, normals. Contacts of which neither object is awake are left out.
-/// Returns on how many contacts it acted. What it changes of a point must not depend on what it changed a step before:
-/// Bullet keeps points.
+/// Changes friction, restitution or normals of contacts. Contacts between two sleeping objects are left out. Returns
+/// the number of contacts changed. The change must not depend on a change in an earlier step, because Bullet keeps
+/// points.
 class MaterialHook {
  public:
   virtual ~MaterialHook() = default;
@@ -113,15 +112,16 @@ class ImpactHook {
   virtual std::uint32_t afterImpacts(std::span<const Impact> impacts, const Step& step) = 0;
 };
 
-/// Is told of impacts when all that act on them have; changes nothing in the world. Returns of how many it took note.
+/// Observes impacts after all effects have acted on them; changes nothing in the world. Returns the number of impacts
+/// recorded.
 class EventHook {
  public:
   virtual ~EventHook() = default;
   virtual std::uint32_t noteImpacts(std::span<const Impact> impacts, const Step& step) = 0;
 };
 
-/// What of a contact a material hook has the say on, for the pairs it is concerned with: whose work it is. Where
-/// several have, the last by their turns.
+/// The part of a contact that a material hook controls, for the pairs it is concerned with: the work there is booked to
+/// it. Where several hooks control it, the last by their turns counts.
 enum class Answer : std::uint8_t { none, friction, restitution, rolling };
 
 /// Where an effect wants to be asked; null: not there, and costs nothing there.
@@ -152,7 +152,7 @@ enum class Turn : std::uint8_t {
   restitution,
   rollingResistance,
   tangentialRestitution,
-  // What a blow leaves is what it can still take, and break.
+  // The part of a blow that one effect leaves is what the next can take or break.
   soilScarring,
   fragmentation,
   events,

@@ -13,7 +13,7 @@ class btDiscreteDynamicsWorld;
 
 namespace cairn::effects {
 
-/// What was done to bodies, summed over them.
+/// Energies and impulses, summed over bodies.
 struct Work {
   double energyTaken = 0;    ///< of their motion, J; negative: given
   double impulse = 0;        ///< size of what changed their momentum, N s
@@ -27,9 +27,9 @@ struct Work {
   }
 };
 
-/// What an effect did since it was added. Its work is what its hooks changed of velocities. Some effects say how
-/// contacts answer: theirs is what these contacts did. Friction counts along the surface, restitution across it,
-/// rolling resistance by its torques.
+/// An effect's actions since it was added. Its work is the work of its hooks on velocities. Effects that change
+/// contacts get the work of these contacts: friction along the surface, restitution across it, rolling resistance by
+/// its torques.
 struct EffectReport {
   std::string_view name;
   std::uint64_t acted = 0;         ///< bodies, contacts or impacts it acted on, summed over the steps

@@ -18,14 +18,14 @@ class btRigidBody;
 
 namespace cairn::effects {
 
-/// What a kind of body can break into (`cairn fracture` makes them): the trees of its pieces, all in the mesh frame of
-/// the whole, and the pairs of pieces that hang together. Shared by all bodies of the kind.
+/// The pieces that a kind of body can break into (made by `cairn fracture`): their trees, all in the mesh frame of the
+/// whole, and the pairs of pieces that hang together. All bodies of the kind share it.
 struct Fragments {
   std::vector<std::shared_ptr<const SphereTree>> pieces;
   std::vector<std::array<std::uint32_t, 2>> bonds;
 };
 
-/// What of a kind one body is.
+/// The pieces of the kind that one body consists of.
 struct FragmentPart {
   std::shared_ptr<const Fragments> kind;
   std::vector<std::uint32_t> pieces;  ///< ascending

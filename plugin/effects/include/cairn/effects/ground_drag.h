@@ -6,11 +6,10 @@
 
 namespace cairn::effects {
 
-/// What makes slow rocks stop: a constant deceleration, near the ground and below a speed (as RockGIS does it: within
-/// 1 m, below 5 m/s). A body is brought to rest after v^2 / (2 deceleration), and never turned round. Spin is left
-/// alone.
+/// Stops slow rocks near the ground by a constant deceleration (as RockGIS does: within 1 m, below 5 m/s). A body comes
+/// to rest after v^2 / (2 deceleration), and never turns round. Spin stays unchanged.
 ///
-/// Criterion: moves, slower than `below`, and the ball of its volume less than `within` above the ground.
+/// Criterion: the body moves slower than `below`, and the ball of its volume is less than `within` above the ground.
 class GroundDrag final : public Effect, ForceHook {
  public:
   struct Options {

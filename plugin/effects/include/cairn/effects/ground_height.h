@@ -16,7 +16,7 @@ class GroundHeight {
   virtual std::optional<btScalar> at(btScalar x, btScalar y) const = 0;
 };
 
-/// The same height everywhere.
+/// A ground of constant height.
 class LevelGround final : public GroundHeight {
  public:
   explicit LevelGround(btScalar height) : height_(height) {}

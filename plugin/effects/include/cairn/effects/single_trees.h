@@ -45,7 +45,7 @@ class SingleTrees final : public Effect, ForceHook {
 
   /// How many have ground to stand on.
   std::size_t standing() const;
-  /// What a stem of this diameter (m) can take, J.
+  /// Energy that a stem of this diameter (m) can absorb, J.
   static btScalar mostEnergy(btScalar diameter, btScalar energyRatio);
 
  private:

@@ -30,7 +30,7 @@ class SoilScarring final : public Effect, ImpactHook {
     btScalar energy;  ///< that it took, J
     std::uint32_t bodyId;
   };
-  /// What a blow does, whatever energy there is for it.
+  /// The scar of a blow, whatever energy is left for it.
   struct Work {
     btScalar depth;   ///< m
     btScalar energy;  ///< F d, J
