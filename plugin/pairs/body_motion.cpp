@@ -88,8 +88,8 @@ float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
 
 float speedInFrameOf(const btCollisionObject& second, const btCollisionObject& first, float disc) {
   const Vec3 apart = toVec3(first.getWorldTransform().getOrigin() - second.getWorldTransform().getOrigin());
-  const Vec3 reused = cross(angularVelocity(second), apart);
-  return length(linearVelocity(first) - linearVelocity(second) - reused) +
+  const Vec3 carried = cross(angularVelocity(second), apart);
+  return length(linearVelocity(first) - linearVelocity(second) - carried) +
          length(angularVelocity(first) - angularVelocity(second)) * disc;
 }
 

@@ -80,7 +80,7 @@ void checkPair(Random& random, Seen& seen) {
       test::turned(random.direction(), random.uniform(0, 3), random.direction() * random.uniform(0, 1.3));
   const test::BruteForcePair brute(meshA, meshB, bFromA);
 
-  const double gap = brute.gap();
+  const double gap = brute.separation();
   EXPECT_EQ(surfacesMeet(a.value(), b.value(), bFromA), gap == 0);
   EXPECT_NEAR(surfaceDistance(a.value(), b.value(), bFromA), gap, kRounding);
   const double vertexDepth = brute.deepestVertex();

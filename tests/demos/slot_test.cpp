@@ -56,8 +56,8 @@ TEST(Slot, BladeIsToldNoDeeperThanLeavesMayErr) {
                                  btVector3(0, btScalar(along), btScalar(0.5 - kDepth) + half.z() + btScalar(kAbove)));
       DeepestContact deepest;
       w.world.contactTest(&blade, deepest);
-      EXPECT_LT(deepest.gap, 1) << depth << " levels, " << along << " m along: nothing told";
-      EXPECT_GE(deepest.gap, -2 * tree.levelError(depth)) << depth << " levels, " << along << " m along";
+      EXPECT_LT(deepest.separation, 1) << depth << " levels, " << along << " m along: nothing told";
+      EXPECT_GE(deepest.separation, -2 * tree.levelError(depth)) << depth << " levels, " << along << " m along";
     }
 }
 

@@ -172,8 +172,8 @@ TEST(Standing, ABlockHardlyTiltedIsAsFarAsItIs_WhicheverBodyIsFirst) {
         DeepestContact bodyFirst, groundFirst;
         w.world.contactPairTest(&body, &ground, bodyFirst);
         w.world.contactPairTest(&ground, &body, groundFirst);
-        EXPECT_NEAR(bodyFirst.gap, kAbove, kDistanceTolerance);
-        EXPECT_NEAR(groundFirst.gap, kAbove, kDistanceTolerance);
+        EXPECT_NEAR(bodyFirst.separation, kAbove, kDistanceTolerance);
+        EXPECT_NEAR(groundFirst.separation, kAbove, kDistanceTolerance);
       }
     }
 }

@@ -352,7 +352,7 @@ TEST(ContactCache, PicksAFewWithoutAllocating) {
   for (std::uint32_t i = 0; i < 56; ++i) pairs.push_back({i, i});
   const bullet::RelativeMotion still;
   bullet::ContactCache before, after;
-  before.pick(pairs, still, {}, bullet::RefreshPolicy::allIfFew);
+  before.select(pairs, still, {}, bullet::RefreshPolicy::allIfFew);
   before.makeRoom(pairs.size());
   std::uint32_t sum = 0;
   for (const NodePair& pair : before.near()) sum += pair.a;
@@ -360,7 +360,7 @@ TEST(ContactCache, PicksAFewWithoutAllocating) {
   after.makeRoom(40);
   after.makeRoom(pairs.size());
   const std::size_t allocated = allocations();
-  after.pick(pairs, still, {}, bullet::RefreshPolicy::allIfFew);
+  after.select(pairs, still, {}, bullet::RefreshPolicy::allIfFew);
   EXPECT_EQ(allocations(), allocated);
   EXPECT_EQ(after.near().size(), 28U);
 }

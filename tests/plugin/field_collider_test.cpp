@@ -305,7 +305,7 @@ TEST(Field_WithoutData, IsMetNowhere) {
   placement.tree = PlacedTree(tree->tree(), Pose{});
   placement.otherShape = &shape;
   placement.other.setIdentity();
-  placement.reach = 0.01F;
+  placement.maxSeparation = 0.01F;
   FieldCollider collider;
   std::vector<NodePair> known;
   std::vector<Contact> contacts;
@@ -316,7 +316,7 @@ TEST(Field_WithoutData, IsMetNowhere) {
   collider.appendContacts(collider.traversal().leafPairs(), contacts);
   collider.appendRootContacts(contacts);
   EXPECT_TRUE(contacts.empty());
-  EXPECT_GE(collider.boundingContact({kRootNode, 0}).separation, placement.reach);
+  EXPECT_GE(collider.boundingContact({kRootNode, 0}).separation, placement.maxSeparation);
 }
 
 // Bullet's field is not scaled and has no margin, whatever it was told: its own shapes show it.

@@ -53,10 +53,10 @@ class TalkativeCollider final : public bullet::Collider {
 void step(bullet::PairContacts& pair, TalkativeCollider& collider, bullet::ContactScratch& scratch) {
   bullet::RelativeMotion motion;
   motion.smallerSize = 1;
-  motion.reach = 0.002F;
+  motion.maxSeparation = 0.002F;
   Budget budget = Budget::operations(0);
   pair.begin(collider, motion, {}, budget, scratch);
-  pair.finish(collider, {.unresolved = bullet::Unresolved::guard}, motion, motion.reach, {}, budget, scratch);
+  pair.finish(collider, {.unresolved = bullet::Unresolved::guard}, motion, motion.maxSeparation, {}, budget, scratch);
   for (std::uint32_t i = 0; i < bullet::KnownPairs::kMax; ++i) pair.known().remember(NodePair{i, 0});
 }
 

@@ -69,7 +69,7 @@ TEST(StepPlan, NeverCutsAnAnswerShortAndCutsOneThatHasNone) {
   EXPECT_TRUE(plan.decideOnMore({.operations = 100}, CostModel()));
   EXPECT_FALSE(plan.decideOnMore({.operations = 40}, CostModel()));
   EXPECT_TRUE(plan.decideOnMore({.operations = 60}, CostModel()));
-  EXPECT_TRUE(plan.held().empty());
+  EXPECT_TRUE(plan.carriedOver().empty());
 }
 
 // It has nothing to say; `outruns`: nor would an answer last.
@@ -88,7 +88,7 @@ TEST(StepPlan, HasEachLookedAtCoarselyBeforeAnyGetsAll) {
   const StepPlan plan = planOf(needs, {.operations = 1000});
   EXPECT_EQ(plan.coarse().size(), 20U);
   EXPECT_EQ(double(plan.coarseOperations()),
-            std::floor(bullet::step_tuning::kCoarseShare * double(1000 - 21 * StepPlan::kHoldingCost)));
+            std::floor(bullet::step_tuning::kCoarseShare * double(1000 - 21 * StepPlan::kCarryOverOperations)));
   EXPECT_EQ(std::vector<std::size_t>(plan.chosen().begin(), plan.chosen().end()), std::vector<std::size_t>{20});
   for (const std::size_t i : plan.coarse()) EXPECT_FALSE(plan.sharesTheRest(i));
 }
@@ -105,12 +105,12 @@ TEST(StepPlan, LooksAtEachOrAtNoneThatCanBeHeld) {
   std::vector<PairEstimate> needs;
   for (int i = 0; i < 30; ++i) needs.push_back(unanswered(i, i % 2 == 0));
   needs.push_back({.operations = 400, .canBeCarriedOver = false, .mayBeCut = true, .isUnanswered = true});
-  const double holding = double(30 * StepPlan::kHoldingCost),
+  const double holding = double(30 * StepPlan::kCarryOverOperations),
                enough = 31 * Scheduler::kStepOperations / bullet::step_tuning::kCoarseShare;
   EXPECT_EQ(planOf(needs, {.operations = holding + enough + 1}).coarse().size(), 31U);
   const StepPlan none = planOf(needs, {.operations = holding + enough - 1});
   EXPECT_EQ(std::vector<std::size_t>(none.coarse().begin(), none.coarse().end()), std::vector<std::size_t>{30});
-  EXPECT_EQ(none.held().size() + none.chosen().size(), 30U) << "none is forgotten";
+  EXPECT_EQ(none.carriedOver().size() + none.chosen().size(), 30U) << "none is forgotten";
 }
 
 // What a look takes besides its operations is most of a short one.
@@ -122,7 +122,7 @@ TEST(StepPlan, LooksAtEachForAWholeTurnOrAtNoneWhereTimeEnds) {
     const double holding = 8 * CostModel(5).expectedNanoseconds(0);
     plan.decide({.nanoseconds = holding + share * turns / bullet::step_tuning::kCoarseShare}, CostModel(),
                 CostModel(5));
-    EXPECT_EQ(plan.coarse().size() + plan.held().size() + plan.chosen().size(), 8U) << "none is forgotten";
+    EXPECT_EQ(plan.coarse().size() + plan.carriedOver().size() + plan.chosen().size(), 8U) << "none is forgotten";
     return plan.coarse().size();
   };
   EXPECT_EQ(looked(1.01), 8U);
@@ -153,7 +153,7 @@ TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
     std::vector<std::size_t> order;
     std::set<std::size_t> expected;
     for (std::size_t i = 0; i < needs.size(); ++i) {
-      left -= needs[i].canBeCarriedOver ? double(StepPlan::kHoldingCost) : double(needs[i].operations);
+      left -= needs[i].canBeCarriedOver ? double(StepPlan::kCarryOverOperations) : double(needs[i].operations);
       if (needs[i].canBeCarriedOver)
         order.push_back(i);
       else
@@ -167,7 +167,7 @@ TEST(StepPlan, ChoosesTheMostUrgentThatFitTogether) {
       left -= double(needs[order[k]].operations);
     }
     EXPECT_EQ(std::set<std::size_t>(plan.chosen().begin(), plan.chosen().end()), expected);
-    EXPECT_EQ(plan.held().size() + expected.size(), needs.size());
+    EXPECT_EQ(plan.carriedOver().size() + expected.size(), needs.size());
   }
   EXPECT_GT(scarce, 100);
 }

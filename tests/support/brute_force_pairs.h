@@ -51,7 +51,7 @@ class BruteForcePair {
   }
 
   /// Least distance, 0 where they cross.
-  double gap() const {
+  double separation() const {
     if (cross()) return 0;
     long double best = std::numeric_limits<long double>::infinity();
     for (const Corners& a : a_)

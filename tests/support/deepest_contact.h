@@ -7,10 +7,10 @@ namespace cairn::test {
 
 /// Of a contact query, the lowest gap told, metres; 1 where nothing is told.
 struct DeepestContact final : btCollisionWorld::ContactResultCallback {
-  btScalar gap = 1;
+  btScalar separation = 1;
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                            const btCollisionObjectWrapper*, int, int) override {
-    gap = btMin(gap, point.getDistance());
+    separation = btMin(separation, point.getDistance());
     return 0;
   }
 };
