@@ -24,7 +24,7 @@ class ConvexContacts {
   /// Nothing when the budget does not cover it, or where they overlap deeper than local minima are trusted and the
   /// body's middle is outside; where it is inside, the body is told its nearest way out. Valid until the next call.
   /// `limits.margins` count what the body's own margin adds. Frame: the pair's; world lengths. Charges an operation for
-  /// each box and each feature that is near, not the rays. Source: see docs/algorithms/contact-kernel.md.
+  /// each box and each feature that is near, not the rays. Source: see docs/algorithms/convex-contacts.md.
   std::optional<std::span<const FeatureContact>> find(const PlacedSurface& surface, ConvexBody& body,
                                                       const ContactLimits& limits, float surfaceMargin, Budget& budget);
 

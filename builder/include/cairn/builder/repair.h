@@ -32,7 +32,7 @@ struct RepairCounts {
 /// `plyBytes`, whose SHA-256 it carries. Fails, with the place, where that is not enough: edges of more than two
 /// triangles, surfaces without a consistent side, triangles that cross, holes of more than `kMaxHoleEdges` edges or
 /// that no triangles fill. `wrap` takes those. `counts` may be null. Precondition: a mesh of `importSurface`.
-/// O(n log n) and the square of a border's length. Single thread. Source: see docs/algorithms/repair.md.
+/// O(n log n) and the square of a border's length. Single thread. Source: see docs/algorithms/import.md.
 Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = nullptr);
 
 /// Border vertices closer than this fraction of the bounding box's diagonal are one: a few units of float rounding.
