@@ -16,7 +16,6 @@ namespace cairn::bullet {
 enum class RefreshPolicy : std::uint8_t {
   all,       ///< every leaf pair that may have come near
   allIfFew,  ///< as `all` up to `ContactCache::kFewLeafPairs`; beyond, those in contact and the rest in turn
-             ///< contact and, in turn, of the rest
   touching   ///< those in contact; all, where none was
 };
 
