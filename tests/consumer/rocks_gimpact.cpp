@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// Concave rocks fall on the ground, with what Bullet has. docs/drop-in.md changes it to sphere-trees.
+// Concave rocks fall on the ground, with what Bullet has. docs/games.md changes it to sphere-trees.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <btBulletDynamicsCommon.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// rocks_gimpact.cpp with sphere-trees: the change is the one in docs/drop-in.md.
+// rocks_gimpact.cpp with sphere-trees: the change is the one in docs/games.md.
 #include <btBulletDynamicsCommon.h>
 #include <cairn/bullet/dispatcher.h>
 #include <cairn/bullet/sphere_tree_shape.h>

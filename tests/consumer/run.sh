@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Zlib
 # Installs a build and lives on what was installed, as a game does: builds through find_package and through pkg-config,
-# says what the game links, runs it on a rock where the build has a builder, and checks that docs/drop-in.md tells the
+# says what the game links, runs it on a rock where the build has a builder, and checks that docs/games.md tells the
 # truth about the change from GImpact.
 # Usage: run.sh BUILD_FOLDER COMPILER [SUFFIX]   SUFFIX: "-float64" for a build in double precision
 set -euo pipefail
@@ -14,9 +14,9 @@ quietly() { "$@" > "$scratch/log" 2>&1 || fail "$1 fails: $(cat "$scratch/log")"
 
 # Lines of code that were taken away or added.
 changes() { grep -E '^[-+]' | grep -vE '^(---|\+\+\+|[-+]//)' || true; }
-told=$(sed -n '/^```diff/,/^```$/p' "$here/../../docs/drop-in.md" | changes)
+told=$(sed -n '/^```diff/,/^```$/p' "$here/../../docs/games.md" | changes)
 made=$({ diff -U0 "$here/rocks_gimpact.cpp" "$here/rocks_tree.cpp" || true; } | changes)
-[[ $(sort <<< "$told") == "$(sort <<< "$made")" ]] || fail "docs/drop-in.md does not tell the change: $made"
+[[ $(sort <<< "$told") == "$(sort <<< "$made")" ]] || fail "docs/games.md does not tell the change: $made"
 (($(grep -c '^+' <<< "$made") <= 5)) || fail "more than five lines to write: $made"
 
 quietly cmake --install "$build" --prefix "$scratch/usr"
