@@ -47,7 +47,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh tables [MESH...] build a tree of every mesh by every method and print fit and cost of each level, and the
                              thesis's tables 7.2 to 7.5 beside ours (tests/tables/run.sh --help lists the options)
   ./cairn.sh accuracy-cost [OPTIONS] the experiments of the thesis's chapter 7 again, as tables, figures and verdicts in out/accuracy-cost
-                             (all of them, hours; --quick minutes; docs/accuracy-cost.md)
+                             (all of them, hours; --quick minutes; docs/accuracy.md)
   ./cairn.sh hard-cases [CASE...] [OPTIONS] the hard cases of builder and plugin as a table: criterion, measured, Bullet's best
                              own shape, verdict (--quick: seconds each; --list; --json FILE; --strict)
   ./cairn.sh report [--quick] [-o DIR]
