@@ -10,16 +10,16 @@ namespace cairn::bullet {
 
 void NonFinitePairs::count() {
   ++count_;
-  tell();
+  warn();
 }
 
 // On standard error, because Bullet's interface cannot return it.
-void NonFinitePairs::tell() {
+void NonFinitePairs::warn() {
   if (hasWarned_.exchange(true)) return;
   std::fprintf(
       stderr,
-      "a body's place, speed or force is no number or endless: its sphere-tree pairs have no contacts until it "
-      "is one again (said once; StepStatistics::nonFinitePairs counts them)\n");
+      "a body's place, speed or force is NaN or infinite: its sphere-tree pairs have no contacts until it is finite "
+      "again (said once; StepStatistics::nonFinitePairs counts such pairs)\n");
 }
 
 void NonFinitePairs::forget(TreePair& pair) {
@@ -39,7 +39,7 @@ std::uint32_t NonFinitePairs::cullLeftOvers(bool alsoCollected) {
     ++culled;
   }
   leftOvers_.clear();
-  if (culled > 0) tell();
+  if (culled > 0) warn();
   return culled;
 }
 

@@ -27,7 +27,7 @@ class NonFinitePairs {
   std::uint32_t cullLeftOvers(bool alsoCollected);
 
  private:
-  void tell();
+  void warn();
 
   std::atomic<std::uint32_t> count_{0};
   std::atomic<bool> hasWarned_{false};

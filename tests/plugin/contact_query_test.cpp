@@ -137,8 +137,11 @@ TEST_P(ContactQuery, TellsDistanceAndNormalOfEverythingWithinTheThreshold) {
           });
 }
 
-// How deep two cubes are in each other does not depend on how far apart was asked for; Bullet's boxes agree within what
-// a tree against a mesh is off by without a threshold, too.
+// Metres by which the depth of two cubes of one metre may be less or more than that of Bullet's boxes, which is the
+// least over all directions. Leaves measure depth along the faces they touch: at edges that is up to twice the least.
+constexpr double kShallower = 0.01, kDeeper = 0.09;
+
+// The depth of two cubes does not depend on the threshold of the query.
 TEST(ContactQueryThreshold, DoesNotChangeHowDeepATreeIsInAMesh) {
   const auto box = std::make_shared<btBoxShape>(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
   std::mt19937 engine(3);
@@ -174,7 +177,10 @@ TEST(ContactQueryThreshold, DoesNotChangeHowDeepATreeIsInAMesh) {
         const double asked = deepest(tree, mesh, threshold);
         if (touching < 0) EXPECT_NEAR(asked, touching, 1e-4);
         if (touching > 0) EXPECT_GE(asked, -1e-4);
-        if (ofBoxes < 0 && ofBoxes > -0.2) EXPECT_NEAR(asked, ofBoxes, 0.1);
+        if (ofBoxes < 0 && ofBoxes > -0.2) {
+          EXPECT_LT(asked, ofBoxes + kShallower);
+          EXPECT_GT(asked, ofBoxes - kDeeper);
+        }
       }
     }
   }

@@ -87,9 +87,11 @@ void print(const char* frontEnd, const Quality& q) {
               q.meanError, q.worstError, q.unresolved, q.operations, q.cpuMs);
 }
 
-// A dispatcher that does not say where its steps end prepares by what it knows of the last one: it may lose the reserve
-// for newcomers, a sixty-fourth, and what they cost.
-TEST(FrontEnd_Quality, IsNearlyTheSameForTheSameBudget) {
+// An open step learns its pairs as they come. It keeps a sixty-fourth of the budget for unexpected pairs, and cannot
+// give all pairs without an answer a coarse look first. Both together cost 7 to 8 % of the error on these poses.
+constexpr double kOpenStepLoss = 0.1;
+
+TEST(FrontEnd_Quality, IsTheSameOnAWorldAndTenPercentWorseOnADispatcher) {
   const Recording recording = record(480);
   const Quality full = replay<bullet::Dispatcher<>>(recording, {});
   std::printf("no limit\n");
@@ -107,8 +109,8 @@ TEST(FrontEnd_Quality, IsNearlyTheSameForTheSameBudget) {
     print("install(dispatcher)", dispatcher);
     EXPECT_EQ(world.meanError, own.meanError);
     EXPECT_EQ(world.operations, own.operations);
-    EXPECT_LE(dispatcher.meanError, 1.1 * own.meanError);
-    EXPECT_LE(dispatcher.worstError, 1.1 * own.worstError);
+    EXPECT_LE(dispatcher.meanError, (1 + kOpenStepLoss) * own.meanError);
+    EXPECT_LE(dispatcher.worstError, (1 + kOpenStepLoss) * own.worstError);
     EXPECT_GT(own.unresolved, 0.01) << "the budget was no limit: the test shows nothing";
   }
 }

@@ -195,10 +195,14 @@ struct Fall {
   btScalar lowest = 0, fastest = 0;
 };
 
+// Metres: a ring that lies flat has its middle at the height of its tube's radius. Guards on this budget
+// let rings sink by 0.008 at most; twice that is allowed.
+constexpr double kTube = 0.1, kSunk = 0.016;
+
 Fall drop(const std::string& priority, bool isWatched) {
   BulletWorld<> w;
   w.addGround();
-  const auto tree = plainTree(torus(0.3, 0.1, 16));
+  const auto tree = plainTree(torus(0.3, kTube, 16));
   std::vector<btRigidBody*> bodies;
   for (int i = 0; i < 12; ++i)
     bodies.push_back(&w.add(treeShape(tree), 1,
@@ -208,7 +212,7 @@ Fall drop(const std::string& priority, bool isWatched) {
   EXPECT_TRUE(w.dispatcher.setBudget({1500, {}}).ok());
   if (isWatched) EXPECT_TRUE(w.dispatcher.setViewer(onlooker()).ok());
   w.step(240);
-  Fall fall{w.stateHash(), 0, 0};
+  Fall fall{w.stateHash(), 1, 0};
   for (const btRigidBody* body : bodies) {
     EXPECT_TRUE(isSane(*body));
     fall.lowest = std::min(fall.lowest, body->getWorldTransform().getOrigin().z());
@@ -220,7 +224,7 @@ Fall drop(const std::string& priority, bool isWatched) {
 TEST_P(PriorityPolicies, HoldAHeapOnASmallBudget_WithTheSameBitsTwice) {
   for (const bool isWatched : {false, true}) {
     const Fall fall = drop(GetParam(), isWatched);
-    EXPECT_GE(fall.lowest, 0) << "the middle of a ring sank into the ground";
+    EXPECT_GE(double(fall.lowest), kTube - kSunk) << "a ring sank into the ground";
     EXPECT_LT(fall.fastest, 3) << "thrown about";
     EXPECT_EQ(fall.hash, drop(GetParam(), isWatched).hash);
   }
