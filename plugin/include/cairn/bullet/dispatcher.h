@@ -11,15 +11,20 @@
 
 namespace cairn::bullet {
 
-/// A Bullet dispatcher whose sphere-tree pairs share one budget per step.
+/// A Bullet dispatcher whose pairs with a sphere-tree share one budget per step.
 ///
-/// In place of `btCollisionDispatcher d(&config)` write `cairn::bullet::Dispatcher<> d(&config)`; everything else
-/// stays. One pass over the pairs collects those with a sphere-tree (all others are answered as ever), one prioritised
-/// traversal refines them together until the budget is spent, then their manifolds are written. Queries (contactTest
-/// and the like) and dispatches for a pair cache other than the world's are answered at once.
+///     btDefaultCollisionConfiguration configuration;
+///     cairn::bullet::Dispatcher<> dispatcher(&configuration);  // instead of btCollisionDispatcher
+///     if (!dispatcher.setBudget({.operations = 50000})) return 1;
 ///
-/// `Base` is the dispatcher to extend; its constructor's arguments are passed on. Where the dispatcher is made already,
-/// `install` (install.h) does the same from outside. As with any dispatcher, the worlds it serves must die before it.
+/// A pass over the pairs has three parts. First it collects the pairs with a sphere-tree; Bullet answers all others as
+/// usual. Then one prioritised traversal refines the collected pairs together, until the budget is spent. Last it
+/// writes their manifolds. Queries such as `contactTest` are answered at once, as are dispatches of a pair cache that
+/// is not the world's.
+///
+/// `Base` is the dispatcher to extend; its constructor takes the arguments. For a dispatcher that already exists,
+/// `install` (install.h) does the same from outside. Lifetime: worlds must be destroyed before their dispatcher, as
+/// with any dispatcher of Bullet.
 template <class Base = btCollisionDispatcher>
 class Dispatcher : public Base {
  public:
@@ -28,17 +33,17 @@ class Dispatcher : public Base {
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
-  /// Refuses negative amounts and NaN.
+  /// The budget of each step. Fails for negative amounts and NaN.
   Status setBudget(const StepBudget& budget) { return narrowPhase_.setBudget(budget); }
-  /// Of all steps of a frame together, on top of that of each step; `stepFrame` then steps the world. Refuses negative
-  /// amounts and NaN.
+  /// The budget of all steps of a frame together; it applies besides the budget of each step. Use `stepFrame` to step
+  /// the world. Fails for negative amounts and NaN.
   Status setFrameBudget(const StepBudget& budget) { return narrowPhase_.setFrameBudget(budget); }
   /// See `NarrowPhase::expectPairs`.
   void expectPairs(const ExpectedPairs& pairs) { narrowPhase_.expectPairs(pairs); }
   void beginFrame(int steps) { narrowPhase_.beginFrame(steps); }
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
   void setFinest(Finest finest) { narrowPhase_.setFinest(finest); }
-  /// Precondition: not null.
+  /// From the next step on; see `NarrowPhase::setPriority`. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }
   /// See `NarrowPhase::setViewer`.
   Status setViewer(const std::optional<Viewer>& viewer) { return narrowPhase_.setViewer(viewer); }

@@ -7,24 +7,28 @@
 
 namespace cairn::bullet {
 
-/// A budget for a whole frame, shared by the simulation steps in it: each may use an equal part of what is left, so
-/// what a quiet step leaves, and what a step spends beyond its part, is the business of those after it.
+/// A budget for a whole frame, shared by the simulation steps in it. Each step may use an equal part of the rest. So
+/// later steps gain what an earlier step leaves, and pay for what it overspends.
 ///
-/// The front ends hold one (`setFrameBudget`, `beginFrame`; `stepFrame` in `step_frame.h` does the counting); it stands
-/// alone for whoever drives steps otherwise.
+///     FrameBudget frame({.operations = 50000});
+///     frame.begin(steps);
+///     for (int i = 0; i < steps; ++i) { budgetOfStep = frame.share(); ...; frame.spend(operations, microseconds); }
+///
+/// The front ends hold one (`setFrameBudget`, `beginFrame`), and `stepFrame` in step_frame.h counts the steps for them.
+/// Use the class directly only where you drive steps yourself.
 class FrameBudget {
  public:
   FrameBudget() = default;
-  /// Of every frame from now on; unset fields are no limit. The frame at hand starts anew.
+  /// The budget of every frame from now on; an unset field is no limit. The current frame starts anew.
   explicit FrameBudget(const StepBudget& perFrame) : perFrame_(perFrame), left_(perFrame) {}
 
-  /// A new frame of `steps` steps; what is left of the last one lapses. 0 or less: a frame of no steps. Steps beyond
-  /// those announced are frames of their own, each with the whole budget.
+  /// Begins a frame of `steps` steps; the rest of the last frame's budget lapses. A value of 0 or less announces no
+  /// step. Each step beyond those announced gets the whole budget.
   void begin(int steps);
 
-  /// What the next step may use: what is left, divided by the steps left (operations are rounded down).
+  /// The budget of the next step: the rest, divided by the number of steps left. Operations are rounded down.
   StepBudget share() const;
-  /// What a step has used, refinement and all: it is taken from what is left, which does not go below nothing.
+  /// Subtracts the whole cost of a step from the rest, which never falls below 0.
   void spend(std::uint64_t operations, double microseconds);
 
  private:
@@ -32,7 +36,7 @@ class FrameBudget {
   int stepsLeft_ = 0;
 };
 
-/// The smaller of each limit.
+/// The smaller value of each limit; an unset field is no limit.
 StepBudget tighter(const StepBudget& x, const StepBudget& y);
 
 }  // namespace cairn::bullet

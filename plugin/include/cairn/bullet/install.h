@@ -9,49 +9,54 @@ class btCollisionWorld;
 
 namespace cairn::bullet {
 
-/// Two ways in for a program whose dispatcher is made already; whoever makes it takes a `Dispatcher`. Both return the
-/// narrow phase, whose owner they make you: while it lives, sphere-trees collide under its budget; when it dies,
-/// everything is as it was before.
+/// Two ways to add Cairn to a dispatcher that already exists; if you create the dispatcher, use `Dispatcher`. Both
+/// return a narrow phase that you own. While it lives, sphere-trees collide under its budget. Its destructor restores
+/// the former state.
 ///
 ///     auto cairn = cairn::bullet::install(world);
 ///     if (!cairn) return fail(cairn.error().message);
 ///     if (!cairn.value().setBudget({.operations = 50000})) return 1;
 ///
-/// **Lifetime.** It must die before the world or dispatcher it was installed on, as it does when declared after them:
-/// Bullet tells nobody when these die, so afterwards is undefined behaviour. Not while either is dispatching (asserted;
-/// a contact callback is such a place). Several may be installed on one world or dispatcher one after the other, never
-/// two at once (an error). What others have replaced since, an assertion says and the new value is left alone.
+/// **Lifetime.** Destroy the narrow phase before its world or dispatcher; declare it after them and this holds. Bullet
+/// reports the death of neither, so a later destruction is undefined behaviour. Do not destroy it during a dispatch,
+/// for instance in a contact callback (asserted).
+///
+/// One world or dispatcher can have one narrow phase at a time; a second one is an error. A new one may follow the old
+/// one. If other code replaced something that `install` had set, an assertion reports it and the new value stays.
 
-/// On a world, whatever its kind and solver: the same answers as by a `Dispatcher`, bit for bit. Costs two calls a
-/// step.
+/// Installs on a world of any class, with any solver. The answers equal those of a `Dispatcher` bit for bit. Cost: two
+/// calls a step.
 ///
-/// The end of Bullet's pass over the pairs is seen by a broad phase that hands everything on to the one there was, and
-/// whose pair cache tells when that pass begins and ends: while installed, `world.getBroadphase()` is not the object
-/// you made (which you may go on using directly), so do not cast it down. Pairs that Bullet already knew are taken over
-/// in the next step, and given back when the narrow phase dies; contacts of such pairs end and start again, and with
-/// them those of all compounds when it dies.
+/// The narrow phase must see where Bullet's pass over the pairs begins and ends. So it puts a broad phase around yours,
+/// which forwards all calls and whose pair cache reports the pass. While installed, `world.getBroadphase()` is
+/// therefore not your object: do not cast it down. You may go on using your own object directly.
 ///
-/// An error when the world has no `btCollisionDispatcher`, one that has sphere-trees registered, or a
-/// `btCollisionDispatcherMt` (which asks the pair cache for no pass; use `Dispatcher<btCollisionDispatcherMt>`).
+/// Pairs that Bullet knew already change over in the next step, and change back when the narrow phase is destroyed.
+/// Their contacts end and start again. On destruction the contacts of all compounds start again too.
+///
+/// Fails when the world has no `btCollisionDispatcher`, or one with sphere-trees registered. Fails also for a
+/// `btCollisionDispatcherMt`, which reports no pass to the pair cache; use `Dispatcher<btCollisionDispatcherMt>` there.
 Result<NarrowPhase> install(btCollisionWorld& world);
 
-/// On a dispatcher alone, for whoever cannot reach the world. A stock dispatcher says neither when a step begins nor
-/// when it ends, and contacts cannot wait: when the first pair of a step comes, all pairs seen before are refined
-/// together at the poses their bodies have now, and each answers from that when its turn comes. A part of the budget is
-/// kept for pairs that are new, as many as came in the step before; what they do not need lapses.
+/// Installs on a dispatcher alone, for callers that cannot reach the world. A plain dispatcher reports neither the
+/// begin nor the end of a step, and contacts cannot wait. So the first pair of a step refines all known pairs together,
+/// at the present poses of their bodies. Each pair then answers from that result in its turn. Part of the budget is
+/// reserved for new pairs, as many as came in the step before; the rest of this part lapses.
 ///
-/// A step has begun when a pair comes a second time, or a new one after bodies that have moved, or after `beginFrame`.
-/// So refinement keeps the budget exactly in every step in which something moves; where nothing did, pairs that appear
-/// before any known one count as the last step's. Bodies moved by contact callbacks in mid-step begin another step.
-/// Pairs of ghost objects are answered at once and in full, even those of the world's own pass.
+/// A step begins when a pair comes a second time, or a new pair after bodies have moved, or after `beginFrame`. So
+/// every step in which something moves keeps its budget exactly. Where nothing moved, new pairs that come before any
+/// known pair count as the last step's. If a contact callback moves bodies during a step, another step begins. Pairs of
+/// ghost objects are answered at once and in full, even those of the world's own pass.
 ///
-/// `lastStep()` is the step at hand so far, pairs that are still expected with what they answered last, and stays what
-/// it is in steps without any sphere-tree; its `microseconds` are elapsed time in the narrow phase alone. Pairs that
-/// Bullet knew before keep Bullet's algorithms (clean them from the pair cache); those it knows when the narrow phase
-/// dies are answered at once and in full until it drops them. Do not share the dispatcher between worlds (they would
-/// share the steps), and let no algorithm made by hand with `findAlgorithm` outlive its bodies.
+/// `lastStep()` describes the current step so far; pairs still expected count with their last answers. A step without
+/// any sphere-tree leaves it unchanged. Its `microseconds` are elapsed time in the narrow phase alone.
 ///
-/// An error when sphere-trees are registered already, or for a `btCollisionDispatcherMt`.
+/// Pairs that Bullet knew before keep Bullet's algorithms; clean them from the pair cache to change that. Pairs known
+/// when the narrow phase is destroyed are answered at once and in full, until Bullet drops them. Do not share the
+/// dispatcher between worlds, because they would share the steps. An algorithm that you made with `findAlgorithm` must
+/// not outlive its bodies.
+///
+/// Fails when sphere-trees are registered already, and for a `btCollisionDispatcherMt`.
 Result<NarrowPhase> install(btCollisionDispatcher& dispatcher);
 
 }  // namespace cairn::bullet

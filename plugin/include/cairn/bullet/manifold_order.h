@@ -9,16 +9,20 @@ class btPersistentManifold;
 
 namespace cairn::bullet {
 
-/// Puts manifolds into an order that their bodies and points alone tell: by the ids the broad phase gave the bodies,
-/// between the same two by their points. Who made them when does not show. For solvers that `OrderedSolver` cannot
-/// extend. `dispatcher` is the one that made them; if it is its own list that is put in order (Bullet hands that to the
-/// solver where islands are not split), it still finds them in it. Precondition: no pass is under way, and nobody keeps
-/// a place in the list. Linear where they are in order; else n log n.
+/// Sorts manifolds by data of their bodies and points alone: first by the ids that the broad phase gave the bodies,
+/// then by the points. The result does not depend on when or by which thread a manifold was made. For solvers that
+/// `OrderedSolver` cannot extend:
+///
+///     cairn::bullet::orderManifolds({manifolds, std::size_t(count)}, dispatcher);  // in your solveGroup
+///
+/// `dispatcher` is the maker of the manifolds. The span may be its own list, which Bullet hands to the solver when
+/// islands are not split; the dispatcher then still finds its manifolds. Precondition: no pass is under way, and nobody
+/// remembers an index in the list. Cost: linear for a sorted list, else n log n.
 void orderManifolds(std::span<btPersistentManifold*> manifolds, btDispatcher& dispatcher);
 
-/// The same with all of a dispatcher's. `btCollisionDispatcherMt` lines up what its threads made by which thread made
-/// it, so the solver would solve worlds with Bullet's own shapes in another order every time:
-/// `Dispatcher<btCollisionDispatcherMt>` calls this after each pass.
+/// Sorts all manifolds of a dispatcher. `btCollisionDispatcherMt` lists manifolds by the thread that made them. With
+/// Bullet's own shapes the solver would then see another order in every run. `Dispatcher<btCollisionDispatcherMt>`
+/// calls this after each pass.
 void orderManifolds(btCollisionDispatcher& dispatcher);
 
 }  // namespace cairn::bullet

@@ -16,14 +16,18 @@ struct btDispatcherInfo;
 
 namespace cairn::bullet {
 
-/// The sphere-tree narrow phase of one dispatcher: registers the collision algorithms, collects their pairs during a
-/// dispatch, refines all of them under one budget and emits the contacts. Users meet it inside a `Dispatcher`, or as
-/// what `install` returns; it is gone with all it registered when it is destroyed, which must happen before the
-/// dispatcher is and not while that dispatches (asserted).
+/// The sphere-tree narrow phase of one dispatcher. It registers the collision algorithms and collects their pairs
+/// during a dispatch. Then it refines all pairs under one budget and writes the contacts. You meet it inside a
+/// `Dispatcher`, or as the result of `install`:
+///
+///     Result<NarrowPhase> narrowPhase = cairn::bullet::install(world);
+///     if (narrowPhase) narrowPhase.value().setFinest(Finest::leaves);
+///
+/// Its destructor removes all it registered. Destroy it before the dispatcher, and not during a dispatch (asserted).
 class NarrowPhase {
  public:
-  /// Registers with `dispatcher`, which must outlive this and have no sphere-trees registered. Whoever calls this says
-  /// with `beginStep` and `endStep` where steps begin and end; others call `install`.
+  /// Registers with `dispatcher`, which must outlive this object and have no sphere-trees registered. The caller marks
+  /// steps with `beginStep` and `endStep`. Other callers use `install`.
   explicit NarrowPhase(btCollisionDispatcher& dispatcher);
   ~NarrowPhase();
   NarrowPhase(NarrowPhase&&) noexcept;
@@ -31,32 +35,35 @@ class NarrowPhase {
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
 
-  /// Of every step from now on. Refuses negative amounts and NaN.
+  /// The budget of each step, from now on. Fails for negative amounts and NaN.
   Status setBudget(const StepBudget& budget);
-  /// Of all steps of a frame together (see `FrameBudget`), on top of that of each step. Refuses negative amounts and
-  /// NaN.
+  /// The budget of all steps of a frame together (see `FrameBudget`); it applies besides the budget of each step. Fails
+  /// for negative amounts and NaN.
   Status setFrameBudget(const StepBudget& budget);
-  /// Makes room now for so many pairs that are still to come (8 to 9 KB each), so that the step in which they meet
-  /// need not: under a budget in microseconds memory that is touched for the first time takes longer than the rest of
-  /// it. The first such budget makes room for 608 by itself. Within a step, from a callback, that is left for its end.
-  /// Throws `std::bad_alloc` when there is no memory. Linear in the pairs.
+  /// Allocates memory now for so many pairs that are still to come, 8 to 9 KB each. Otherwise the step in which they
+  /// meet allocates it. Under a budget in microseconds, touching new memory can take longer than all other work of that
+  /// step. The first such budget makes room for 608 pairs by itself. A call within a step, from a callback, takes
+  /// effect at the end of that step. Throws `std::bad_alloc` when there is no memory. Cost: linear in the pairs.
   void expectPairs(const ExpectedPairs& pairs);
-  /// A frame of `steps` steps begins; `stepFrame` calls this.
+  /// Begins a frame of `steps` steps; `stepFrame` calls this.
   void beginFrame(int steps);
+  /// Sets the answer of unfinished pairs; `Unresolved::guard` at first.
   void setUnresolved(Unresolved policy);
-  /// From the next step on. Which pairs go on to triangles within a budget: see docs/budgets.md.
+  /// Sets where refinement ends, from the next step on. docs/budgets.md explains which pairs go on to triangles within
+  /// a budget.
   void setFinest(Finest finest);
-  /// Which pair is refined next; `RoundRobin` until told; not asked without a budget. See
-  /// docs/algorithms/priorities.md. Precondition: not null.
+  /// Sets the rule that selects the next pair to refine; `RoundRobin` at first. Without a budget the rule is not asked.
+  /// See docs/algorithms/priorities.md. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority);
-  /// Who looks at the scene from the next step on, world frame, for priorities that care and for the seen error in the
-  /// statistics; nothing (as at first): nobody. Holds for later priorities too. Refuses what `checkViewer` refuses.
+  /// Sets the viewer (world frame) from the next step on; unset, as at first, means no viewer. Priorities may use the
+  /// viewer, and the statistics measure the seen error from there. Priorities set later get the same viewer. Fails
+  /// where `checkViewer` fails.
   Status setViewer(const std::optional<Viewer>& viewer);
-  /// What the last step did. Valid until it is asked for again or this dies. Cost: nothing; installed on a dispatcher,
-  /// linear in its pairs.
+  /// Describes the last step. The reference is valid until the next call, or until this object is destroyed. Cost:
+  /// none; linear in the pairs where installed on a dispatcher.
   const StepStatistics& lastStep() const;
 
-  /// Around the dispatcher's pass over `pairs`.
+  /// Call these two around the dispatcher's pass over `pairs`.
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 

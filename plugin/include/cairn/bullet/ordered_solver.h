@@ -10,16 +10,17 @@
 
 namespace cairn::bullet {
 
-/// A solver of Bullet that is handed manifolds in an order that their bodies and points alone tell. What goes on far
-/// away then changes no bit of a heap, nor does what was removed before: Bullet solves them in the order in which it
-/// keeps or sorts them, which both change. Bullet's own switch, `m_deterministicOverlappingPairs`, does that for shapes
-/// that have one manifold a pair; trees and compounds have several.
+/// A Bullet solver that gets the manifolds sorted by data of their bodies and points alone (`orderManifolds`). Bodies
+/// far away, and bodies removed earlier, then change no bit of a heap's motion. Bullet's own order depends on both.
 ///
 ///     cairn::bullet::OrderedSolver solver;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
-/// Bodies must have been added in the same order, and no budget be shared with what is far away. Joints keep Bullet's
-/// order, and `btMultiBodyDynamicsWorld` does not call this. Cost: n log n in the manifolds of a step.
+/// Bullet's switch `m_deterministicOverlappingPairs` does the same only for shapes with one manifold a pair. Trees and
+/// compounds have several.
+///
+/// Preconditions: the bodies were added in the same order, and share no budget with distant bodies. Joints keep
+/// Bullet's order. `btMultiBodyDynamicsWorld` does not call this. Cost: n log n in the manifolds of a step.
 template <class Solver = btSequentialImpulseConstraintSolver>
 class OrderedSolver : public Solver {
  public:

@@ -13,65 +13,69 @@
 
 namespace cairn::bullet {
 
-/// Which frame a body with this shape moves in.
+/// The frame in which a body with this shape moves.
 enum class BodyFrame : std::uint8_t {
-  /// Origin at the mesh's centre of mass, axes along its principal axes: what a btRigidBody needs to tumble as the mesh
-  /// would.
-  /// Draw the mesh with `bodyTransform * shape.bodyFromMesh()`.
+  /// Origin at the mesh's centre of mass, axes along its principal axes. A dynamic `btRigidBody` needs this frame to
+  /// tumble as the mesh would. Draw the mesh with `bodyTransform * shape.bodyFromMesh()`.
   principalAxes,
-  /// The mesh's own frame, for static and kinematic bodies and for children of compounds placed by their mesh frame.
+  /// The mesh's own frame: for static and kinematic bodies, and for children of compounds placed by their mesh frame.
   mesh,
 };
 
-/// What rays and convex sweeps hit.
+/// The geometry that rays and convex sweeps hit.
 enum class CastTarget : std::uint8_t {
-  /// The source mesh, by Bullet's own tests of a triangle. Part 0, index: the source triangle; `leafOf` names its node.
+  /// The source mesh, by Bullet's own triangle tests. A hit has part 0 and the source triangle as index; `leafOf` finds
+  /// its node.
   triangles,
-  /// The balls of the tree's leaves, grown by the margin: what bodies collide with. Part: the leaf's level, index: its
-  /// `NodeId`. As at a btSphereShape, a ray that begins inside a ball does not hit that ball.
+  /// The balls of the tree's leaves, grown by the margin, as in body contacts. A hit has the leaf's level as part and
+  /// its `NodeId` as index. A ray that begins inside a ball does not hit that ball, as with `btSphereShape`.
   spheres,
 };
 
-/// What the index of a contact point's part means on a tree. Below `vertex` the part is a leaf's level and the index
-/// its `NodeId`; with `Finest::triangles`, against another tree, a convex shape or a solid mesh, the index is that of a
-/// feature of the source mesh.
+/// The meaning of a contact point's index on a tree, told by its part. A part below `vertex` is a leaf's level, and the
+/// index is its `NodeId`. With `Finest::triangles`, contacts against a tree, a convex shape or a solid mesh name
+/// features of the source mesh.
 enum class ContactPart : std::uint8_t {
-  vertex = kMaxDepth + 1,  ///< of `SphereTree::vertices()`
-  face,                    ///< of `SphereTree::triangles()`
-  edge,                    ///< of `SphereTree::surface().features.edges()`
+  vertex = kMaxDepth + 1,  ///< the index is that of `SphereTree::vertices()`
+  face,                    ///< the index is that of `SphereTree::triangles()`
+  edge,                    ///< the index is that of `SphereTree::surface().features.edges()`
 };
 
 class ExtremePoints;
 class LeafBalls;
 class RegionBalls;
 
-/// Two surfaces closer than this fraction of the smaller body's size are reported although they do not touch: the
-/// solver then lets them close the gap and no more, and resting contacts do not flicker (measured with scheme S).
+/// Surfaces closer than this fraction of the smaller body's size are reported although they do not touch. The solver
+/// then lets them close the separation and no more, so that resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
 
-/// Which of a tree's levels `serialize` writes as a compound: level two of a tree of eight children has at most 64
-/// spheres.
+/// The default level that `serialize` writes as a compound. Level 2 of a tree with branching 8 has at most 64 spheres.
 inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
 
-/// A certified sphere-tree as a Bullet collision shape for moving (and static) concave bodies.
+/// A certified sphere-tree as a Bullet collision shape, for moving and static concave bodies.
 ///
-/// The type is `FAST_CONCAVE_MESH_PROXYTYPE`: every generic path of Bullet that knows only concave shapes (rays,
-/// sweeps, debug drawing, pairs nobody registered) works on the source triangles through `processAllTriangles`. Pairs
-/// handled by `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
+///     auto tree = cairn::loadTree("bunny.cairn");
+///     auto shape = cairn::bullet::SphereTreeShape::create(std::move(tree).value());
+///     if (!shape) return fail(shape.error().message);
+///
+/// The type is `FAST_CONCAVE_MESH_PROXYTYPE`. So Bullet's generic code for concave shapes works on the source
+/// triangles, through `processAllTriangles`: rays, sweeps, debug drawing and unregistered pairs. Pairs handled by
+/// `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
 class SphereTreeShape final : public btConcaveShape {
  public:
-  /// The margin, Bullet's `setMargin`, is 0 at first and grows the surface: contacts, boxes and bounding spheres take
-  /// it into account. It is metres whatever the scale.
+  /// Creates the shape with margin 0 and casts on triangles. The margin (`setMargin`) grows contacts, boxes and
+  /// bounding spheres; it is in metres at any scale.
   ///
-  /// Fails for a null tree, for a scale that is not positive and finite, and when the diagonal of the scaled mesh's box
-  /// is below 1e-21 or above 1e19. Cost: a convex hull of the mesh, and balls around its triangles, n log n, for casts.
+  /// Fails for a null tree, and for a scale that is not positive and finite. Fails also when the diagonal of the scaled
+  /// mesh's box is below 1e-21 or above 1e19. Cost: n log n in the mesh, for its convex hull and for balls around its
+  /// triangles that speed up casts.
   static Result<std::unique_ptr<SphereTreeShape>> create(std::shared_ptr<const SphereTree> tree,
                                                          BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1);
 
   ~SphereTreeShape() override;
 
-  /// The same with a tree of its own.
+  /// Creates the shape with a tree that no other shape shares.
   static Result<std::unique_ptr<SphereTreeShape>> create(SphereTree tree, BodyFrame frame = BodyFrame::principalAxes,
                                                          btScalar scale = 1) {
     return create(std::make_shared<const SphereTree>(std::move(tree)), frame, scale);
@@ -82,67 +86,69 @@ class SphereTreeShape final : public btConcaveShape {
   BodyFrame bodyFrame() const { return frame_; }
   btScalar scale() const { return scale_; }
 
-  /// Places the source mesh (times `scale`) in the body's frame.
+  /// Maps the source mesh (times `scale`) to the body's frame.
   const btTransform& bodyFromMesh() const { return bodyFromMesh_; }
-  /// Places the tree frame (mesh axes, origin at the tree's origin, times `scale`) in the body's frame.
+  /// Maps the tree frame (mesh axes, origin at the tree's origin, times `scale`) to the body's frame.
   const btTransform& bodyFromTree() const { return bodyFromTree_; }
-  /// Diagonal of the source mesh's bounding box, scaled: what fractions of "body size" refer to.
+  /// Diagonal of the source mesh's bounding box, scaled. All fractions of "body size" refer to this length.
   btScalar size() const { return size_; }
 
-  /// Bytes of memory the shape holds of its own, without the tree it shares (`SphereTree::memoryBytes`).
+  /// Bytes of memory that belong to this shape alone, without the shared tree (`SphereTree::memoryBytes`).
   std::size_t memoryBytes() const;
   CastTarget castTarget() const { return leafBalls_ ? CastTarget::spheres : CastTarget::triangles; }
-  /// Of all bodies with this shape. Default: triangles. Not while another thread casts. Cost of `spheres`: linear in
-  /// the tree, and 16 bytes a node.
+  /// Sets the target for all bodies with this shape; triangles at first. Do not call while another thread casts. Cost
+  /// of `spheres`: linear in the tree, and 16 bytes a node.
   void setCastTarget(CastTarget target);
-  /// A leaf whose ball holds `point` (body's frame) of a source triangle and whose region has a piece of that triangle,
-  /// or nothing where there is none. Of several, the one whose centre is nearest. Cost: one descent.
+  /// Finds the leaf for a `point` of a source triangle (body frame). The leaf's ball holds the point, and its region
+  /// has a piece of the triangle. Of several leaves, the nearest centre wins; none gives an empty result. Cost: one
+  /// descent.
   std::optional<NodeId> leafOf(int triangle, const btVector3& point) const;
 
-  /// Spheres stay spheres only under uniform scale. Anything else, or a scale `create` would refuse, is refused
-  /// and leaves the shape as it was.
+  /// Spheres stay spheres only under uniform scale. A scale that is not uniform, or that `create` would refuse, fails
+  /// and leaves the shape unchanged.
   Status setScale(const btVector3& scaling);
-  /// `setScale`; a refusal is printed on standard error, because Bullet's interface cannot return it. A compound scaled
-  /// unevenly hands that on to its children: it moves its trees' places and leaves their size.
+  /// Calls `setScale` and prints a failure on standard error, because Bullet's interface cannot return it. A compound
+  /// hands an uneven scale on to its children; it then moves its trees and does not resize them.
   void setLocalScaling(const btVector3& scaling) override;
-  /// A margin that is negative, no number, or more than 2^23 times the size (a float's unit of it would be the whole
-  /// mesh) is refused in the same way, and leaves the shape as it was.
+  /// Refuses a margin that is negative, NaN or more than 2^23 times the size. The unit in the last place of so large a
+  /// float exceeds the whole mesh. A refusal is printed on standard error and leaves the shape unchanged.
   void setMargin(btScalar margin) override;
   const btVector3& getLocalScaling() const override { return localScaling_; }
 
-  /// The box of the source mesh's convex hull at this rotation (within 1e-4 of the size), grown by the margin and by
-  /// the speculative distance, so that no contact the narrow phase could report is lost to the broad phase. Linear in
-  /// the hull's vertices.
+  /// The box of the source mesh's convex hull at this rotation, within 1e-4 of the size. It is grown by the margin and
+  /// by the speculative distance, so that the broad phase loses no possible contact. Cost: linear in the hull's
+  /// vertices.
   void getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const override;
-  /// The tree's root, grown by the margin.
+  /// The tree's root sphere, grown by the margin.
   void getBoundingSphere(btVector3& center, btScalar& radius) const override;
-  /// The largest distance of the surface, grown by the margin, from the body's origin (within 1e-4 of the size): how
-  /// far a turn moves it. Bullet's contact breaking threshold is 0.02 of it, for pairs that Bullet's own algorithms
-  /// handle; those of `Dispatcher` set their own on their manifolds.
+  /// The largest distance of the surface, margin included, from the body's origin, within 1e-4 of the size. It bounds
+  /// how far a rotation moves the surface. Bullet multiplies it by 0.02 for the contact breaking threshold of its own
+  /// algorithms. `Dispatcher` sets its own threshold on its manifolds.
   btScalar getAngularMotionDisc() const override { return angularMotionDisc_ + getMargin(); }
-  /// Inertia of the solid mesh at uniform density, exact (polyhedral integrals), diagonal in the body's frame: complete
-  /// for `principalAxes`, the diagonal about the frame's origin for `mesh`. The margin has no mass.
+  /// Inertia of the solid mesh at uniform density, exact by polyhedral integrals, diagonal in the body's frame. It is
+  /// complete for `principalAxes`. For `mesh` it is the diagonal about the frame's origin. The margin has no mass.
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
-  /// As btCompoundShape's: the centre of mass and the principal axes in the body's frame, and the moments about them,
-  /// ascending. The identity for `principalAxes`. A body in the mesh's frame is turned into one in principal axes by
-  /// taking a shape of that frame and `bodyTransform * principal` as its place.
+  /// Like btCompoundShape's function: gives the centre of mass and principal axes in the body's frame, and the moments
+  /// about them, ascending. The transform is the identity for `principalAxes`. To turn a body in the mesh's frame into
+  /// one in principal axes, create a shape with that frame. Then place the body at `bodyTransform * principal`.
   void calculatePrincipalAxisTransform(btScalar mass, btTransform& principal, btVector3& inertia) const;
-  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle.
-  /// The source triangles near the box [aabbMin, aabbMax] (body frame); part 0, index = source triangle. A callback of
-  /// Bullet's rays or convex sweeps is served along its way instead, whatever the box: its `castTarget` it can hit,
-  /// near ones first, until its hit fraction says that nothing farther is wanted.
+  /// Visits the source triangles near the box [aabbMin, aabbMax] (body frame), with part 0 and the triangle as index. A
+  /// callback of Bullet's rays or convex sweeps is served along its path instead, whatever the box. It then gets the
+  /// `castTarget` geometry that it can hit, near parts first, until its hit fraction excludes the rest.
   void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                            const btVector3& aabbMax) const override;
-  /// Of the kind of shape, as everywhere in Bullet; a shape's own name is given to the serializer.
+  /// Names the kind of shape, as all of Bullet's shapes do. The serializer gets a shape's own name.
   const char* getName() const override { return "CairnSphereTree"; }
 
-  /// The level whose spheres `serialize` writes for programs that know only Bullet; leaves above it count as its own.
+  /// The level whose spheres `serialize` writes for programs that know only Bullet. Leaves above the level belong to
+  /// it.
   std::uint32_t compoundLevel() const { return compoundLevel_; }
   void setCompoundLevel(std::uint32_t level) { compoundLevel_ = level; }
   int calculateSerializeBufferSize() const override;
-  /// For `btDefaultSerializer`: a compound of the spheres of `compoundLevel` (radii grown by the margin, all rounded to
-  /// float), which Bullet's own importer loads, and beside it the tree, which `WorldImporter` gives back; a tree that
-  /// several shapes share is written once. See docs/file-format.md. Linear in the tree.
+  /// For `btDefaultSerializer`. Writes a compound of the spheres of `compoundLevel`, which Bullet's own importer loads.
+  /// Radii are grown by the margin, and all numbers are rounded to float. Beside the compound it writes the tree, which
+  /// `WorldImporter` restores; a tree that several shapes share is written once. See docs/file-format.md. Cost: linear
+  /// in the tree.
   const char* serialize(void* dataBuffer, btSerializer* serializer) const override;
 
  private:
@@ -152,7 +158,7 @@ class SphereTreeShape final : public btConcaveShape {
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
   std::unique_ptr<const RegionBalls> regionBalls_;
-  std::unique_ptr<const LeafBalls> leafBalls_;  // only where casts are to hit spheres
+  std::unique_ptr<const LeafBalls> leafBalls_;  // null unless casts hit spheres
   BodyFrame frame_;
   std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar scale_ = 1;
@@ -162,8 +168,8 @@ class SphereTreeShape final : public btConcaveShape {
   btTransform bodyFromMesh_, bodyFromTree_;
 };
 
-/// The shape as a `SphereTreeShape`, or null. Decided by its class, never by the type number alone, which is free to
-/// others.
+/// The shape as a `SphereTreeShape`, or null. Decided by its C++ class, because other shapes may use the same type
+/// number.
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape);
 
 }  // namespace cairn::bullet

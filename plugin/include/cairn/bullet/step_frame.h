@@ -7,12 +7,12 @@
 
 namespace cairn::bullet {
 
-/// How many steps `world.stepSimulation` with the same arguments would make now: Bullet's own rule, clamped by
-/// `maxSubSteps` (0: one step of the whole time, whatever it is). Times in seconds. Precondition: `maxSubSteps >= 0`,
+/// How many steps `world.stepSimulation` would make now with the same arguments. Follows Bullet's rule and clamps by
+/// `maxSubSteps`; 0 means one step of the whole time, as in Bullet. Times in seconds. Precondition: `maxSubSteps >= 0`,
 /// `fixedTimeStep > 0`.
 inline int stepsOf(const btDiscreteDynamicsWorld& world, btScalar timeStep, int maxSubSteps = 1,
                    btScalar fixedTimeStep = btScalar(1) / btScalar(60)) {
-  // What earlier frames left is known to derived classes only.
+  // Only derived classes can read the time left from earlier frames.
   struct Reader : btDiscreteDynamicsWorld {
     static btScalar localTime(const btDiscreteDynamicsWorld& w) { return w.*(&Reader::m_localTime); }
   };
@@ -21,8 +21,12 @@ inline int stepsOf(const btDiscreteDynamicsWorld& world, btScalar timeStep, int 
   return time >= fixedTimeStep ? std::min(static_cast<int>(time / fixedTimeStep), maxSubSteps) : 0;
 }
 
-/// `world.stepSimulation` with one budget for all its steps together: set it once with `frontEnd.setFrameBudget`, and
-/// call this where `stepSimulation` was. `frontEnd` is the `Dispatcher` or installed `NarrowPhase` of that world.
+/// `world.stepSimulation` with one budget for all its steps together:
+///
+///     dispatcher.setFrameBudget({.microseconds = 2000});  // once
+///     stepFrame(world, dispatcher, timeStep, maxSubSteps);  // instead of world.stepSimulation
+///
+/// `frontEnd` is the `Dispatcher` or the installed `NarrowPhase` of that world. Returns the number of steps made.
 template <class FrontEnd>
 int stepFrame(btDiscreteDynamicsWorld& world, FrontEnd& frontEnd, btScalar timeStep, int maxSubSteps = 1,
               btScalar fixedTimeStep = btScalar(1) / btScalar(60)) {

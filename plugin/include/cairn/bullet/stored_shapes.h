@@ -10,10 +10,10 @@
 
 namespace cairn::bullet {
 
-/// A sphere-tree shape as a `.bullet` file tells of it.
+/// A sphere-tree shape as stored in a `.bullet` file.
 struct StoredShape {
-  /// Its places among the file's shape chunks, counted from 0 in the order `bParse::btBulletFile::m_collisionShapes`
-  /// has. More than one where Bullet wrote the shape more than once.
+  /// Its indices among the file's shape chunks, from 0, in the order of `bParse::btBulletFile::m_collisionShapes`.
+  /// There are several where Bullet wrote the shape more than once.
   std::vector<std::size_t> chunks;
   std::shared_ptr<const SphereTree> tree;  ///< one object for all shapes that shared it when they were written
   BodyFrame frame = BodyFrame::principalAxes;
@@ -21,12 +21,15 @@ struct StoredShape {
   double margin = 0;  ///< metres
 };
 
-/// The sphere-tree shapes a `.bullet` file holds, in the order they were written, with their trees; none for a file of
-/// others. Nothing is trusted: lengths, names and numbers are checked, and the trees' bytes are verified as those of
-/// `.cairn` files are (`decodeTree`). The error names what is wrong, without the file's name. Linear in the file's
-/// size.
+/// Reads the sphere-tree shapes of a `.bullet` file with their trees, in the order they were written. The result is
+/// empty for a file without any.
 ///
-/// For importers of one's own; `WorldImporter` uses it on top of Bullet's.
+///     auto shapes = cairn::bullet::readStoredShapes(bytes);
+///     if (!shapes) return fail(path + " " + shapes.error().message);
+///
+/// For your own importers; `WorldImporter` uses it together with Bullet's importer. Nothing is trusted: it checks
+/// lengths, names and numbers, and verifies trees as `decodeTree` does for `.cairn` files. The error says what is
+/// wrong, without the file's name. Cost: linear in the file's size.
 Result<std::vector<StoredShape>> readStoredShapes(std::span<const std::byte> bulletFile);
 
 }  // namespace cairn::bullet

@@ -12,15 +12,21 @@
 
 namespace cairn::bullet {
 
-/// Debug drawing of sphere-trees: Bullet draws their source triangles, these functions the spheres of one level,
-/// coloured by certified error. Levels deeper than a tree is mean its leaves; leaves above a level belong to it. Linear
-/// in the tree, and every sphere is some 150 lines to a drawer that does not draw spheres itself.
+/// Debug drawing of sphere-trees. Bullet draws their source triangles; these functions draw the spheres of one level,
+/// coloured by certified error.
+///
+///     world.debugDrawWorld();
+///     cairn::bullet::drawTrees(world, 2);
+///
+/// A level deeper than a tree means its leaves; leaves above a level belong to it. Cost: linear in the tree. A drawer
+/// that does not draw spheres itself gets some 150 lines a sphere.
 
-/// The range of the colour scale, which is logarithmic: certified errors as fractions of `SphereTreeShape::size`.
+/// The range of the logarithmic colour scale: certified errors as fractions of `SphereTreeShape::size`.
 inline constexpr double kMinErrorShown = 0.003, kGreatestErrorShown = 0.5;
 
-/// Red, green and blue at equal steps of the scale, 2.8 times the error each: blue 0.3 %, sky 0.83 %, teal 2.3 %,
-/// green 6.5 %, lime 18 %, yellow 50 %. Lightness rises steadily, so that the scale is readable by everyone.
+/// Red, green and blue at equal steps of the scale; each step is 2.8 times the error of the last. Blue is 0.3 %, sky
+/// 0.83 %, teal 2.3 %, green 6.5 %, lime 18 %, yellow 50 %. Lightness rises steadily, so that everyone can read the
+/// scale.
 inline constexpr std::array<std::array<double, 3>, 6> kErrorColors{{{0.29, 0.36, 0.72},
                                                                     {0.20, 0.52, 0.74},
                                                                     {0.20, 0.66, 0.63},
@@ -28,29 +34,32 @@ inline constexpr std::array<std::array<double, 3>, 6> kErrorColors{{{0.29, 0.36,
                                                                     {0.82, 0.84, 0.34},
                                                                     {0.99, 0.80, 0.26}}};
 
-/// Where an error, as a fraction of the size, stands on the colour scale: 0 at its least, 1 at its greatest; not cut
-/// off there.
+/// The place of an error on the colour scale: 0 at its least error, 1 at its greatest. `errorFraction` is a fraction of
+/// the size. Errors beyond the scale give values outside [0, 1].
 double onErrorScale(double errorFraction);
 
-/// The colour of an error, as a fraction of the size; beyond the scale, that of its end.
+/// The colour of an error, as a fraction of the size. Errors beyond the scale get the colour of its nearer end.
 btVector3 errorColor(double errorFraction);
 
-/// Draws the spheres of a level as they collide, margin included, of a body at `bodyTransform`.
+/// Draws the spheres of a level, margin included, of a body at `bodyTransform` (world frame).
 void drawTree(btIDebugDraw& drawer, const btTransform& bodyTransform, const SphereTreeShape& shape,
               std::uint32_t level);
 
-/// The same for all trees of a world, also as children of compounds, with the world's drawer, on top of what
-/// `debugDrawWorld` draws; objects with CF_DISABLE_VISUALIZE_OBJECT are left out, and without a drawer nothing is done.
+/// Draws all trees of a world with the world's drawer, also those in compounds, in addition to `debugDrawWorld`. Omits
+/// objects with CF_DISABLE_VISUALIZE_OBJECT. Does nothing without a drawer.
 void drawTrees(btCollisionWorld& world, std::uint32_t level);
 
-/// A world whose `debugDrawWorld` and `debugDrawObject` draw spheres *instead of* a tree's triangles while a level is
-/// set, and all else as ever: `TreeDrawing<btDiscreteDynamicsWorld> world(...)`.
+/// A world that draws spheres *instead of* a tree's triangles while a level is set. It affects `debugDrawWorld` and
+/// `debugDrawObject`; all else is drawn as usual.
+///
+///     cairn::bullet::TreeDrawing<btDiscreteDynamicsWorld> world(&dispatcher, &broadphase, &solver, &configuration);
+///     world.setTreeLevel(2);
 template <class World>
 class TreeDrawing : public World {
  public:
   using World::World;
 
-  /// Which level is drawn; none: triangles, as Bullet does.
+  /// Sets the level to draw; unset: triangles, as Bullet draws them.
   void setTreeLevel(std::optional<std::uint32_t> level) { treeLevel_ = level; }
   std::optional<std::uint32_t> treeLevel() const { return treeLevel_; }
 
@@ -61,7 +70,7 @@ class TreeDrawing : public World {
     btIDebugDraw* drawer = this->getDebugDrawer();
     if (drawer == nullptr) return;
     if ((drawer->getDebugMode() & btIDebugDraw::DBG_DrawFrames) != 0)
-      drawer->drawTransform(worldTransform, btScalar(0.1));  // as Bullet for every object
+      drawer->drawTransform(worldTransform, btScalar(0.1));  // Bullet draws this for every object
     drawTree(*drawer, worldTransform, *tree, *treeLevel_);
   }
 

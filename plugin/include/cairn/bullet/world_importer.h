@@ -20,23 +20,28 @@
 
 namespace cairn::bullet {
 
-/// Loads `.bullet` files as Bullet's importer does, and what was saved as a `SphereTreeShape` is one again, also as a
-/// child of a compound: with its tree, frame, scale, margin and name, and its bodies with their masses. Shapes that
-/// shared a tree share it again. What Bullet's importer does not restore (velocities, damping, sleeping, kinematic
-/// flags) is not restored here either.
+/// Loads `.bullet` files as Bullet's importer does, and restores each `SphereTreeShape` saved in them, also as a child
+/// of a compound. Restored are its tree, frame, scale, margin and name, and its bodies with their masses. Shapes that
+/// shared a tree share it again.
 ///
-/// Only in this header, so that Cairn's library needs nothing of Bullet's extras: link BulletWorldImporter and
-/// BulletFileLoader (Debian's libbullet-extras-dev), in CMake the target `Bullet::WorldImporter`.
+///     cairn::bullet::WorldImporter importer(&world);
+///     if (Status status = importer.loadFile("heap.bullet"); !status) return fail(status.error().message);
+///     importer.deleteAllData();  // at the end
 ///
-/// As with Bullet's, what was loaded belongs to the importer and lives until `deleteAllData`, which has to be called.
+/// As in Bullet's importer, velocities, damping, sleeping and kinematic flags are not restored. Loaded objects belong
+/// to the importer and live until `deleteAllData`, which you must call.
+///
+/// The class exists only in this header, so that Cairn's library does not need Bullet's extras. Link
+/// BulletWorldImporter and BulletFileLoader (Debian's libbullet-extras-dev); the CMake target is
+/// `Bullet::WorldImporter`.
 class WorldImporter : public btBulletWorldImporter {
  public:
-  /// Bodies are added to `world` as they are loaded; null: they only are the importer's.
+  /// Adds bodies to `world` as they are loaded. With null, only the importer holds them.
   explicit WorldImporter(btDynamicsWorld* world = nullptr) : btBulletWorldImporter(world) {}
 
-  /// Fails, before anything is loaded, when the file cannot be read, is cut short, was written in the other byte order,
-  /// or holds a damaged tree; the error names the file. What Bullet's own chunks hold is checked by Bullet alone, which
-  /// trusts them: load files from strangers at your own risk.
+  /// Fails before anything is loaded when the file cannot be read, is cut short, has the other byte order, or holds a
+  /// damaged tree. The error names the file. Bullet alone checks its own chunks, and it trusts them: load files from
+  /// strangers at your own risk.
   Status loadFile(const std::filesystem::path& path) {
     Result<std::vector<std::byte>> bytes = readFile(path);
     if (!bytes) return bytes.error();
@@ -45,7 +50,7 @@ class WorldImporter : public btBulletWorldImporter {
     return status;
   }
 
-  /// The same with a file's bytes, which Bullet may change; the error does not name the file.
+  /// Loads a file's bytes, which Bullet may change. Fails as `loadFile`; the error does not name the file.
   Status loadFileFromMemory(std::span<std::byte> bytes) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       return Error{"is larger than the 2 GiB Bullet reads; save its bodies in several files"};
@@ -83,12 +88,12 @@ class WorldImporter : public btBulletWorldImporter {
   }
 
  private:
-  // While a file is loaded. Bullet makes its compounds in a known order, without saying which it makes: an empty one
-  // stands in for each sphere-tree until bodies and compounds are given the tree itself. Bullet has to see the compound
-  // where it decides on a body's mass, because it takes the mass of every body whose shape is concave.
+  // State while a file is loaded. Bullet makes its compounds in a known order, without saying which one it makes. An
+  // empty compound is the placeholder of each sphere-tree, until bodies and compounds get the tree itself. Bullet must
+  // see the compound when it decides on a body's mass: it sets the mass of every body with a concave shape to 0.
   struct Loading {
     std::vector<StoredShape> stored;
-    std::vector<std::unique_ptr<SphereTreeShape>> shapes;  // of `stored`
+    std::vector<std::unique_ptr<SphereTreeShape>> shapes;  // one for each of `stored`
     std::map<const btCollisionShapeData*, SphereTreeShape*> treeShapes;
     std::vector<const btCollisionShapeData*> compounds;  // in the order Bullet makes them
     std::size_t nextCompound = 0;
@@ -110,7 +115,7 @@ class WorldImporter : public btBulletWorldImporter {
     return {};
   }
 
-  // Finds what Bullet read of our shapes and takes the spheres out of it.
+  // Finds the compounds that Bullet read for our shapes and removes their spheres.
   bool claimShapes(bParse::btBulletFile& file) {
     for (std::size_t i = 0; i < loading_.stored.size(); ++i)
       for (const std::size_t chunk : loading_.stored[i].chunks) {
@@ -133,8 +138,8 @@ class WorldImporter : public btBulletWorldImporter {
     for (int i = 0; i < compound->m_numChildShapes; ++i) listCompounds(compound->m_childShapePtr[i].m_childShape);
   }
 
-  // Before any body asks a compound for its inertia. Backwards, because Bullet makes a compound before its children,
-  // and its box depends on theirs.
+  // Runs before any body asks a compound for its inertia. Backwards, because Bullet makes a compound before its
+  // children, and its box depends on theirs.
   void exchangeChildren() {
     if (std::exchange(loading_.areChildrenExchanged, true) || loading_.standIns.empty()) return;
     for (int i = m_allocatedCollisionShapes.size() - 1; i >= 0; --i)
@@ -156,7 +161,7 @@ class WorldImporter : public btBulletWorldImporter {
     compound.recalculateLocalAabb();
   }
 
-  // The trees take the places, names and owner of what stood in for them.
+  // Gives the trees the places, names and owner of their placeholders.
   void keepShapes() {
     m_shapeMap.clear();
     for (const auto& [standIn, shape] : loading_.standIns) {
