@@ -8,12 +8,16 @@
 
 namespace cairn::bullet {
 
-/// What a contact point came from, as it is written into Bullet's manifold point (part, index) of either side. On a
-/// tree: the leaf's level and its `NodeId`, or as `ContactPart` says. On a triangle mesh: the mesh's own part and
-/// triangle. On a terrain: the triangle, and as part 0, or one plus which of a flat leaf's support points it is. On
-/// anything else as Bullet has it: index -1, or which child of a compound it is; and as part, because a flat leaf
-/// touches a flat shape in several points, which of the leaf's support points it is (-1 for the extreme one), or of the
-/// points on a feature of the mesh.
+/// Origin of a contact point on both sides, as written into Bullet's manifold point (part, index).
+///
+/// | side | part | index |
+/// | --- | --- | --- |
+/// | tree | the leaf's level, or a `ContactPart` | the leaf's `NodeId`, or the feature |
+/// | triangle mesh | the mesh's own part | the triangle |
+/// | terrain | 0, or 1 + the support point | the triangle |
+/// | other | the support point (-1: the extreme one) or the point on a feature | -1, or the child of a compound |
+///
+/// A flat leaf touches a flat shape in several support points; the part tells them apart.
 struct ContactId {
   int treePart = -1, treeIndex = -1;
   int otherPart = -1, otherIndex = -1;
@@ -21,32 +25,36 @@ struct ContactId {
   friend constexpr auto operator<=>(const ContactId&, const ContactId&) = default;
 };
 
-/// One possible contact point between a sphere-tree and its collider, in the *pair frame*: world axes and unit,
-/// origin at the tree's body. Small numbers there keep float accuracy far from the world's origin.
+/// A possible contact point between a sphere-tree and its collider, in the *pair frame*: world axes and unit, origin at
+/// the tree's body. Numbers stay small there, so that float stays accurate far from the world's origin.
 struct Contact {
-  Vec3 position;  ///< half-way between the two surfaces; of a contact ahead where the smaller body's point will stop
-  Vec3 normal;    ///< unit, from the collider to the tree
-  float separation = 0;  ///< distance of the surfaces along the normal, negative when they overlap
-  float curvatureCorrection =
-      0;  ///< see `RelativeMotion::curvatureCorrection`: the solver is told that the surfaces are so much farther apart
-  float certainDepth = 0;  ///< of spheres: how far balls inside both bodies overlap, so that these certainly do; or 0
-  Vec3 separationVector;   ///< of a contact ahead: from the collider's point to the tree's, as they are now
-  NodePair pair;           ///< of the traversal that found it; both roots where meshes told it, which know no leaves
+  /// Half-way between the two surfaces. For a speculative contact: the place where the smaller body's point will stop.
+  Vec3 position;
+  Vec3 normal;           ///< unit, from the collider to the tree
+  float separation = 0;  ///< along the normal, negative where the surfaces overlap
+  /// The solver is told that the surfaces are farther apart by this length; see `RelativeMotion::curvatureCorrection`.
+  float curvatureCorrection = 0;
+  /// For bounding spheres: how far balls inside both bodies overlap, so that the bodies certainly overlap; otherwise 0.
+  float certainDepth = 0;
+  Vec3 separationVector;  ///< of a speculative contact: from the collider's point to the tree's, now
+  NodePair pair;          ///< from the traversal that found it; both roots where meshes found it
   ContactId id;
   bool isInManifold = false;  ///< its id is in the manifold already
-  bool ofSpheres = false;     ///< of bounding spheres, not of what they hold, or ahead: not measured again
-  /// Of an exact one: how far apart the bodies may be for all that. Both its points are on their surfaces, so it is no
-  /// more than its depth: what has crossed in its direction may be past each other.
+  bool ofSpheres = false;     ///< of bounding spheres, or speculative: not measured again
+  /// For an exact contact: bound on how far apart the bodies may be in spite of it. Both points lie on the surfaces, so
+  /// the bound is at most the depth. Bodies that overlap along the normal may lie beside each other.
   float exactError = 0;
-  bool isExact = false;        ///< measured between source triangles
-  bool isSpeculative = false;  ///< will be one within the step: see `separationVector`; `separation` is where it would
-                               ///< end, if nothing held it
-  bool isSecondary = false;  ///< ahead, and something else stops the bodies before: holds, and does not throw them back
-  bool treeIsLarger = false;   ///< of a contact ahead: the smaller body is the collider
-  bool isRootContact = false;  ///< of whole bodies: whatever is nearest in its direction, so that its id may change
-  bool isGuard = false;        ///< of spheres that may not come nearer, whether what is in them touches or not
+  bool isExact = false;  ///< measured between source triangles
+  /// Will be a contact within the step: see `separationVector`. `separation` is then the value at the end of the step
+  /// if nothing stopped the bodies.
+  bool isSpeculative = false;
+  /// Speculative, and another contact stops the bodies earlier: it holds, but does not bounce.
+  bool isSecondary = false;
+  bool treeIsLarger = false;   ///< of a speculative contact: the smaller body is the collider
+  bool isRootContact = false;  ///< of whole bodies: the nearest point in its direction, so its id may change
+  bool isGuard = false;        ///< of spheres that must not come nearer, whether or not their contents touch
 
-  /// World length from the collider's point to the tree's along the normal.
+  /// World length from the collider's point to the tree's, along the normal.
   float distance() const { return isSpeculative ? dot(normal, separationVector) : separation; }
   Vec3 onTree() const {
     if (isSpeculative) return treeIsLarger ? onCollider() + separationVector : position + normal * distance();
@@ -58,7 +66,7 @@ struct Contact {
   }
 };
 
-/// Deepest first; ties in an order that depends on nothing but the pair.
+/// Sorts the deepest first. Ties are decided by the id, so that the order depends on the pair alone.
 inline bool deeper(const Contact& x, const Contact& y) {
   if (x.separation != y.separation) return x.separation < y.separation;
   return x.id < y.id;

@@ -9,20 +9,24 @@
 
 namespace cairn::bullet {
 
-/// Of a face that is cut or looked for (`FacingCorners`).
+/// The most corners of a face that `CutFace` or `FacingCorners` takes.
 inline constexpr std::size_t kMaxFaceCorners = 8;
 
-/// A convex face of few corners (or an edge, or a point), of which planes cut away what lies behind them, one after the
-/// other (Sutherland and Hodgman 1974). At most `kMaxCuts` planes.
+/// A convex face of few corners, or an edge, or a point. Planes cut it one after the other, and the part behind each
+/// plane is removed (Sutherland and Hodgman 1974). At most `kMaxCuts` planes.
+///
+///     CutFace<3> piece(corners);
+///     piece.cut(inwards, offset);
+///     for (const Vec3& point : piece.points()) ...;
 template <std::size_t kMaxCuts>
 class CutFace {
  public:
-  /// `corners`: in their order around the face, at most `kMaxFaceCorners`.
+  /// `corners`: in order around the face, at most `kMaxFaceCorners`.
   explicit CutFace(std::span<const Vec3> corners) {
     for (const Vec3& corner : corners) points_[count_++] = corner;
   }
 
-  /// Keeps what has dot(inwards, x) >= offset. An edge's ends may come twice.
+  /// Keeps the part with dot(inwards, x) >= offset. An edge's end may come twice.
   void cut(const Vec3& inwards, float offset) {
     std::array<Vec3, kMaxPoints> kept;
     std::size_t count = 0;
@@ -39,7 +43,7 @@ class CutFace {
   std::span<const Vec3> points() const { return std::span(points_).first(count_); }
 
  private:
-  // Each cut of a convex face adds one; rounding, which bends it, one more.
+  // A cut of a convex face adds one corner. Rounding makes the face slightly concave, which adds one more.
   static constexpr std::size_t kMaxPoints = kMaxFaceCorners + 2 * kMaxCuts;
 
   std::array<Vec3, kMaxPoints> points_;

@@ -10,15 +10,19 @@
 
 namespace cairn::bullet {
 
-/// What a convex shape turns towards a direction: the corners of a face, the ends of an edge, points of a round face's
-/// border, or one point. Found from outside, by asking where the shape reaches farthest along the direction and along
-/// some tilted a little from it.
+/// The part of a convex shape that faces a direction: a face's corners, an edge's ends, points on a round face's
+/// border, or one point. Support queries find it from outside, along the direction and along eight directions tilted a
+/// little.
+///
+///     FacingCorners facing;
+///     facing.look(direction, size, [&](const Vec3& d) { return body.support(d); });
+///     for (const Vec3& corner : facing.corners()) ...;
 class FacingCorners {
  public:
   static constexpr std::size_t kMaxCorners = kMaxFaceCorners;
 
-  /// `support(direction)`: the shape's farthest point. `direction`: unit. `size`: of the shape; corners nearer to each
-  /// other than an eightieth of that are one. Nine questions at most.
+  /// `support(direction)` returns the shape's farthest point. `direction` is a unit vector. `size` is the shape's;
+  /// corners nearer to each other than an eightieth of it count as one. Cost: at most nine support queries.
   void look(const Vec3& direction, float size, const auto& support) {
     const Vec3 u = normalized(perpendicularTo(direction)), v = cross(direction, u);
     std::array<Vec3, kMaxCorners> tilted;
@@ -30,19 +34,21 @@ class FacingCorners {
     if (count_ == 2) takeFarthestPair(tilted);
   }
 
-  /// All corners, in the frame of the supports.
+  /// Moves all corners, in the frame of the support points.
   void move(const Vec3& by) {
     for (std::size_t i = 0; i < count_; ++i) corners_[i] += by;
   }
 
-  /// In their order around the direction.
+  /// In order around the direction.
   std::span<const Vec3> corners() const { return std::span(corners_).first(count_); }
 
  private:
-  // What leans by more touches with fewer corners: over a quarter of its size, two of them are then more than two
-  // thousandths of it apart in height, farther than contacts reach. Less would find less of round edges' ends.
+  // In radians. A shape tilted by more touches with fewer corners. Two corners a quarter of its size apart then differ
+  // in height by more than the contact distance of 0.002 sizes. A smaller tilt would find less of the ends of round
+  // edges.
   static constexpr float kTilt = 0.01F;
-  // Twice the tilt times a round shape's radius, half its size, lies between what opposite tilts find on it.
+  // Fraction of the size. Opposite tilts find points of a round shape that are up to twice the tilt times its radius
+  // apart, 0.01 sizes. These must count as one.
   static constexpr float kSameFraction = 0.0125F;
   static constexpr float kDiagonal = 0.70710678F;
   static constexpr std::array<std::array<float, 2>, kMaxCorners> kTilts{{{1, 0},
@@ -63,15 +69,15 @@ class FacingCorners {
       if (lengthSq(corner - known) < kSameFraction * kSameFraction * size * size) return;
     corners_[count_++] = corner;
   }
-  // Tilted across a round edge, its ends lie beside where it is lowest: one end alone would set a lying cylinder
-  // rolling, ends of opposite tilts hold each other.
+  // Ends that a tilt across a round edge finds lie beside its lowest line. One such end alone would make a lying
+  // cylinder roll; ends of opposite tilts balance each other.
   void takeFarthestPair(const std::array<Vec3, kMaxCorners>& tilted) {
     constexpr std::size_t kHalf = kMaxCorners / 2;
     float farthestSq = -1;
     for (std::size_t i = 0; i < kHalf; ++i) {
-      const float apartSq = lengthSq(tilted[i] - tilted[i + kHalf]);
-      if (apartSq <= farthestSq) continue;
-      farthestSq = apartSq;
+      const float distanceSq = lengthSq(tilted[i] - tilted[i + kHalf]);
+      if (distanceSq <= farthestSq) continue;
+      farthestSq = distanceSq;
       corners_[0] = tilted[i];
       corners_[1] = tilted[i + kHalf];
     }

@@ -16,8 +16,8 @@ bool isAnchored(const btManifoldPoint& point) {
 
 bool isWithinCone(const btManifoldPoint& point) {
   const btVector3 lateral(point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, 0);
-  const btScalar most = point.m_combinedFriction * point.m_appliedImpulse;
-  return lateral.length2() <= most * most;
+  const btScalar maxFriction = point.m_combinedFriction * point.m_appliedImpulse;
+  return lateral.length2() <= maxFriction * maxFriction;
 }
 
 }  // namespace
@@ -35,9 +35,10 @@ FrictionAnchor::FrictionAnchor(const btManifoldPoint& point)
       lateralImpulse1_(point.m_appliedImpulseLateral1),
       lateralImpulse2_(point.m_appliedImpulseLateral2) {}
 
-// Bullet keeps a point whose friction is within its cone, which this is not in. Its impulses stay: callbacks see them.
+// Makes Bullet replace the point: Bullet keeps only points whose friction lies within their cone. The impulses stay,
+// because callbacks read them.
 void FrictionAnchor::release(btManifoldPoint& point) {
-  constexpr auto kMinPull = btScalar(1e-18);  // its square is a number
+  constexpr auto kMinPull = btScalar(1e-18);  // its square does not underflow
   point.m_combinedFriction = 0;
   for (btScalar* impulse : {&point.m_appliedImpulse, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2})
     if (!std::isfinite(*impulse)) *impulse = 0;
@@ -56,14 +57,14 @@ void FrictionAnchor::hold(const btPersistentManifold& manifold, btManifoldPoint&
   const btTransform& pose0 = manifold.getBody0()->getWorldTransform();
   const btTransform& pose1 = manifold.getBody1()->getWorldTransform();
   const btVector3& normal = point.m_normalWorldOnB;
-  // Both into the plane that lies as this step's points do: they were at the surface when they met.
+  // Both held points lie on this step's contact plane, so that the depth is this step's.
   btVector3 on0 = pose0 * local0_, on1 = pose1 * local1_;
   on0 -= normal * (on0 - point.m_positionWorldOnA).dot(normal);
   on1 -= normal * (on1 - point.m_positionWorldOnB).dot(normal);
   const btVector3 separationVector = on0 - on1;
   const btVector3 slid = separationVector - normal * separationVector.dot(normal);
-  const btScalar most = manifold.getContactBreakingThreshold();
-  if (slid.length2() > most * most || (on0 - point.m_positionWorldOnA).length2() > most * most) return;
+  const btScalar maxSlide = manifold.getContactBreakingThreshold();
+  if (slid.length2() > maxSlide * maxSlide || (on0 - point.m_positionWorldOnA).length2() > maxSlide * maxSlide) return;
   point.m_positionWorldOnA = on0;
   point.m_positionWorldOnB = on1;
   point.m_localPointA = pose0.invXform(on0);

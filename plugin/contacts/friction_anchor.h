@@ -5,36 +5,39 @@
 
 namespace cairn::bullet {
 
-/// Where friction holds two bodies to each other (`btCollisionObject::CF_HAS_FRICTION_ANCHOR` on either): Bullet's
-/// solver pulls the two points of an anchored contact back together along the surface, so they stay those of when they
-/// first met for as long as friction can hold them.
+/// Friction that holds two bodies to each other at fixed points (`btCollisionObject::CF_HAS_FRICTION_ANCHOR` on
+/// either). Bullet's solver pulls the two points of an anchored contact together along the surface. So the contact
+/// keeps its first points for as long as friction can hold them.
 ///
-/// Bullet keeps such a point as it is instead of replacing it, and brings it up to date in `refreshContactPoints`. A
-/// `ManifoldWriter` refreshes nothing: it has the point replaced by the contact of this step and gives it back its
-/// hold.
+/// Bullet does not replace such a point; it updates the point in `refreshContactPoints`. A `ManifoldWriter` refreshes
+/// nothing. It has the point replaced by this step's contact, and then restores the anchor:
+///
+///     const FrictionAnchor anchor(point);
+///     FrictionAnchor::release(point);  // now addContactPoint replaces it
+///     anchor.restore(manifold, point);
 class FrictionAnchor {
  public:
   /// Whether Bullet anchors the points of these bodies.
   static bool isAskedFor(const btPersistentManifold& manifold);
 
   FrictionAnchor() = default;
-  /// What the point has now.
+  /// Copies the point's present anchor and impulses.
   explicit FrictionAnchor(const btManifoldPoint& point);
 
-  /// Has Bullet replace the point when it is told of one in its place; `restore` then has to follow.
+  /// Makes Bullet replace the point when a contact is added in its place. `restore` must follow.
   static void release(btManifoldPoint& point);
 
-  /// Gives the point, replaced or not, its impulses back. Where it was anchored and had not begun to slip (Bullet's own
-  /// rule: last step's friction within its cone) and is to stay so, it is put back to where it was held along the
-  /// surface; how deep it is stays as it is. Where the bodies have slid by more than the manifold's breaking threshold
-  /// it stays where it is.
+  /// Gives the point its impulses back, whether it was replaced or not. If the point was and still is anchored and had
+  /// not begun to slip, it moves back to its held place along the surface. Slip follows Bullet's rule: last step's
+  /// friction outside its cone. The depth stays as it is. If the bodies have slid by more than the manifold's breaking
+  /// threshold, the point stays where it is.
   void restore(const btPersistentManifold& manifold, btManifoldPoint& point) const;
 
  private:
   void hold(const btPersistentManifold& manifold, btManifoldPoint& point) const;
 
   bool holds_ = false;
-  btVector3 local0_, local1_;  // on the bodies
+  btVector3 local0_, local1_;  // points on bodies 0 and 1, in their frames
   btScalar impulse_ = 0, lateralImpulse1_ = 0, lateralImpulse2_ = 0;
 };
 

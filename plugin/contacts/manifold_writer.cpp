@@ -11,11 +11,11 @@
 
 namespace cairn::bullet {
 
-// Which of the manifold's old points each chosen contact continues, and back; -1 for none.
+// Maps each chosen contact to the old point of the manifold that it continues, and back; -1 for none.
 struct ManifoldWriter::Matching {
   std::array<int, kMaxPoints> oldOf{-1, -1, -1, -1};
   std::array<int, kMaxPoints> choiceOf{-1, -1, -1, -1};
-  std::array<btVector3, kMaxPoints> local;  // of the chosen contacts, on body 0
+  std::array<btVector3, kMaxPoints> local;  // of the chosen contacts, in body 0's frame
 
   void join(std::size_t choice, int old) {
     oldOf[choice] = old;
@@ -32,15 +32,15 @@ ContactId idOf(const btManifoldPoint& p, bool treeIsBody0) {
   return {p.m_partId1, p.m_index1, p.m_partId0, p.m_index0};
 }
 
-// The distance of a point until it is told again.
+// Marks a point that no contact of this step has replaced yet.
 constexpr btScalar kUnreported = std::numeric_limits<btScalar>::infinity();
 
-// A flag of all points but the one that Bullet is being told: a callback may change whatever that has. No flag of
-// Bullet's own.
-constexpr int kNotThis = 1 << 30;
+// Marks the points that were in the manifold before Bullet adds one: a callback may change any other property of the
+// new point. Bullet does not use this flag.
+constexpr int kExistingPoint = 1 << 30;
 
-// Of a point that a callback changed: Bullet's shapes have theirs brought up to date after it, so that where it is on
-// the bodies and its normal count, not where it is in the world nor how far apart its ends are.
+// Recomputes a point that a callback changed. For Bullet's own shapes, `refreshContactPoints` does this after the
+// callback. So the local points and the normal count; the world positions and the distance follow from them.
 void refresh(const btPersistentManifold& manifold, btManifoldPoint& point) {
   point.m_positionWorldOnA = manifold.getBody0()->getWorldTransform()(point.m_localPointA);
   point.m_positionWorldOnB = manifold.getBody1()->getWorldTransform()(point.m_localPointB);
@@ -49,8 +49,9 @@ void refresh(const btPersistentManifold& manifold, btManifoldPoint& point) {
 
 using Anchors = std::array<FrictionAnchor, kMaxPoints>;
 
-// Contacts that round to one place replace one old point twice; the other is where it was a step ago. Returns how many
-// of the first `continued` are left, which stay the first.
+// Removes continued points that no contact replaced. Two contacts that round to one place replace one old point twice
+// and leave the other where it was a step ago. Returns how many of the first `continued` points remain; they stay
+// first.
 int dropUnreported(btPersistentManifold& manifold, int continued, Anchors& anchors) {
   for (int i = continued - 1; i >= 0; --i) {
     if (manifold.getContactPoint(i).m_distance1 != kUnreported) continue;
@@ -76,7 +77,7 @@ btVector3 ManifoldWriter::localOnBody0(const btPersistentManifold& manifold, con
   return manifold.getBody0()->getWorldTransform().invXform(origin_ + toBullet(onBody0));
 }
 
-// The nearest of the old points that may be continued, if it is near enough. One id may stand for several points.
+// Continues the nearest free old point that is near enough, if any. One id may stand for several points.
 template <class MayJoin>
 void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold& manifold, std::size_t choice,
                                  btScalar nearestSq, const MayJoin& mayJoin) {
@@ -92,8 +93,8 @@ void ManifoldWriter::joinNearest(Matching& matching, const btPersistentManifold&
   if (nearest >= 0) matching.join(choice, nearest);
 }
 
-// By place before name: a face's corners have the names of whichever leaves reported them, several the same one, and
-// the next step others. Inheriting by these, points that lie still would take each other's impulses.
+// Matches by place before id. A face's corners carry the ids of the leaves that reported them: several may share one
+// id, and the ids change from step to step. Matched by id alone, points at rest would take each other's impulses.
 ManifoldWriter::Matching ManifoldWriter::match(const btPersistentManifold& manifold,
                                                std::span<const Contact> chosen) const {
   Matching matching;
@@ -117,7 +118,8 @@ void ManifoldWriter::write(btPersistentManifold& manifold, std::span<const Conta
   bool anyContinues = false;
   for (std::size_t k = 0; k < chosen.size(); ++k) anyContinues = anyContinues || !matching.isNew(k);
   if (!chosen.empty() && !anyContinues && manifold.getNumContacts() > 0) {
-    // Still in contact, elsewhere: one point lives on without its impulse, or Bullet would report an end and a start.
+    // The contact moved, but has not ended: one point stays, without its impulse, so that Bullet does not report an end
+    // and a start.
     manifold.getContactPoint(0).m_appliedImpulse = 0;
     matching.join(0, 0);
   }
@@ -156,7 +158,8 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
   btPersistentManifold* const before = result_.getPersistentManifold();
   result_.setPersistentManifold(&manifold);
   const ContactId& id = contact.id;
-  // Identifiers go by the result's bodies, points and normals by the manifold's: a compound may swap the former.
+  // Ids follow the order of the result's bodies, points and normals that of the manifold's. A compound may swap the
+  // former.
   const bool treeIsResultBody0 = treeIsBody0_ == (result_.getBody0Internal() == manifold.getBody0());
   if (treeIsResultBody0) {
     result_.setShapeIdentifiersA(id.treePart, id.treeIndex);
@@ -168,22 +171,22 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
   const Vec3 normal = treeIsBody0_ ? contact.normal : -contact.normal;
   const Vec3 onBody0 = treeIsBody0_ ? contact.onTree() : contact.onCollider();
   const Vec3 onBody1 = treeIsBody0_ ? contact.onCollider() : contact.onTree();
-  // Bullet refuses points as far off as one ahead can be, and takes two that are not in line for one: it is told the
-  // point on body 0 as touching.
+  // Bullet refuses points as far apart as a speculative contact's, and merges two that are not in line with the normal.
+  // So it gets the point on body 0 as touching; `placeSpeculative` sets the other point.
   const btVector3 reported = origin_ + toBullet(contact.isSpeculative ? onBody0 : onBody1);
   const btScalar distance = contact.isSpeculative ? btScalar(0) : btScalar(contact.separation);
-  for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_contactPointFlags |= kNotThis;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_contactPointFlags |= kExistingPoint;
   result_.addContactPoint(toBullet(normal), reported, distance);
   result_.setPersistentManifold(before);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    const bool isThis = (point.m_contactPointFlags & kNotThis) == 0;
-    point.m_contactPointFlags &= ~kNotThis;
+    const bool isThis = (point.m_contactPointFlags & kExistingPoint) == 0;
+    point.m_contactPointFlags &= ~kExistingPoint;
     if (!isThis) continue;
     if (contact.isGuard) point.m_contactPointFlags |= kGuardFlag;
     if (point.m_positionWorldOnB != reported || point.m_distance1 != distance) refresh(manifold, point);
     if (contact.isSpeculative) placeSpeculative(manifold, point, contact, origin_ + toBullet(onBody1));
-    tellSolver(point, contact);
+    setSolverDistance(point, contact);
   }
 }
 
@@ -194,9 +197,9 @@ void ManifoldWriter::placeSpeculative(const btPersistentManifold& manifold, btMa
   point.m_distance1 = btScalar(contact.distance());
 }
 
-// The solver goes by a point's distance alone; where the point is stays true. Spheres do not bounce: what they hold may
-// not touch at all.
-void ManifoldWriter::tellSolver(btManifoldPoint& point, const Contact& contact) const {
+// The solver uses a point's distance alone, so only the distance is changed, and the positions stay true. Contacts of
+// spheres do not bounce, because the surfaces in them may not touch at all.
+void ManifoldWriter::setSolverDistance(btManifoldPoint& point, const Contact& contact) const {
   const bool mayBounce = contact.isSpeculative ? !contact.isSecondary : !contact.ofSpheres;
   const btScalar closing = mayBounce ? btScalar(motion_.closingSpeed(contact)) : btScalar(0);
   point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.curvatureCorrection), closing,

@@ -12,10 +12,10 @@
 
 namespace cairn::bullet {
 
-/// Of a point's flags: its contact is a guard. None of Bullet's own.
+/// Flag of a point whose contact is a guard. Bullet does not use this flag.
 inline constexpr int kGuardFlag = 1 << 29;
 
-/// The ids of the contacts a manifold holds now.
+/// The ids of the contacts that a manifold holds now.
 struct ManifoldContacts {
   std::array<ContactId, kMaxPoints> id;
   int count = 0;
@@ -23,27 +23,35 @@ struct ManifoldContacts {
   std::span<const ContactId> span() const { return {id.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// The ids of a manifold's points, the tree's first. `treeIsBody0`: in the order of its bodies.
+/// Reads the ids of a manifold's points, the tree's side first. `treeIsBody0`: the tree is the manifold's body 0.
 ManifoldContacts contactsIn(const btPersistentManifold& manifold, bool treeIsBody0);
 
-/// Brings Bullet's manifolds of one pair to the contacts chosen in this step.
+/// Changes Bullet's manifolds of one pair to the contacts chosen in this step.
 ///
-/// Bullet recognises an old point by its position alone. So each new contact is first given the old point it continues
-/// (the nearest within `inheritance`, of the same id before others, else one of the same id that is farther away), that
-/// point is moved onto it, and `addContactPoint` then replaces exactly that one: it keeps its impulses, its age and its
-/// user's data, and friction and callbacks are Bullet's own business. Points that are continued by no contact are
-/// removed; a manifold that stays in contact is never empty in between. Where the bodies are slow, what comes of it
-/// is in the order of `putDeepestLast`.
+///     ManifoldWriter writer(result, origin, treeIsBody0, inheritance, motion);
+///     writer.write(manifold, chosen);
+///
+/// Bullet recognises an old point by its position alone. So the writer first gives each new contact the old point that
+/// it continues:
+///
+/// 1. the nearest within `inheritance` that has the same id,
+/// 2. else the nearest within `inheritance`,
+/// 3. else the nearest with the same id.
+///
+/// It moves that point onto the contact, and `addContactPoint` replaces exactly this point. The point keeps its
+/// impulses, its age and its user data, and friction and callbacks remain Bullet's work. Old points without a contact
+/// are removed. A manifold that stays in contact is never empty in between. Points of slow bodies end in the order of
+/// `putDeepestLast`.
 class ManifoldWriter {
  public:
-  /// `origin`: the pair frame's, in the world. `treeIsBody0`: in the order of the manifolds' bodies. `inheritance`: how
-  /// far (world length, in body 0's frame) a contact may have moved in a step and still inherit by position. `motion`
-  /// says how fast contacts close; it must outlive the writer.
+  /// `origin`: of the pair frame, in the world. `treeIsBody0`: the tree is the manifolds' body 0. `inheritance`: the
+  /// distance (world length, in body 0's frame) by which a contact may move in a step and still inherit by position.
+  /// `motion` gives the closing speeds; it must outlive the writer.
   ManifoldWriter(btManifoldResult& result, const btVector3& origin, bool treeIsBody0, float inheritance,
                  const RelativeMotion& motion)
       : result_(result), origin_(origin), treeIsBody0_(treeIsBody0), inheritance_(inheritance), motion_(motion) {}
 
-  /// `chosen`: at most as many as a manifold holds.
+  /// Precondition: `chosen` holds at most `kMaxPoints` contacts.
   void write(btPersistentManifold& manifold, std::span<const Contact> chosen);
 
  private:
@@ -57,7 +65,7 @@ class ManifoldWriter {
   void add(btPersistentManifold& manifold, const Contact& contact);
   static void placeSpeculative(const btPersistentManifold& manifold, btManifoldPoint& point, const Contact& contact,
                                const btVector3& onBody1);
-  void tellSolver(btManifoldPoint& point, const Contact& contact) const;
+  void setSolverDistance(btManifoldPoint& point, const Contact& contact) const;
 
   btManifoldResult& result_;
   btVector3 origin_;

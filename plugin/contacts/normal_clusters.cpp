@@ -29,7 +29,7 @@ int freeCluster(const ClusterSeeds& seeds) {
   return -1;
 }
 
-// Weights are positive: every contact's gap is below `maxSeparation`.
+// Weights are positive, because every separation is below `maxSeparation`.
 void recenter(std::span<const Contact> cluster, ClusterSeed& seed, float maxSeparation) {
   Vec3 sum;
   for (const Contact& c : cluster) sum += c.normal * (maxSeparation - c.separation);
@@ -70,7 +70,7 @@ void ClusteredContacts::openNewClusters(ClusterSeeds& seeds, float cosine) {
   }
 }
 
-// Stable: the order by depth stays within each cluster.
+// Stable: each cluster keeps the order by depth.
 void ClusteredContacts::gather() {
   end_.fill(0);
   for (const int k : clusterOf_) ++end_[static_cast<std::size_t>(k)];
@@ -100,7 +100,7 @@ void ClusteredContacts::fill(int k, std::span<const Contact> contacts) {
 void ClusteredContacts::join(int into, int from) {
   const auto first = static_cast<std::size_t>(into), second = static_cast<std::size_t>(from);
   const auto at = [&](std::size_t i) { return list_.begin() + static_cast<std::ptrdiff_t>(i); };
-  // The second one's contacts go behind the first one's, and what lay between moves on.
+  // The second cluster's contacts move behind the first's; clusters between them shift.
   const std::size_t moved = end_[second] - begin_[second], end = end_[first];
   std::rotate(at(end), at(begin_[second]), at(end_[second]));
   for (std::size_t k = first + 1; k < second; ++k) {

@@ -11,9 +11,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// A contact of the last step stays unless another is better by this much: 10 % in length (21 % in area), or a quarter
-// of the speculative distance in depth. Below, the choice flickers with rounding; above, contacts lag behind a rolling
-// body.
+// A contact of the last step stays unless another is better by this much. In length that is 10 % (21 % in area), in
+// depth a quarter of the speculative distance. With less, the choice flickers with rounding. With more, contacts lag
+// behind a rolling body.
 constexpr float kLengthBonus = 1.1F;
 constexpr float kAreaBonus = kLengthBonus * kLengthBonus;
 constexpr float kDepthBonus = 0.25F;
@@ -44,8 +44,8 @@ class Chooser {
 
   const Vec3& chosen(std::size_t k) const { return cluster_[choice_.index[k]].position; }
 
-  // What carries counts in full, what is apart by the speculative distance hardly at all: the far ends of the line a
-  // cylinder lies on, not what is in front of it and behind.
+  // Weight of a contact: 1 where it touches or is as deep as the deepest, and `kMinPart` at the speculative distance.
+  // So a lying cylinder keeps the far ends of its contact line, and not points in front of it or behind.
   float share(const Contact& c) const {
     const float lowest = std::max(cluster_[choice_.index[0]].separation, 0.0F);
     return std::clamp(1 - (c.separation - lowest) / maxSeparation_, kMinPart, 1.0F);
@@ -57,7 +57,7 @@ class Chooser {
     return true;
   }
 
-  // Takes the contact of greatest merit, if any exceeds `threshold`.
+  // Chooses the contact of greatest merit, if any exceeds `threshold`.
   template <class Merit>
   void pick(const Merit& merit, float threshold) {
     std::optional<std::size_t> best;
@@ -82,12 +82,12 @@ class Chooser {
     const auto areaSq = [&](const Contact& c) {
       return lengthSq(cross(c.position - p, q - p)) * (c.isInManifold ? kAreaBonus * kAreaBonus : 1);
     };
-    // A sliver thinner than the separation adds nothing that resists tipping.
+    // A triangle thinner than the separation adds nothing that resists tipping.
     const float sliver = separationSq_ * lengthSq(p - q);
     pick([&](const Contact& c) { return areaSq(c) > sliver ? share(c) * share(c) * areaSq(c) : 0; }, 0);
   }
 
-  // The area a point adds beyond the triangle's edges, seen along the triangle's normal.
+  // The area that a point adds beyond the triangle's edges, seen along the triangle's normal.
   void pickLargestGain() {
     const std::array<Vec3, 3> corner{chosen(0), chosen(1), chosen(2)};
     const Vec3 normal = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
@@ -112,7 +112,7 @@ std::span<Contact> moveToFront(std::span<Contact> cluster, ContactChoice choice)
   for (std::size_t k = 0; k < choice.count; ++k) {
     const std::size_t from = std::exchange(choice.index[k], k);
     std::swap(cluster[k], cluster[from]);
-    // What stood there was moved to where this one came from.
+    // The contact that stood at k is now at `from`.
     std::replace(choice.index.begin() + static_cast<std::ptrdiff_t>(k) + 1, choice.index.end(), k, from);
   }
   return cluster.first(choice.count);

@@ -8,36 +8,38 @@
 
 namespace cairn::bullet {
 
-/// How the two bodies of a pair move, pair frame, per second.
+/// The motion of the two bodies of a pair: pair frame, velocities per second. It decides bounces and speculative
+/// contacts.
 struct RelativeMotion {
   Vec3 treeLinear, treeAngular, treeCenter;
   Vec3 otherLinear, otherAngular, otherCenter;
   RelativePlacement placement;
   float timeStep = 0;       ///< seconds
   float smallerSize = 0;    ///< of the smaller body, world length
-  float maxSeparation = 0;  ///< contacts with a gap below this are wanted
+  float maxSeparation = 0;  ///< contacts with a separation below this are wanted, world length
 
-  /// No point within half the smaller body's size of a common centre moves faster against the other body.
+  /// Bound on the relative speed of all points within half the smaller body's size of a common centre.
   float greatestSpeed() const {
     return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
   }
 
-  /// Whether within a step nothing moves farther than a tenth of what contacts reach: bodies that rest, or creep.
+  /// Whether no point moves farther in a step than a tenth of the contact distance: bodies that rest or creep.
   bool isSlow() const { return greatestSpeed() * timeStep < 0.1F * maxSeparation; }
 
-  /// Speed at which the surfaces approach each other at a contact; negative when they part.
+  /// Speed at which the surfaces approach each other at a contact; negative when they separate.
   float closingSpeed(const Contact& c) const {
     const Vec3 tree = treeLinear + cross(treeAngular, (c.isSpeculative ? c.onTree() : c.position) - treeCenter);
     const Vec3 other = otherLinear + cross(otherAngular, (c.isSpeculative ? c.onCollider() : c.position) - otherCenter);
     return dot(c.normal, other - tree);
   }
 
-  /// World length by which the solver is told that the surfaces at a contact are farther apart than they are, because
-  /// what turns bends away: a point of a turning body moves on an arc, and the solver moves it straight on. Once the
-  /// arc's height (half the step squared times the acceleration along the normal) makes the gap at the end of the step
-  /// right to second order; taken three times, what only comes down within the step does not carry at its beginning,
-  /// while it is still ahead and would brake. At most the way that turning alone brings the surfaces nearer, and the
-  /// reach; 0 where turning parts them. See docs/algorithms/leaf-contacts.md.
+  /// World length to add to a contact's separation for the solver, because a surface that rotates moves away from its
+  /// tangent. A point of a rotating body moves on an arc, and the solver moves it straight.
+  ///
+  /// The height of the arc is half the step squared, times the acceleration along the normal. Added once, it makes the
+  /// separation at the end of the step right to second order. It is added three times: contacts that close only within
+  /// the step then carry no load at its beginning, where they would brake. At most the approach due to rotation alone,
+  /// and at most `maxSeparation`; 0 where rotation separates the surfaces. See docs/algorithms/leaf-contacts.md.
   float curvatureCorrection(const Contact& c) const {
     const Vec3 tree = cross(treeAngular, c.position - treeCenter);
     const Vec3 other = cross(otherAngular, c.position - otherCenter);

@@ -7,20 +7,23 @@
 
 namespace cairn::bullet {
 
-/// World length per second below which nothing bounces: Bullet's default.
+/// Speed (world length per second) below which nothing bounces: Bullet's default.
 inline btScalar slowestBounce() {
   static const btScalar kSlowest = btContactSolverInfo().m_restitutionVelocityThreshold;
   return kSlowest;
 }
 
-/// The distance Bullet's solver is told for a contact of bodies that bounce, so that they leave each other at
-/// `restitution` times the speed they came with, whatever the step.
+/// The distance to give Bullet's solver for a contact of bodies that bounce. With it they leave each other at
+/// `restitution` times their closing speed, whatever the step.
 ///
-/// The solver asks for that speed *less* distance / step where a point is still ahead, and *more* by a part of depth /
-/// step where it is a little too deep: errors that grow as steps shrink, because the distances do not. So a point that
-/// is reached within the step is told as touching, and bounces up to one step early; one that is not is told as far off
-/// as it takes to have no say. Below the speed at which solvers bounce (Bullet's default; what is slower rests), and
-/// where nothing bounces, the distance stays what it is.
+/// The solver's own target is wrong by a speed that grows as steps shrink. Where a point is still apart, it asks for
+/// *less* by distance / step. Where a point is slightly too deep, it asks for *more* by a part of depth / step. So:
+///
+/// | contact | distance given |
+/// | --- | --- |
+/// | reached within the step | 0: it bounces, up to one step early |
+/// | not reached within the step | far enough to have no effect |
+/// | slower than Bullet's threshold, or no restitution | unchanged |
 ///
 /// `closingSpeed`: at the contact, world length per second, positive where the surfaces approach. `timeStep`: seconds.
 inline btScalar distanceToTell(btScalar distance, btScalar closingSpeed, btScalar restitution, btScalar timeStep) {

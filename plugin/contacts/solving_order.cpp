@@ -7,7 +7,7 @@
 
 namespace cairn::bullet {
 
-// Four at most, and in order already in most steps.
+// Insertion sort: there are four points at most, in order already in most steps.
 void putDeepestLast(btPersistentManifold& manifold) {
   for (int i = 1; i < manifold.getNumContacts(); ++i)
     for (int k = i; k > 0; --k) {
