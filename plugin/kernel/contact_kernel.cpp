@@ -13,17 +13,17 @@ namespace cairn::bullet {
 
 namespace {
 
-// Where lists reach: a contact distance into the surfaces themselves.
+// Depth to which the lists reach: one contact distance into the surfaces.
 float shallowDepth(const ContactLimits& limits) {
   return std::min(limits.trustedDepth, limits.contactDistance);
 }
 
-// What would not outlast the next step gains nothing from looking farther.
+// A skin that would not outlast the next step saves nothing, so it becomes 0.
 float skinOr0(float skin, float moved) {
   return skin < moved ? 0 : skin;
 }
 
-// Whether something overlaps by more than that, for all that these contacts know.
+// Whether some point overlaps by more than the shallow depth, unless these contacts account for it.
 bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
                  const ContactLimits& limits) {
   const float depth = limits.margins + shallowDepth(limits);
@@ -36,13 +36,13 @@ bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const Feature
 
 }  // namespace
 
-// New lists are about as long as the last.
+// New lists are expected to be about as long as the last ones.
 std::optional<std::uint64_t> KernelMemory::expectedCost(const RelativePlacement& placement) const {
-  if (!near_) return tooFew_ > 0 ? std::optional(tooFew_) : std::nullopt;
+  if (!near_) return insufficient_ > 0 ? std::optional(insufficient_) : std::nullopt;
   const bool areNear = near_->holdsAt(placement, near_->reach);
   const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->reach);
   const std::uint64_t listed = kOverlapTestCost * (listed_ + (areListed ? 0 : patches_.size()));
-  return std::max(listed + (areNear ? overlapCost_ : findingCost_), tooFew_);
+  return std::max(listed + (areNear ? overlapCost_ : findingCost_), insufficient_);
 }
 
 std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfaces, const ContactLimits& limits,
@@ -50,7 +50,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const SurfacePair& surfa
                                                         Budget& budget) {
   const std::uint64_t before = budget.used();
   const std::optional<Answer> found = answer(surfaces, limits, memory, placement, budget);
-  memory.tooFew_ = found ? 0 : budget.used() - before;
+  memory.insufficient_ = found ? 0 : budget.used() - before;
   return found;
 }
 
@@ -87,7 +87,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedSurface& sur
   return Answer{*contacts, -std::numeric_limits<float>::infinity()};
 }
 
-// What is deeper than a contact distance lies where surfaces cross: only there is it looked for.
+// Contacts deeper than the lists reach lie where surfaces cross, so only those patches are searched again.
 bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
                                  std::span<const OverlapRegion> regions, Budget& budget) {
   if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
@@ -102,15 +102,16 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
   return true;
 }
 
-// Features are listed anew from the same patches several times: of a narrow skin fewer are asked in each step. What
-// lies still need not be listed anew for less than it may be carried over for. Without a skin nothing is kept.
+// Features are listed several times from the same patches: a narrow skin means fewer tests in each step. The skin is at
+// least the displacement for which contacts are reused, so that a body at rest is not listed again. Without a skin no
+// list is kept.
 std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, const ContactLimits& limits,
                                                 KernelMemory& memory, const RelativePlacement& placement,
                                                 Budget& budget) {
-  const auto moved = static_cast<float>(placement.displacementSince(memory.lastAt_));
-  memory.lastAt_ = placement;
+  const auto moved = static_cast<float>(placement.displacementSince(memory.lastPlacement_));
+  memory.lastPlacement_ = placement;
   const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.reach);
-  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return memory.kept_.spans();
+  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return memory.cached_.spans();
   memory.features_.reset();
   lister_.begin(surfaces, limits);
   if (!areNear) {
@@ -124,26 +125,26 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
     memory.near_ = {placement, limits.reach, skin};
   }
   const float sincePatches = memory.near_->movedBy(placement), left = memory.near_->skin - sincePatches;
-  const float least = tuning::kReused * limits.contactDistance;
-  const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, least), left), moved);
+  const float leastSkin = tuning::kReused * limits.contactDistance;
+  const float skin = skinOr0(std::min(std::max(tuning::kListSteps * moved, leastSkin), left), moved);
   lister_.setSkin(skin);
   if (!lister_.list(memory.patches_, sincePatches, Asked::all, lists_, budget)) return {};
-  if (skin > 0) memory.kept_.keep(lists_);
+  if (skin > 0) memory.cached_.keep(lists_);
   memory.listed_ = lists_.size();
   memory.features_ = {placement, limits.reach, skin};
   return lists_;
 }
 
-// Whether what a contact says to be inside the other body, margins and all, is so once A has moved out along `other`,
-// and a little more.
+// Whether a contact's point stays inside the other body, margins included, when A moves out along `other` and a little
+// more.
 bool ContactKernel::staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
                                 const FeatureContact& other) {
   const float more = tuning::kBeside * limits.contactDistance;
-  const Vec3 way = other.normal * (std::max(-other.separation, 0.0F) + more);
-  const Vec3 in = contact.normal * (0.5F * (contact.separation - limits.margins));
+  const Vec3 displacement = other.normal * (std::max(-other.separation, 0.0F) + more);
+  const Vec3 toSurface = contact.normal * (0.5F * (contact.separation - limits.margins));
   if (contact.kind == FeatureKind::faceOnVertex)
-    return ray_.isInside(surfaces.a.mesh, surfaces.a.fromPair(contact.position - in - way));
-  return ray_.isInside(surfaces.b.mesh, surfaces.b.fromPair(contact.position + in + way));
+    return ray_.isInside(surfaces.a.mesh, surfaces.a.fromPair(contact.position - toSurface - displacement));
+  return ray_.isInside(surfaces.b.mesh, surfaces.b.fromPair(contact.position + toSurface + displacement));
 }
 
 }  // namespace cairn::bullet

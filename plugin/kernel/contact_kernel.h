@@ -20,26 +20,26 @@
 
 namespace cairn::bullet {
 
-/// What a pair remembers from step to step: what may touch, first of patches, then of their features. Either list holds
-/// until a point of one body has moved by its skin against the other; the patches' skin is the wider one.
+/// The state of a pair between steps: which patches may touch, and which of their features. A list holds until a point
+/// of one body has moved against the other by the list's skin. The patches have the wider skin.
 class KernelMemory {
  public:
-  /// As new, but for the room it has.
+  /// Resets all state, but keeps allocated memory.
   void forget() {
     near_.reset();
     features_.reset();
-    lastAt_ = {};
-    findingCost_ = overlapCost_ = tooFew_ = 0;
+    lastPlacement_ = {};
+    findingCost_ = overlapCost_ = insufficient_ = 0;
   }
-  /// Frees memory that is not in use; nothing else changes.
+  /// Frees unused memory; nothing else changes.
   void shrinkToFit() {
     if (!near_) patches_.clear();
-    if (!features_ || features_->skin <= 0) kept_ = {};
+    if (!features_ || features_->skin <= 0) cached_ = {};
     patches_.shrink_to_fit();
-    kept_.shrinkToFit();
+    cached_.shrinkToFit();
   }
-  /// Operations that contacts are expected to take where the bodies stand so; nothing where they were never found.
-  /// What did not do before is a guess at it.
+  /// Operations that contacts are expected to cost at this placement; empty if they were never found. After a failed
+  /// attempt, the estimate is at least its cost.
   std::optional<std::uint64_t> expectedCost(const RelativePlacement& placement) const;
 
  private:
@@ -47,7 +47,7 @@ class KernelMemory {
 
   struct Listed {
     RelativePlacement at;
-    float reach, skin;  // world length; so far the lists reach
+    float reach, skin;  // world length; `reach`: the separation up to which the list is complete
 
     float movedBy(const RelativePlacement& placement) const {
       return static_cast<float>(placement.displacementSince(at));
@@ -59,28 +59,37 @@ class KernelMemory {
 
   std::optional<Listed> near_, features_;
   std::vector<PatchPair> patches_;
-  CachedFeatures kept_;      // where `features_` says so
-  std::size_t listed_ = 0;   // features, last time
-  float minSeparation_ = 0;  // of what is not listed, where the patches were
-  // Operations: to find the patches, and what overlaps, last time; and what was too few.
-  std::uint64_t findingCost_ = 0, overlapCost_ = 0, tooFew_ = 0;
-  RelativePlacement lastAt_;
+  CachedFeatures cached_;    // valid while `features_` is set
+  std::size_t listed_ = 0;   // number of features listed last
+  float minSeparation_ = 0;  // of unlisted surface, at the patches' placement, world length
+  // Operations: the last cost of finding patches, the last cost of the overlap, and a budget that was not enough.
+  std::uint64_t findingCost_ = 0, overlapCost_ = 0, insufficient_ = 0;
+  RelativePlacement lastPlacement_;
 };
 
-/// The contacts of two surfaces: the local minima of the distance between them, and what overlaps deeper. See
-/// docs/algorithms/contacts.md. One object serves many pairs, one after the other.
+/// Finds the contacts of two surfaces: the local minima of the distance between them, and contacts of deeper overlap.
+/// See docs/algorithms/contacts.md.
+///
+///     ContactKernel kernel;
+///     if (auto answer = kernel.run(surfaces, limits, memory, placement, budget))
+///       for (const FeatureContact& contact : answer->contacts) ...;
+///
+/// One object serves many pairs, one after the other.
 class ContactKernel {
  public:
-  /// What `run` finds. Valid until the next one.
+  /// The result of `run`, valid until the next `run`.
   struct Answer {
     std::span<const FeatureContact> contacts;
-    float minSeparation = 0;  ///< world length: the surfaces are no nearer; minus infinity where they may touch
+    /// Lower bound on the separation, world length; minus infinity where the surfaces may touch.
+    float minSeparation = 0;
   };
 
-  /// Nothing when the budget does not cover it: an operation for each pair of boxes and of features that is compared.
+  /// Finds the contacts of two surfaces. Empty when the budget does not suffice. Cost: an operation for each pair of
+  /// boxes and each pair of features that is compared.
   std::optional<Answer> run(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                             const RelativePlacement& placement, Budget& budget);
-  /// The same of a surface, with its margin, and a convex body. Remembers nothing.
+  /// Finds the contacts of a surface, grown by `surfaceMargin` (world length), with a convex body. Keeps nothing
+  /// between steps. Empty when the budget does not suffice.
   std::optional<Answer> run(const PlacedSurface& surface, ConvexBody& body, const ContactLimits& limits,
                             float surfaceMargin, Budget& budget);
 

@@ -5,24 +5,25 @@
 
 namespace cairn::bullet {
 
-/// The surface point of a convex shape that is nearest to a given one; frame and unit of the question.
+/// The surface point of a convex shape that is nearest to a query point; in the frame and unit of the query.
 struct NearestPoint {
   Vec3 point;
   Vec3 normal;         ///< unit, outwards; the shape lies behind the plane through `point`
-  float distance = 0;  ///< negative inside
+  float distance = 0;  ///< from the query point, negative inside
 };
 
-/// What the kernel asks of a convex body that has no mesh. Pair frame, world lengths, the shape's margin included.
+/// A convex body without a mesh, as the kernel queries it. Pair frame, world lengths, the shape's margin included.
 class ConvexBody {
  public:
   virtual ~ConvexBody() = default;
 
+  /// The surface point nearest to `point`.
   virtual NearestPoint nearest(const Vec3& point) = 0;
-  /// It is no nearer to the point than that, if it does not hold it. Cheap.
+  /// Lower bound on the distance from a point outside; anything for a point inside. Cheap.
   virtual float apartFrom(const Vec3& point) = 0;
-  /// Its point that lies farthest along a direction: unit.
+  /// The point that lies farthest along a unit direction.
   virtual Vec3 support(const Vec3& direction) const = 0;
-  /// A point inside of it.
+  /// A point inside the body.
   virtual Vec3 middle() const = 0;
 };
 

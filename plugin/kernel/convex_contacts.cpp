@@ -27,7 +27,7 @@ Box boxOf(const PlacedSurface& surface, const ConvexBody& body) {
   return box;
 }
 
-// Whether the surface rises beyond this side of the face, by more than this: rounding, in the mesh's unit.
+// Whether the surface beyond this side of the face rises above the face by more than `rounding` (mesh unit).
 bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t side, float rounding) {
   const SurfaceEdge& edge = surface.features().edges()[surface.features().edgesOf()[index][side]];
   const std::uint32_t beyond = edge.triangle[0] == index ? edge.opposite[1] : edge.opposite[0];
@@ -36,7 +36,7 @@ bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t si
   return dot(face.normal, surface.vertex(beyond)) - face.offset > rounding;
 }
 
-// Where between a place where it holds and one where it does not a condition ends.
+// Finds where a condition ends, between a place where it holds and one where it fails.
 template <class Holds>
 float endOf(float holds, float fails, const Holds& isHeld) {
   for (int i = 0; i < tuning::kMaxLooks; ++i) {
@@ -55,7 +55,7 @@ std::optional<std::span<const FeatureContact>> ConvexContacts::find(const Placed
   if (!listPatches(budget)) return {};
   for (const std::uint32_t patch : patches_) appendOf(surface.patches().patch(patch));
   if (isSwallowed()) {
-    tellWayOut();
+    appendWayOut();
     return contacts_;
   }
   if (isDeep_) return {};
@@ -106,15 +106,15 @@ bool ConvexContacts::listPatches(Budget& budget) {
   return budget.charge(kOverlapTestCost * SurfacePatch::kMaxTriangles * patches_.size());
 }
 
-// Whether the body's middle is inside, and nothing that touches it says so.
+// Whether the body's middle is inside the surface, and no contact reports an overlap.
 bool ConvexContacts::isSwallowed() {
   const bool isReported = !isDeep_ && std::ranges::any_of(contacts_, [](const auto& c) { return c.separation < 0; });
   return !isReported && ray_.isInside(surface_->mesh, surface_->fromPair(middleOfBody_));
 }
 
-// The way from the body's middle to the nearest point of the surface: all that the body turns the other way has to come
-// as far.
-void ConvexContacts::tellWayOut() {
+// Contacts along the line from the body's middle to the nearest point of the surface. Every part of the body that faces
+// the other way must move that far.
+void ConvexContacts::appendWayOut() {
   contacts_.clear();
   const Vec3 out = surface_->toPair * nearestOnSurface(surface_->fromPair(middleOfBody_));
   if (out == middleOfBody_) return;
@@ -155,7 +155,7 @@ Vec3 ConvexContacts::nearestOnSurface(const Vec3& inMesh) {
   return nearest;
 }
 
-// By the ball around the box.
+// Tests the ball around the box.
 bool ConvexContacts::isNear(const Box& box) {
   const float radius = 0.5F * length(box.upper - box.lower) * surface_->scale;
   return separationOf(body_->apartFrom(surface_->toPair * box.middle())) <= radius + limits_.reach + limits_.rounding();
@@ -167,8 +167,8 @@ void ConvexContacts::appendOf(const SurfacePatch& patch) {
   for (const std::uint32_t face : patch.triangles) appendFace(face);
 }
 
-// What overlaps deeper than that is still told its own side's way out while the other body's middle is on that side:
-// `outside` its plane.
+// Trusts a separation that `ContactLimits` trusts. Trusts deeper overlap too, as long as the other body's middle is
+// still on this side: `outside` is its height over the contact's plane.
 bool ConvexContacts::isTrusted(float separation, float outside) const {
   return limits_.trusts(separation) || (separation < 0 && outside > 0);
 }
@@ -181,8 +181,8 @@ bool ConvexContacts::isOfContact(float separation, const NearestPoint& nearest) 
   return false;
 }
 
-// How far a neighbour may be on the body's side of the tangent plane. Along a flat face all are as near; what a round
-// body turns towards a neighbour is another normal, and the nearer of both touches.
+// How far a neighbour may be on the body's side of the tangent plane. Along a flat face all neighbours are equally
+// near. A round body turns another normal to a neighbour, so there the nearer of the two touches.
 float ConvexContacts::allowedBelow(const Vec3& normal, std::uint32_t neighbour, float separation, float away) {
   const bool isFlat = isSameNormal(seen(neighbour).nearest.normal, normal);
   return isFlat || separation < 0 ? limits_.belowAt(separation, away) : tuning::kBeside * limits_.contactDistance;
@@ -195,21 +195,23 @@ void ConvexContacts::appendVertex(std::uint32_t vertex) {
   const SurfaceFeatures& features = surface_->features();
   for (const std::uint32_t edge : features.edgesAround(vertex)) {
     const std::uint32_t neighbour = features.across(edge, vertex);
-    const Vec3 way = seen(neighbour).place - here.place;
-    if (-dot(here.nearest.normal, way) > allowedBelow(here.nearest.normal, neighbour, separation, length(way))) return;
+    const Vec3 toNeighbour = seen(neighbour).place - here.place;
+    if (-dot(here.nearest.normal, toNeighbour) >
+        allowedBelow(here.nearest.normal, neighbour, separation, length(toNeighbour)))
+      return;
   }
   contacts_.push_back({here.place - here.nearest.normal * (0.5F * separation + surfaceMargin_), here.nearest.normal,
                        separation, FeatureKind::vertexOnFace, vertex, 0});
 }
 
-// The distance from a convex body is a convex function along a line, and the planes that support the body bound it from
-// below: where those of two places meet is the next place to look at, until there is nothing between. A face of the
-// body that lies along the line is as near for a while.
+// Along a line the distance from a convex body is a convex function, and the body's supporting planes bound it from
+// below. The next sample is where the planes of two samples meet, until no room is left between them. If a face of the
+// body is parallel to the line, a whole stretch is equally near.
 ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const Seen& to) {
-  const Vec3 way = to.place - from.place;
-  const auto nearestAt = [&](float at) { return body_->nearest(from.place + way * at); };
-  const auto slopeOf = [&](const NearestPoint& nearest) { return dot(nearest.normal, way); };
-  const float flat = kSameDirection * length(way);
+  const Vec3 edgeVector = to.place - from.place;
+  const auto nearestAt = [&](float at) { return body_->nearest(from.place + edgeVector * at); };
+  const auto slopeOf = [&](const NearestPoint& nearest) { return dot(nearest.normal, edgeVector); };
+  const float flat = kSameDirection * length(edgeVector);
   Stretch stretch{0, from.nearest};
   if (slopeOf(to.nearest) <= flat) {
     stretch = {1, to.nearest};
@@ -221,10 +223,11 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
           (rises.nearest.distance - falls.nearest.distance + fall * falls.at - rise * rises.at) / (fall - rise);
       stretch.at = std::clamp(cut, falls.at, rises.at);
       stretch.nearest = nearestAt(stretch.at);
-      const float slope = slopeOf(stretch.nearest), least = falls.nearest.distance + fall * (stretch.at - falls.at);
+      const float slope = slopeOf(stretch.nearest),
+                  lowerBound = falls.nearest.distance + fall * (stretch.at - falls.at);
       if (std::abs(slope) <= flat) break;
-      if (stretch.nearest.distance - least <= limits_.rounding()) {
-        meet(falls.nearest, rises.nearest, way, from.place + way * stretch.at, stretch.nearest);
+      if (stretch.nearest.distance - lowerBound <= limits_.rounding()) {
+        meet(falls.nearest, rises.nearest, edgeVector, from.place + edgeVector * stretch.at, stretch.nearest);
         break;
       }
       (slope < 0 ? falls : rises) = stretch;
@@ -232,9 +235,9 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
   }
   stretch.first = stretch.last = stretch.at;
   if (separationOf(stretch.nearest.distance) > limits_.reach) return stretch;
-  const float most = stretch.nearest.distance + tuning::kBeside * limits_.contactDistance;
+  const float maxDistance = stretch.nearest.distance + tuning::kBeside * limits_.contactDistance;
   const auto isOfFace = [&](const NearestPoint& nearest) {
-    return nearest.distance <= most && isSameNormal(nearest.normal, stretch.nearest.normal);
+    return nearest.distance <= maxDistance && isSameNormal(nearest.normal, stretch.nearest.normal);
   };
   const auto isOfFaceAt = [&](float at) { return isOfFace(nearestAt(at)); };
   stretch.first = isOfFace(from.nearest) ? 0 : endOf(stretch.at, 0, isOfFaceAt);
@@ -242,11 +245,12 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
   return stretch;
 }
 
-// Two faces of the body that meet in an edge: the edge's normal across the line. Inside the body it is farther along
-// that than along theirs. Not of faces that look away from each other: the line goes through the body.
-void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& way, const Vec3& place,
-                          NearestPoint& nearest) {
-  const float fall = -dot(falls.normal, way), rise = dot(rises.normal, way);
+// The line passes an edge of the body between two faces: gives the edge's normal across the line. Inside the body the
+// distance along this normal is larger than along the faces'. Opposite faces give no normal, because the line goes
+// through the body.
+void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& edgeVector,
+                          const Vec3& place, NearestPoint& nearest) {
+  const float fall = -dot(falls.normal, edgeVector), rise = dot(rises.normal, edgeVector);
   const Vec3 between = (falls.normal * rise + rises.normal * fall) * (1 / (fall + rise));
   if (between == Vec3()) return;
   nearest.normal = unitVector(between);
@@ -257,19 +261,19 @@ void ConvexContacts::meet(const NearestPoint& falls, const NearestPoint& rises, 
 void ConvexContacts::appendEdge(std::uint32_t index) {
   const SurfaceEdge& edge = surface_->features().edges()[index];
   const Seen from = seen(edge.vertex[0]), to = seen(edge.vertex[1]);
-  const Vec3 way = to.place - from.place;
-  const float least = 0.5F * (from.nearest.distance + to.nearest.distance - length(way));
+  const Vec3 edgeVector = to.place - from.place;
+  const float least = 0.5F * (from.nearest.distance + to.nearest.distance - length(edgeVector));
   if (separationOf(least) > limits_.reach) return;
   const Stretch stretch = nearestStretch(from, to);
   if (!isOfContact(separationOf(stretch.nearest.distance), stretch.nearest)) return;
-  // Ends are vertices, who tell themselves.
+  // An edge's ends are vertices, and `appendVertex` reports those.
   const auto appendAt = [&](float at, const NearestPoint& nearest, std::uint32_t which) {
-    if (at > 0 && at < 1) appendOnEdge(index, from.place + way * at, nearest, which);
+    if (at > 0 && at < 1) appendOnEdge(index, from.place + edgeVector * at, nearest, which);
   };
-  const bool isOnePoint = (stretch.last - stretch.first) * length(way) < limits_.contactDistance;
+  const bool isOnePoint = (stretch.last - stretch.first) * length(edgeVector) < limits_.contactDistance;
   if (isOnePoint) return appendAt(stretch.at, stretch.nearest, 0);
-  appendAt(stretch.first, body_->nearest(from.place + way * stretch.first), 1);
-  appendAt(stretch.last, body_->nearest(from.place + way * stretch.last), 2);
+  appendAt(stretch.first, body_->nearest(from.place + edgeVector * stretch.first), 1);
+  appendAt(stretch.last, body_->nearest(from.place + edgeVector * stretch.last), 2);
 }
 
 void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const NearestPoint& nearest,
@@ -279,15 +283,15 @@ void ConvexContacts::appendOnEdge(std::uint32_t index, const Vec3& point, const 
   const Vec3 along = seen(edge.vertex[1]).place - seen(edge.vertex[0]).place;
   for (const std::uint32_t v : edge.opposite) {
     if (v == SurfaceEdge::kNone) continue;
-    const Vec3 way = seen(v).place - point;
-    const Vec3 beside = way - along * (dot(way, along) / lengthSq(along));
+    const Vec3 toNeighbour = seen(v).place - point;
+    const Vec3 beside = toNeighbour - along * (dot(toNeighbour, along) / lengthSq(along));
     if (-dot(nearest.normal, beside) > allowedBelow(nearest.normal, v, separation, length(beside))) return;
   }
   contacts_.push_back({point - nearest.normal * (0.5F * separation + surfaceMargin_), nearest.normal, separation,
                        FeatureKind::edgeOnEdge, index, which});
 }
 
-// No point of a triangle is farther from its nearest corner than its longest side over the root of three.
+// A point of a triangle is at most the longest side, divided by the root of three, from its nearest corner.
 bool ConvexContacts::isFaceSeparated(std::uint32_t index) {
   constexpr float kFarthest = std::numbers::inv_sqrt3_v<float>;
   const auto& [a, b, c] = surface_->mesh.triangles[index];
@@ -325,8 +329,8 @@ void ConvexContacts::appendOnFace(std::uint32_t index, const Vec3& onBody, const
       {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, index, corner});
 }
 
-// Where it overlaps a point may have gone past the face: into what rises beyond it, however far, or by its depth into
-// the open, if it still is in the body.
+// An overlapping point may lie beside the face. Beyond a concave side it may be at any distance. Beyond a convex side
+// it may be as far as its depth, if it is still inside the body.
 bool ConvexContacts::isOverFace(std::uint32_t index, const Vec3& inMesh, float separation) {
   const SurfaceFace& face = surface_->features().faces()[index];
   if (isOver(face, *surface_, index, inMesh, 0)) return true;
@@ -339,16 +343,16 @@ bool ConvexContacts::isOverFace(std::uint32_t index, const Vec3& inMesh, float s
   return ray_.isInside(surface_->mesh, inMesh);
 }
 
-// Whether what a contact says to overlap still does once the surface has moved out along `other`, and a little more.
+// Whether a contact's overlap remains when the surface moves out along `other` and a little more.
 bool ConvexContacts::staysInside(const FeatureContact& contact, const FeatureContact& other) {
   const float more = tuning::kBeside * limits_.contactDistance;
-  const Vec3 way = other.normal * (std::max(-other.separation, 0.0F) + more);
+  const Vec3 displacement = other.normal * (std::max(-other.separation, 0.0F) + more);
   if (contact.kind != FeatureKind::faceOnVertex) {
     const Vec3 onSurface = contact.position + contact.normal * (0.5F * contact.separation);
-    return body_->nearest(onSurface + way).distance < 0;
+    return body_->nearest(onSurface + displacement).distance < 0;
   }
   const Vec3 onBody = contact.position - contact.normal * (0.5F * contact.separation);
-  return ray_.isInside(surface_->mesh, surface_->fromPair(onBody - way));
+  return ray_.isInside(surface_->mesh, surface_->fromPair(onBody - displacement));
 }
 
 }  // namespace cairn::bullet

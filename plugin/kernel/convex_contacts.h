@@ -16,15 +16,26 @@
 
 namespace cairn::bullet {
 
-/// The contacts of a surface with a convex body: a face is touched by what the body turns towards it, an edge where the
-/// body is nearest along it, a vertex by the body's nearest point, each only along directions in its own cone of
-/// normals. A is the surface; features of B say which of several points it is on one edge or face.
+/// Finds the contacts of a surface with a convex body. Each feature touches only along directions in its own cone of
+/// normals:
+///
+/// - a face touches the body's corners that face it,
+/// - an edge touches where the body is nearest along it,
+/// - a vertex touches the body's nearest point.
+///
+/// A is the surface. The features of B number the points on one edge or face.
+///
+///     ConvexContacts convexContacts;
+///     auto contacts = convexContacts.find(surface, body, limits, surfaceMargin, budget);
+///     if (!contacts) return useLeaves();
 class ConvexContacts {
  public:
-  /// Nothing when the budget does not cover it, or where they overlap deeper than local minima are trusted and the
-  /// body's middle is outside; where it is inside, the body is told its nearest way out. Valid until the next call.
-  /// `limits.margins` count what the body's own margin adds. Frame: the pair's; world lengths. Charges an operation for
-  /// each box and each feature that is near, not the rays. Source: see docs/algorithms/convex-contacts.md.
+  /// Empty when the budget does not suffice. Empty too when the overlap is deeper than trusted minima and the body's
+  /// middle is outside. If the middle is inside, the contacts point along the nearest way out. Valid until the next
+  /// call.
+  ///
+  /// Frame: the pair's; world lengths. `limits.margins` includes the body's own margin. Cost: an operation for each box
+  /// and each feature that is near; rays are not charged. Source: docs/algorithms/convex-contacts.md.
   std::optional<std::span<const FeatureContact>> find(const PlacedSurface& surface, ConvexBody& body,
                                                       const ContactLimits& limits, float surfaceMargin, Budget& budget);
 
@@ -34,7 +45,8 @@ class ConvexContacts {
     Vec3 place;
     NearestPoint nearest;
   };
-  // Of an edge: how far along it the body is nearest, and from where to where the same face of it is as near.
+  // The place along an edge where the body is nearest, and the stretch along which the same face of the body is equally
+  // near. All in fractions of the edge.
   struct Stretch {
     float at = 0;
     NearestPoint nearest;
@@ -44,7 +56,7 @@ class ConvexContacts {
   void begin(const PlacedSurface& surface, ConvexBody& body, const ContactLimits& limits, float surfaceMargin);
   bool listPatches(Budget& budget);
   bool isSwallowed();
-  void tellWayOut();
+  void appendWayOut();
   Vec3 nearestOnSurface(const Vec3& inMesh);
   bool isNear(const Box& box);
   void appendOf(const SurfacePatch& patch);
@@ -59,7 +71,7 @@ class ConvexContacts {
   bool isFaceSeparated(std::uint32_t face);
   bool isOverFace(std::uint32_t face, const Vec3& inMesh, float separation);
   Stretch nearestStretch(const Seen& from, const Seen& to);
-  static void meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& way, const Vec3& place,
+  static void meet(const NearestPoint& falls, const NearestPoint& rises, const Vec3& edgeVector, const Vec3& place,
                    NearestPoint& nearest);
   void appendOnEdge(std::uint32_t edge, const Vec3& point, const NearestPoint& nearest, std::uint32_t which);
   void appendOnFace(std::uint32_t face, const Vec3& onBody, const Vec3& normal, std::uint32_t corner);
@@ -75,7 +87,7 @@ class ConvexContacts {
   StampedList<Seen> seen_;  // by vertex
   std::vector<std::uint32_t> waiting_, patches_;
   FacingCorners facing_;
-  Vec3 facingAlong_;  // what it looked at last; zero: nothing
+  Vec3 facingAlong_;  // the direction `facing_` searched last; zero: none
   std::vector<FeatureContact> contacts_, shallow_;
   SurfaceRay ray_;
 };

@@ -23,7 +23,7 @@ FeatureKind kindOf(const OverlapPoint& point) {
   return point.isOfA ? FeatureKind::deepVertexOfA : FeatureKind::deepVertexOfB;
 }
 
-// What pushes against the way out is the far side of something thin.
+// Drops contacts that push against the way out: they belong to the far side of something thin.
 void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, std::vector<FeatureContact>& contacts) {
   const Box box = boxOf(region.points).grown(near);
   std::erase_if(contacts, [&](const FeatureContact& c) {
@@ -31,16 +31,16 @@ void dropOpposed(const OverlapRegion& region, const Vec3& normal, float near, st
   });
 }
 
-// Whether the overlap grows no less whichever way the bodies move: they are wrapped around each other.
+// Whether the overlap changes little in whatever direction the bodies move: they are wrapped around each other.
 bool isWrapped(const OverlapRegion& region) {
   return length(region.area) <= tuning::kNoArea * region.sum;
 }
 
-// Those that are wrapped are parted along the line of their middles.
+// Direction in which A leaves B. Wrapped bodies separate along the line of their middles.
 Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
   const Vec3 bodies = surfaces.a.toPair.translation - surfaces.b.toPair.translation;
-  const Vec3 way = isWrapped(region) ? bodies : -region.area;
-  return unitVector(way);
+  const Vec3 direction = isWrapped(region) ? bodies : -region.area;
+  return unitVector(direction);
 }
 
 }  // namespace
@@ -48,27 +48,27 @@ Vec3 wayOut(const SurfacePair& surfaces, const OverlapRegion& region) {
 void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limits,
                          std::span<const OverlapRegion> regions, std::vector<FeatureContact>& contacts) {
   for (const OverlapRegion& region : regions) {
-    leaveUnexplained(region, limits, contacts);
-    // A nut that touches its bolt is not to be pushed off it.
+    collectUnexplained(region, limits, contacts);
+    // A nut that touches its bolt must not be pushed off it.
     const bool isTouching = isWrapped(region) && deep_.size() < region.points.size();
     if (deep_.empty() || isTouching) continue;
-    const Vec3 way = wayOut(surfaces, region);
-    if (way == Vec3() || widthAlong(way).width() < tuning::kMinWidth * limits.contactDistance) continue;
-    const Vec3 out = narrowest(surfaces, way);
+    const Vec3 direction = wayOut(surfaces, region);
+    if (direction == Vec3() || widthAlong(direction).width() < tuning::kMinWidth * limits.contactDistance) continue;
+    const Vec3 out = narrowest(surfaces, direction);
     dropOpposed(region, out, limits.contactDistance, contacts);
     appendAlong(out, contacts);
   }
 }
 
-void DeepOverlap::leaveUnexplained(const OverlapRegion& region, const ContactLimits& limits,
-                                   std::span<const FeatureContact> explaining) {
+void DeepOverlap::collectUnexplained(const OverlapRegion& region, const ContactLimits& limits,
+                                     std::span<const FeatureContact> explaining) {
   region_ = region.points;
   deep_.clear();
   for (const OverlapPoint& point : region.points)
     if (!isExplained(explaining, point.position, point.isOfA, limits)) deep_.push_back(point);
 }
 
-// Crossings are points of both. Where only one body has any, all are to come up to the highest.
+// Crossings are points of both bodies. Where only one body has points, all of them are to rise to the highest.
 DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Width width{kInfinity, -kInfinity}, ofAll = width;
@@ -81,9 +81,9 @@ DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
   return width.lowest < kInfinity && width.highest > -kInfinity ? width : ofAll;
 }
 
-// The way in which the overlap shrinks fastest, or if the region is narrower along it the normal that is nearest to
-// that way of all faces there that are not another way: where one body is flat in the other its face's, however much of
-// its sides is inside too.
+// The direction in which the overlap shrinks fastest, or a face's normal along which the region is narrower. That is
+// the face normal nearest to the direction, within 50 degrees of it. So a body that is flat inside the other leaves
+// along its face's normal, however much of its sides is inside too.
 Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& way) const {
   Vec3 nearest = way;
   float cosine = tuning::kOtherWayCosine;

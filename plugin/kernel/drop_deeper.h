@@ -10,9 +10,10 @@
 
 namespace cairn::bullet {
 
-/// Where several features stop the same overlap the shallowest says the way out, if it is one: what stands in a corner
-/// is still below the floor when it has come out of the wall. `staysInside(contact, other)`: whether what the contact
-/// says to be inside the other body still is once A has moved out along `other`. `kept`: working memory.
+/// Where several features stop the same overlap, keeps the shallowest that is a way out. A body in a corner may be
+/// below the floor even when it has come out of the wall: then both contacts stay. `staysInside(contact, other)`:
+/// whether the contact's point is still inside the other body when A has moved out along `other`. `kept`: working
+/// memory. Cost: quadratic in the contacts.
 template <class StaysInside>
 void dropDeeper(std::vector<FeatureContact>& contacts, std::vector<FeatureContact>& kept, const ContactLimits& limits,
                 const StaysInside& staysInside) {

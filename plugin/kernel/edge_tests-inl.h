@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 //
-// Which convex edges of a patch may touch an edge of another, compiled once per instruction set: include it after
-// highway.h, inside no namespace.
+// Finds the convex edges of a patch that may touch an edge of another patch. Compiled once per instruction set: include
+// it after highway.h, outside any namespace.
 #if defined(CAIRN_EDGE_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)  // Highway's include guard, once per target
 #ifdef CAIRN_EDGE_TESTS_INL_H
 #undef CAIRN_EDGE_TESTS_INL_H
@@ -34,8 +34,8 @@ HWY_INLINE Lanes clamped(Lanes v) {
   return hn::Max(hn::Zero(d), hn::Min(v, hn::Set(d, 1.0F)));
 }
 
-// From one edge to another where they are nearest; `between`: from the second's first end to the first's. Where they
-// are parallel any place along them does.
+// The vector between the nearest points of two edges. `between` goes from the second edge's first end to the first
+// edge's. For parallel edges, any pair of nearest places serves.
 HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
                             Lanes lengthSqB) {
   const Tag d;
@@ -50,22 +50,22 @@ HWY_INLINE Points nearestOf(const Points& between, const Points& way, const Poin
           hn::Sub(hn::Add(between.z, hn::Mul(way.z, onA)), hn::Mul(wayB.z, onB))};
 }
 
-// How far beyond their ends two edges' lines are nearest, at most of either; negative within both. Precondition: not
-// parallel.
+// How far beyond their ends the lines of two edges are nearest: the larger of the two overshoots, negative if both are
+// within. Precondition: not parallel.
 HWY_INLINE Lanes beyondEnds(const Points& between, const Points& way, const Points& wayB, Lanes lengthSqA,
                             Lanes lengthSqB) {
   const auto ab = dotOf(way, wayB), da = dotOf(way, between), db = dotOf(wayB, between);
   const auto det = hn::Sub(hn::Mul(lengthSqA, lengthSqB), hn::Mul(ab, ab));
   const auto onA = hn::Sub(hn::Mul(ab, db), hn::Mul(lengthSqB, da));
   const auto onB = hn::Sub(hn::Mul(lengthSqA, db), hn::Mul(ab, da));
-  // Ways along them times `det`.
+  // Lengths along the edges, times `det`.
   const auto ofA = hn::Mul(hn::Max(hn::Neg(onA), hn::Sub(onA, det)), hn::Sqrt(lengthSqA));
   const auto ofB = hn::Mul(hn::Max(hn::Neg(onB), hn::Sub(onB, det)), hn::Sqrt(lengthSqB));
   return hn::Div(hn::Max(ofA, ofB), det);
 }
 
-// An edge of A against the convex ones of B that `nearEdges` names: what is no farther than contacts are, and may face
-// each other once the bodies have turned a little.
+// Tests an edge of A against B's convex edges in `nearEdges`. Adds those within the contact distance that may face each
+// other once the bodies have turned by `turn`.
 template <class Add>
 HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwardOfA, const SurfacePatch& edges,
                             std::uint32_t nearEdges, const PlacedPatches& side, float turn, const Add& add) {
@@ -98,8 +98,8 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
     if ((bitsOf(mask) & nearHere) == 0) continue;
     const Points minSeparation = nearestOf(minus(p, r), way, wayB, lengthSqA, lengthSqB);
     const auto separation = hn::Sqrt(dotOf(minSeparation, minSeparation)), upwards = dotOf(minSeparation, across);
-    // The normal of two edges turns by no more than a quarter radian, where they are not nearly parallel: what is
-    // clearly in front stays so, and lines pass each other where they do, but for a little.
+    // The common normal of two edges that are not nearly parallel turns by at most a quarter radian within the skin. So
+    // a pair clearly in front stays in front, and the place where the lines pass each other moves little.
     const auto isClear = hn::Gt(norm, hn::Mul(hn::Set(d, 4 * turn), lengths));
     const auto height = hn::IfThenElse(hn::Lt(alongB, alongA), hn::Neg(upwards), upwards);
     const auto isInFront = hn::And(hn::Gt(height, hn::Mul(hn::Set(d, 0.5F), hn::Mul(norm, separation))), isClear);

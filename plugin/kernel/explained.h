@@ -10,14 +10,14 @@
 
 namespace cairn::bullet {
 
-/// How far a point of A, or of B, is behind the surface that the contact knows. Pair frame, world length.
+/// Depth of a point of A, or of B, behind the contact's plane. Pair frame, world length.
 inline float depthUnder(const FeatureContact& contact, const Vec3& point, bool isOfA) {
   const float height = dot(contact.normal, point - contact.position);
   return (isOfA ? -height : height) - 0.5F * contact.separation;
 }
 
-/// Whether some minimum of the distance, of surfaces in contact, has the point behind its plane, no deeper than
-/// `most(contact)` says and hardly before it. How far a query looks changes nothing.
+/// Whether some local minimum of surfaces in contact has the point behind its plane. The point may be as deep as
+/// `most(contact)`, and hardly in front. The reach of a query does not matter.
 template <class Most>
 bool isUnderAny(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA, const ContactLimits& limits,
                 const Most& most) {
@@ -28,8 +28,8 @@ bool isUnderAny(std::span<const FeatureContact> contacts, const Vec3& point, boo
   });
 }
 
-/// Whether a point of one body inside the other is there because of what a contact tells, which need not be repeated:
-/// not what is deeper than any contact could tell.
+/// Whether a contact already accounts for a point of one body inside the other, so that the point needs no contact of
+/// its own. A point deeper than any local minimum is never explained.
 inline bool isExplained(std::span<const FeatureContact> contacts, const Vec3& point, bool isOfA,
                         const ContactLimits& limits) {
   return isUnderAny(contacts, point, isOfA, limits, [&](const FeatureContact& c) {

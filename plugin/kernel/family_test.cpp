@@ -18,14 +18,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 using FamilyTag = hn::CappedTag<float, PatchFamily::kWidth>;
 }  // namespace
 
-// See `NearLimits::around`.
+// Each box grows as `NearLimits::around` grows a box; the margin is how far the other box is outside.
 void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits, FamilyTest& result) {
   const FamilyTag d;
   const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach), deep = hn::Set(d, limits.depth),
              beside = hn::Set(d, limits.besideDeep);
   result.near = 0;
   const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
-  auto least = infinity;
+  auto nearest = infinity;
   for (std::uint32_t at = 0; at < PatchFamily::kWidth; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     auto margin = hn::Neg(infinity), minSeparation = margin;
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,9 +44,9 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, isNear, bytes);
     result.near |= static_cast<std::uint32_t>(bytes[0]) << at;
-    least = hn::Min(least, hn::IfThenElse(isNear, infinity, minSeparation));
+    nearest = hn::Min(nearest, hn::IfThenElse(isNear, infinity, minSeparation));
   }
-  result.minSeparation = hn::GetLane(hn::MinOfLanes(d, least));
+  result.minSeparation = hn::GetLane(hn::MinOfLanes(d, nearest));
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE

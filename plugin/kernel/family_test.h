@@ -8,20 +8,20 @@
 
 namespace cairn::bullet {
 
-/// A box as it stands in another frame, whose axes it need not be parallel to.
+/// A box placed in another frame, whose axes it need not be parallel to.
 struct PlacedBox {
   Vec3 middle, half;  ///< of the axis-parallel box around it
 };
 
-/// What eight boxes are to one of the other side.
+/// Result of testing the eight boxes of a family against one box of the other surface.
 struct FamilyTest {
-  std::uint32_t near = 0;  ///< a bit for each that may touch it once bodies have moved by the skin
-  /// Of each: what may touch it is so far outside the box. Not positive where it may do so now.
+  std::uint32_t near = 0;  ///< bit i is set if box i may touch it once bodies have moved by the skin
+  /// Per box: how far anything that may touch it is outside the box. Not positive where it may touch now.
   float margin[PatchFamily::kWidth];
-  float minSeparation = 0;  ///< the others are no nearer; infinite if there are none
+  float minSeparation = 0;  ///< lower bound on the distance to all other boxes; infinite if there are none
 };
 
-/// In the family's frame and unit. The same bits on every instruction set.
+/// Frame and unit: the family's. Gives the same bits on every instruction set. Cost: one vectorised pass.
 FamilyTest testFamily(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits);
 
 }  // namespace cairn::bullet

@@ -18,8 +18,8 @@ bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t i
   const auto& corners = faced.mesh.triangles[index];
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& from = faced.vertex(corners[k]);
-    const Vec3 way = faced.vertex(corners[(k + 1) % 3]) - from, to = p - from;
-    const Vec3 off = to - way * std::clamp(dot(to, way) / lengthSq(way), 0.0F, 1.0F);
+    const Vec3 side = faced.vertex(corners[(k + 1) % 3]) - from, to = p - from;
+    const Vec3 off = to - side * std::clamp(dot(to, side) / lengthSq(side), 0.0F, 1.0F);
     const float height = dot(face.normal, off);
     if (lengthSq(off) - height * height <= beside * beside) return true;
   }
@@ -28,7 +28,7 @@ bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t i
 
 namespace {
 
-// Two lines' nearest points, as ways along them.
+// The nearest points of two lines, as fractions of their vectors.
 struct Nearest {
   float alongA = 0, alongB = 0;
 };
@@ -63,15 +63,16 @@ void FeatureContacts::append(const FeatureSpans& lists, float moved, std::vector
                           [&](std::uint32_t ofA, std::uint32_t ofB) { appendEdgeEdge(ofA, ofB, contacts); });
 }
 
-// Neighbours of the vertex that are nearer to the other surface than it is touch in its place. `towards`: unit, own
-// frame, from the vertex to the other surface.
+// Whether the vertex is in its cone: a neighbour nearer to the other surface would touch in its place. `towards`: unit,
+// own frame, from the vertex to the other surface.
 bool FeatureContacts::isVertexAlong(const PlacedSurface& side, std::uint32_t vertex, const Vec3& towards,
                                     float separation) const {
   const SurfaceFeatures& features = side.features();
   const Vec3& here = side.vertex(vertex);
   for (const std::uint32_t edge : features.edgesAround(vertex)) {
-    const Vec3 way = side.vertex(features.across(edge, vertex)) - here;
-    if (dot(towards, way) * side.scale > limits_.belowAt(separation, length(way) * side.scale)) return false;
+    const Vec3 toNeighbour = side.vertex(features.across(edge, vertex)) - here;
+    if (dot(towards, toNeighbour) * side.scale > limits_.belowAt(separation, length(toNeighbour) * side.scale))
+      return false;
   }
   return true;
 }
@@ -97,21 +98,21 @@ void FeatureContacts::appendVertexFace(const PlacedSurface& pointed, const Place
   contacts.push_back(contact);
 }
 
-// The same of an edge and the far corners of its two faces.
+// Whether the edge is in its cone, judged by the far corners of its two faces. Arguments as in `isVertexAlong`.
 bool FeatureContacts::isEdgeAlong(const PlacedSurface& side, const SurfaceEdge& edge, const Vec3& towards,
                                   float separation) const {
   const Vec3& here = side.vertex(edge.vertex[0]);
   const Vec3 along = side.vertex(edge.vertex[1]) - here;
   for (const std::uint32_t v : edge.opposite) {
     if (v == SurfaceEdge::kNone) continue;
-    const Vec3 way = side.vertex(v) - here;
-    const Vec3 beside = way - along * (dot(way, along) / lengthSq(along));
-    if (dot(towards, way) * side.scale > limits_.belowAt(separation, length(beside) * side.scale)) return false;
+    const Vec3 toCorner = side.vertex(v) - here;
+    const Vec3 beside = toCorner - along * (dot(toCorner, along) / lengthSq(along));
+    if (dot(towards, toCorner) * side.scale > limits_.belowAt(separation, length(beside) * side.scale)) return false;
   }
   return true;
 }
 
-// In B's frame.
+// Computes in B's frame.
 void FeatureContacts::appendEdgeEdge(std::uint32_t ofA, std::uint32_t ofB,
                                      std::vector<FeatureContact>& contacts) const {
   const PlacedSurface &a = surfaces_.a, &b = surfaces_.b;

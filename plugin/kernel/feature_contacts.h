@@ -10,7 +10,8 @@
 
 namespace cairn::bullet {
 
-/// A's feature first. Deep ones are of what overlaps too far for a local minimum: a point of one body inside the other.
+/// The kinds of features in contact, A's first. The deep kinds belong to overlap too deep for a local minimum: a point
+/// of one body inside the other.
 enum class FeatureKind : std::uint8_t {
   vertexOnFace,
   faceOnVertex,
@@ -25,26 +26,29 @@ constexpr bool isDeep(FeatureKind kind) {
   return kind > FeatureKind::edgeOnEdge;
 }
 
-/// Where the distance between two surfaces is locally least; pair frame, world lengths.
+/// A local minimum of the distance between two surfaces; pair frame, world lengths.
 struct FeatureContact {
   Vec3 position;         ///< half-way between the surfaces
   Vec3 normal;           ///< unit, from B to A
-  float separation = 0;  ///< along the normal, negative where they overlap
+  float separation = 0;  ///< along the normal, negative where the surfaces overlap
   FeatureKind kind = FeatureKind::vertexOnFace;
-  std::uint32_t featureA = 0, featureB = 0;  ///< indices of the mesh; of a deep vertex's other body nothing
+  std::uint32_t featureA = 0, featureB = 0;  ///< indices of the mesh; unused for the other body of a deep vertex
 };
 
-/// Whether a point, in the surface's own frame, is over a face, or no farther beside it: past a sharp corner it can be
-/// near both sides and far off.
+/// Whether a point (the surface's own frame and unit) is over a face, or at most `beside` from its sides. The distance
+/// to the sides themselves counts, because past a sharp corner a point can be near two sides' lines and far away.
 bool isOver(const SurfaceFace& face, const PlacedSurface& faced, std::uint32_t index, const Vec3& p, float beside);
 
-/// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges.
+/// Decides which pairs of features are contacts: vertices on faces, both ways, and edges on edges. Cost: constant per
+/// pair.
+///
+///     FeatureContacts(surfaces, placed, limits).append(lists, moved, contacts);
 class FeatureContacts {
  public:
   FeatureContacts(const SurfacePair& surfaces, PlacedPair& placed, const ContactLimits& limits)
       : surfaces_(surfaces), placed_(placed), limits_(limits) {}
 
-  /// `moved`: as far as bodies may have moved, a world length, since these were listed.
+  /// `moved`: bound on the bodies' displacement since the features were listed, world length.
   void append(const FeatureSpans& lists, float moved, std::vector<FeatureContact>& contacts) const;
 
  private:

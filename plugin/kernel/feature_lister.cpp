@@ -35,7 +35,8 @@ bool FeatureLister::list(std::span<const PatchPair> near, float moved, Asked ask
     a_.place(pair.a);
     b_.place(pair.b);
   }
-  // Which takes long: no deadline waits for all of it, but for as much as a budget does between two looks at the clock.
+  // Testing patches takes long. Under a deadline, at most as many are tested together as a budget allows between two
+  // reads of the clock.
   constexpr std::size_t kBetweenLooks = Budget::kClockInterval / SurfacePatch::kMaxTriangles;
   const std::size_t together = budget.hasDeadline() ? kBetweenLooks : near.size();
   for (; !near.empty(); near = near.subspan(std::min(together, near.size()))) {

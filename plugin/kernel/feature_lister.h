@@ -13,20 +13,24 @@
 
 namespace cairn::bullet {
 
-/// Which features of two surfaces may touch.
+/// Lists the features of two surfaces that may touch: first pairs of patches, then pairs of their features.
+///
+///     lister.begin(surfaces, limits);
+///     if (!lister.findNear(patches, budget)) return {};
+///     if (!lister.list(patches, 0, Asked::all, lists, budget)) return {};
 class FeatureLister {
  public:
-  /// Forgets the last pair. `surfaces` must outlive what follows.
+  /// Starts a new pair. `surfaces` must outlive the following calls.
   void begin(const SurfacePair& surfaces, const ContactLimits& limits);
-  /// From now on lists hold until bodies have moved so far, a world length.
+  /// Sets the displacement, a world length, for which the following lists hold.
   void setSkin(float skin);
-  /// Replaces `near` by all pairs of patches that may touch. False when the budget does not cover what is compared.
+  /// Replaces `near` by all pairs of patches that may touch. Returns false when the budget does not suffice.
   bool findNear(std::vector<PatchPair>& near, Budget& budget);
-  /// How far apart the surfaces are outside of what was found last, at least; world length.
+  /// Lower bound on the separation of all surface outside the patches found last; world length.
   float minSeparation() const { return nearPatches_.minSeparation(); }
-  /// Replaces `lists` by features of these pairs, each pair of features once. False as above. Patches may have been
-  /// found with a wider skin, when the bodies stood elsewhere, or by something else. `moved`: as far as bodies may have
-  /// moved since, a world length.
+  /// Replaces `lists` by the features of these patches, each pair of features once. Returns false when the budget does
+  /// not suffice. `near` may come from another source, a wider skin or another placement. `moved`: bound on the
+  /// displacement since `near` was found, world length.
   bool list(std::span<const PatchPair> near, float moved, Asked asked, FeatureLists& lists, Budget& budget);
 
  private:

@@ -9,14 +9,14 @@
 
 namespace cairn::bullet {
 
-/// Which of their lists are asked for.
+/// The lists that a caller needs.
 enum class Asked : std::uint8_t {
   all,
-  touching  ///< without what crosses
+  touching  ///< without crossings
 };
 
-/// Two features, of A and of B, by the meshes' own indices. They neither touch nor cross before some point of one body
-/// has moved by the margin against the other: a world length, not positive where they may do so now.
+/// A feature of A and a feature of B, by the meshes' own indices. They neither touch nor cross until some point of one
+/// body has moved by `margin` against the other. That is a world length; it is not positive where they may touch now.
 struct FeaturePair {
   std::uint32_t a = 0, b = 0;
   float margin = 0;
@@ -24,12 +24,12 @@ struct FeaturePair {
   bool operator==(const FeaturePair&) const = default;
 };
 
-/// Pairs of features of two surfaces that may touch.
+/// The pairs of features of two surfaces that may touch, by kind.
 struct FeatureLists {
   using List = std::vector<FeaturePair>;
 
   List verticesOnFaces, facesOnVertices;
-  List edgesOnEdges;  ///< convex ones
+  List edgesOnEdges;  ///< convex edges only
   List edgesThroughFaces, facesThroughEdges;
 
   void clear() {
@@ -42,14 +42,14 @@ struct FeatureLists {
   }
 };
 
-/// The same lists, wherever they stand. Valid as long as these.
+/// The same lists as spans, whoever stores them. Valid as long as the storage.
 struct FeatureSpans {
   using List = std::span<const FeaturePair>;
 
   List verticesOnFaces, facesOnVertices, edgesOnEdges, edgesThroughFaces, facesThroughEdges;
 
   FeatureSpans() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): what takes spans takes lists
+
   FeatureSpans(const FeatureLists& lists)
       : verticesOnFaces(lists.verticesOnFaces),
         facesOnVertices(lists.facesOnVertices),
@@ -60,8 +60,7 @@ struct FeatureSpans {
   std::array<List*, 5> all() {
     return {&verticesOnFaces, &facesOnVertices, &edgesOnEdges, &edgesThroughFaces, &facesThroughEdges};
   }
-  /// Calls `ask(a, b)` for each pair that may touch once bodies have moved so far, a world length, since they were
-  /// listed.
+  /// Calls `ask(a, b)` for each pair that may touch after a displacement of `moved`, a world length, since the listing.
   template <class Ask>
   static void forEachAt(float moved, List list, const Ask& ask) {
     for (const FeaturePair& pair : list)
@@ -69,14 +68,14 @@ struct FeatureSpans {
   }
 };
 
-/// Lists that are kept from step to step, in one block hardly larger than they are.
+/// Lists kept from step to step, in one block hardly larger than their contents.
 class CachedFeatures {
  public:
   void keep(FeatureSpans lists) {
     std::size_t size = 0;
     for (const auto* list : lists.all()) size += list->size();
     pairs_.clear();
-    // Lists that vary by a few allocate nothing.
+    // The spare room lets lists vary a little without an allocation.
     if (size > pairs_.capacity()) pairs_.reserve(size + size / 4);
     for (std::size_t i = 0; const auto* list : lists.all()) {
       pairs_.insert(pairs_.end(), list->begin(), list->end());
@@ -93,7 +92,7 @@ class CachedFeatures {
     return lists;
   }
   void shrinkToFit() { pairs_.shrink_to_fit(); }
-  /// Pairs.
+  /// Capacity, in pairs.
   std::size_t room() const { return pairs_.capacity(); }
 
  private:

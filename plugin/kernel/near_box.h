@@ -10,13 +10,16 @@
 
 namespace cairn::bullet {
 
-/// What may touch a piece of surface, in that surface's frame and unit; and how much farther lists look.
+/// The space around a piece of surface in which anything may touch it, in that surface's frame and unit, and the skin
+/// of lists.
 struct NearLimits {
-  float reach = 0, depth = 0;  ///< heights above a face that may be those of contacts: at most, at least
+  float reach = 0, depth = 0;  ///< greatest and least height above a face of a contact; `depth` is negative
   float margins = 0;
-  float beside = 0;  ///< what lies so far beside a face may touch it, at least and, where it is deep, at most
+  /// Distance beside a face within which a point may touch it: the least value here, the greatest, for deep points, in
+  /// `besideDeep`.
+  float beside = 0;
   float besideDeep = 0;
-  float skin = 0;  ///< bodies may move by so much: what touches then is so much farther off now, at most
+  float skin = 0;  ///< displacement for which lists hold
 
   NearLimits() = default;
   NearLimits(float scale, const ContactLimits& limits) {
@@ -27,12 +30,13 @@ struct NearLimits {
     depth = -limits.trustedDepth * unit;
     margins = limits.margins / scale;
     beside = tuning::kBeside * limits.contactDistance * unit;
-    // On an edge contacts may point anywhere between its faces' normals: whatever the patch faces, they reach as far.
+    // On an edge a contact may point anywhere between its faces' normals, so it reaches equally far in all directions.
     besideDeep = std::max(limits.contactDistance, limits.reach + limits.margins) * unit;
   }
 
   void setSkin(float length) { skin = length * kRoundings; }
-  /// A box around all that may touch the piece where bodies are. `normals` bound the directions that it faces.
+  /// A box around all that may touch the piece at the present placement. `normals` bounds the directions that the piece
+  /// faces.
   Box around(const Box& piece, const Box& normals) const {
     Box box = piece;
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,7 +48,7 @@ struct NearLimits {
   }
 
  private:
-  // Of lengths; whoever decides does so by itself.
+  // Grows lengths, to cover rounding in these tests; the final decision on a contact does not use it.
   static constexpr float kRoundings = 1 + 1e-4F;
 };
 

@@ -10,7 +10,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Around a box that is turned into another frame.
+// The axis-parallel box around a box turned into another frame.
 PlacedBox placed(const Box& box, const Similarity& to) {
   const Vec3 half = (box.upper - box.lower) * 0.5F;
   PlacedBox result;

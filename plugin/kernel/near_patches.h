@@ -10,22 +10,22 @@
 
 namespace cairn::bullet {
 
-/// Which patches of two surfaces may touch, by their boxes: those of A near the largest boxes of B, and of each of them
-/// those of B near it. Eight boxes are compared at a time.
+/// Finds which patches of two surfaces may touch, by their boxes. First come the patches of A near the largest boxes of
+/// B, then for each of them the patches of B near it. Eight boxes are compared at a time.
 class NearPatches {
  public:
-  /// Replaces `found` by these pairs, and places what stands in them. False when the budget does not cover the boxes
-  /// that are compared. The same on every instruction set. Precondition: `a` and `b` have begun.
+  /// Replaces `found` by these pairs and places their patches in `a` and `b`. Returns false when the budget does not
+  /// suffice. The same bits on every instruction set. Precondition: `a` and `b` have begun.
   bool find(const SurfacePair& surfaces, PlacedPatches& a, PlacedPatches& b, std::vector<PatchPair>& found,
             Budget& budget);
-  /// How far apart the surfaces are outside of what was found last, at least; world length.
+  /// Lower bound on the separation of all surface outside the patches found last; world length.
   float minSeparation() const { return minSeparation_; }
 
  private:
-  // Those of A near any of the boxes at the root of B's.
+  // Finds A's patches near any of the boxes at B's root.
   bool findNearOfA(const SurfacePair& surfaces, const PlacedPatches& a, const PlacedPatches& b, Budget& budget);
-  // Calls `onPatch` with each patch of the surface that may touch the box, in the surface's frame, and is in no family
-  // that may not.
+  // Calls `onPatch` with each patch of the surface that may touch the box (the surface's frame). `mayTouch` rules out
+  // families.
   template <class MayTouch, class OnPatch>
   bool descend(const PlacedSurface& surface, const PlacedBox& box, const NearLimits& limits, Budget& budget,
                const MayTouch& mayTouch, const OnPatch& onPatch);

@@ -10,14 +10,14 @@
 
 namespace cairn::bullet {
 
-/// The patches that regions of overlap are made of: what overlaps deeper than contacts do is among their features.
+/// Collects the patches that touch regions of overlap. Contacts deeper than ordinary ones lie among their features.
 class OverlapPatches {
  public:
-  /// All pairs of them, ascending. Valid until the next call.
+  /// All pairs of those patches, ascending. Valid until the next call.
   std::span<const PatchPair> pairsOf(const SurfacePair& surfaces, std::span<const OverlapRegion> regions);
 
  private:
-  // Those of one surface.
+  // The patches of one surface, each named once.
   class Side {
    public:
     void begin(const PlacedSurface& surface);
@@ -35,7 +35,7 @@ class OverlapPatches {
 
     const PlacedSurface* surface_ = nullptr;
     std::vector<std::uint32_t> patches_;
-    std::vector<bool> isNamed_;  // those of `patches_`, from `begin` on
+    std::vector<bool> isNamed_;  // true for those of `patches_`
   };
 
   Side a_, b_;

@@ -12,8 +12,8 @@ namespace cairn::bullet {
 namespace {
 
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
-// Operations of a ray, which passes some dozens of balls.
-constexpr std::uint32_t kAskedCost = 32 * kOverlapTestCost;
+// Charged for a ray, which passes some dozens of balls.
+constexpr std::uint32_t kRayCost = 32 * kOverlapTestCost;
 
 bool isSamePlace(const Crossing& x, const Crossing& y) {
   return x.isEdgeOfA == y.isEdgeOfA && x.edge == y.edge && x.face == y.face;
@@ -25,7 +25,7 @@ bool isSameEdge(const Crossing& x, const Crossing& y) {
 
 }  // namespace
 
-// Precondition: sorted.
+// Precondition: `crossings` is sorted.
 std::span<const Crossing> OverlapRegions::Question::crossingsOf(bool isOfA, std::uint32_t edge) const {
   const auto key = [](const Crossing& c) { return std::pair(c.isEdgeOfA, c.edge); };
   const auto first = std::ranges::lower_bound(crossings, std::pair(isOfA, edge), {}, key);
@@ -48,7 +48,7 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
                                                     std::span<const FeatureContact> contacts,
                                                     std::vector<Crossing>& crossings, Budget& budget) {
   points_.clear();
-  asked_ = 0;
+  rayCount_ = 0;
   regions_.clear();
   if (crossings.empty()) return {};
   std::ranges::sort(crossings, {}, &Crossing::place);
@@ -56,16 +56,16 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
   parent_.resize(crossings.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   const Question question{surfaces, limits, contacts, crossings};
-  around_ = {crossings[0].position, crossings[0].position};
-  for (const Crossing& c : crossings) around_.add(c.position);
-  around_ = around_.grown(limits.contactDistance);
+  nearCrossings_ = {crossings[0].position, crossings[0].position};
+  for (const Crossing& c : crossings) nearCrossings_.add(c.position);
+  nearCrossings_ = nearCrossings_.grown(limits.contactDistance);
   joinCrossings(question);
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(question);
-  budget.forceCharge(kAskedCost * asked_);
+  budget.forceCharge(kRayCost * rayCount_);
   gather(question);
   return regions_;
 }
@@ -77,7 +77,7 @@ void OverlapRegions::addArea(Area& area, const Vec3& part) {
 
 void OverlapRegions::gather(const Question& question) {
   for (OverlapPoint& point : points_) point.region = rootOf(point.region);
-  // By all that tells points apart: a stable sort would allocate.
+  // The key is unique, so the order is defined; a stable sort would allocate.
   std::ranges::sort(points_, {}, [](const OverlapPoint& p) {
     return std::tuple(p.region, !p.isCrossing, p.isOfA, p.feature, p.face);
   });
@@ -94,8 +94,8 @@ void OverlapRegions::gather(const Question& question) {
   }
 }
 
-// Two triangles cross between two crossings of their edges. On A's surface the border of what is inside B runs along
-// the product of their normals.
+// Two triangles cross along a line between two crossings of their edges. On A's surface the border of the part inside B
+// runs along the cross product of their normals.
 Vec3 OverlapRegions::areaBetween(const Question& question, std::size_t at) const {
   const std::span<const Crossing> crossings = question.crossings;
   const SurfacePair& surfaces = question.surfaces;
@@ -108,7 +108,7 @@ Vec3 OverlapRegions::areaBetween(const Question& question, std::size_t at) const
   return cross(from, to) * (dot(to - from, cross(a, b)) < 0 ? -0.5F : 0.5F);
 }
 
-// Two triangles cross along a line, whose ends are crossings of their edges.
+// Two triangles cross along a line, and its ends are crossings of their edges.
 void OverlapRegions::joinCrossings(const Question& question) {
   const std::span<const Crossing> crossings = question.crossings;
   trianglePairs_.clear();
@@ -128,8 +128,8 @@ void OverlapRegions::joinCrossings(const Question& question) {
       join(trianglePairs_[i - 1].second, trianglePairs_[i].second);
 }
 
-// Crossings of a vertex's edges say on which side it is. Where they are of two minds, or there are none, a contact that
-// explains it does, or a ray.
+// The crossings of a vertex's edges tell on which side it is. If they disagree, or there are none, a contact that
+// explains the vertex decides, or else a ray.
 bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_t vertex, const Vec3& place) {
   const PlacedSurface &side = question.side(isOfA), &other = question.side(!isOfA);
   bool isInside = false, isOutside = false;
@@ -141,13 +141,13 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
     (isWithin ? isInside : isOutside) = true;
   }
   if (isInside != isOutside) return isInside;
-  // Planes of contacts have no end; what they explain is where surfaces cross.
-  if (around_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
-  ++asked_;
+  // A contact's plane has no end, so explanations count only near the crossings.
+  if (nearCrossings_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
+  ++rayCount_;
   return ray_.isInside(other.mesh, side.toOther * side.vertex(vertex));
 }
 
-// Adds the vertex to the region if it is new and inside, and says which point it is.
+// Adds the vertex to the region if it is new and inside. Returns the index of its point.
 std::uint32_t OverlapRegions::visit(const Question& question, bool isOfA, std::uint32_t vertex, std::uint32_t region) {
   Visit& visited = visited_[isOfA ? 0 : 1][vertex];
   if (visited.search == search_) return visited.point;

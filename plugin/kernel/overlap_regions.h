@@ -19,32 +19,33 @@ struct OverlapPoint {
   Vec3 position;  ///< pair frame
   bool isOfA = false;
   bool isCrossing = false;
-  std::uint32_t feature = 0;  ///< the vertex, or of a crossing the edge
-  std::uint32_t face = 0;     ///< of a crossing: the other body's
+  std::uint32_t feature = 0;  ///< the vertex; for a crossing, the edge
+  std::uint32_t face = 0;     ///< for a crossing: the other body's face
   std::uint32_t region = 0;
 };
 
-/// What belongs together: a piece of the overlap of two bodies.
+/// A connected piece of the overlap of two bodies.
 struct OverlapRegion {
   std::span<const OverlapPoint> points;
-  /// The vector area of A's surface inside B, pair frame: by how much the overlap grows when A moves.
+  /// The vector area of A's surface inside B, pair frame: how fast the overlap grows as A moves.
   Vec3 area;
-  float sum = 0;  ///< of the lengths of what it is made of
+  float sum = 0;  ///< of the lengths of the parts of `area`
 };
 
-/// Which points of two bodies are inside each other, and which of these belong together: where surfaces cross, the
-/// vertices on the inner sides, and all that these are joined with by edges which do not cross.
+/// Finds which points of two bodies are inside each other, and which of them form one region. A region starts where
+/// surfaces cross. It includes the vertices on the inner sides, and all vertices joined to these by edges without a
+/// crossing.
 class OverlapRegions {
  public:
-  /// `crossings` are sorted and made unique. Vertices are where crossings of their edges say. Where these do not
-  /// agree, or there are none, what a contact explains is inside; of others a ray is asked. Valid until the next call.
-  /// Charges the rays, whatever is left of the budget.
+  /// Sorts `crossings` and removes duplicates. A vertex is inside if the crossings of its edges say so. If they
+  /// disagree, or there are none, it is inside if a contact explains it; else a ray decides. Valid until the next call.
+  /// Charges the rays even beyond the budget.
   std::span<const OverlapRegion> find(const SurfacePair& surfaces, const ContactLimits& limits,
                                       std::span<const FeatureContact> contacts, std::vector<Crossing>& crossings,
                                       Budget& budget);
 
  private:
-  // What is asked about; lives as long as `find` runs.
+  // The arguments of `find`, for its duration.
   struct Question {
     const SurfacePair& surfaces;
     const ContactLimits& limits;
@@ -66,7 +67,7 @@ class OverlapRegions {
   std::uint32_t rootOf(std::uint32_t region);
   void join(std::uint32_t x, std::uint32_t y);
 
-  std::vector<std::uint32_t> parent_;  // of regions, by crossing
+  std::vector<std::uint32_t> parent_;  // union-find of regions, by crossing
   std::vector<std::pair<std::uint64_t, std::uint32_t>> trianglePairs_;
   std::vector<OverlapPoint> points_;
   struct Area {
@@ -74,12 +75,12 @@ class OverlapRegions {
     float sum = 0;
   };
   static void addArea(Area& area, const Vec3& part);
-  std::vector<Area> areas_;  // by crossing, where that is its region's root
-  std::uint32_t asked_ = 0;  // rays
-  Box around_;               // the crossings, and a contact distance more
+  std::vector<Area> areas_;     // by crossing that is the root of its region
+  std::uint32_t rayCount_ = 0;  // rays asked so far
+  Box nearCrossings_;           // box around the crossings, grown by a contact distance
   std::vector<OverlapRegion> regions_;
-  std::vector<std::uint32_t> waiting_;  // points whose neighbours are to be visited
-  // By vertex of A and of B: the point it is, or kOutside, in the search that its stamp names.
+  std::vector<std::uint32_t> waiting_;  // points whose neighbours are still to be visited
+  // By vertex of A and of B: its point's index or kOutside, valid if `search` equals `search_`.
   struct Visit {
     std::uint32_t search = 0, point = 0;
   };

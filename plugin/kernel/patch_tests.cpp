@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Zlib
 //
-// The tests of two patches that most pairs of features end with, in vectors, compiled once per instruction set by
-// Highway. Products and sums stay separate and in the order of `Vec3`'s.
+// The vectorised tests of two patches, which rule out most pairs of features. Highway compiles them once per
+// instruction set. Products and sums stay separate and in the order of `Vec3`'s, so that all targets give the same
+// bits.
 #include "kernel/patch_tests.h"
 
 #include <bit>
@@ -25,15 +26,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using IntTag = hn::RebindToSigned<Tag>;
 
-// Which planes each vertex of a patch is beyond, as bits: those of the near box and slab, and in the next byte those of
-// the exact ones.
+// For each vertex of a patch, a bit for each plane that it is beyond. The low byte is for the near box and slab, the
+// next byte for the exact ones.
 struct Codes {
   alignas(64) std::int32_t of[SurfacePatch::kMaxFeatures];
 };
 
 constexpr std::int32_t kNear = 0xFF, kExact = 0xFF00;
 
-// Of a patch, in the other's frame.
+// The vertices of a patch, in the other surface's frame.
 struct PlacedColumns {
   const float* columns;
   std::uint32_t stride;
@@ -62,8 +63,7 @@ HWY_INLINE hn::Vec<IntTag> codesOf(const Points& p, const Box& box, Lanes height
   return hn::Or(hn::Or(below, above), slab);
 }
 
-// A patch's vertices as they stand to a patch of the other surface. Returns the bits of all planes that every one is
-// beyond.
+// Codes a patch's vertices against a patch of the other surface. Returns the planes that all of them are beyond.
 HWY_INLINE std::int32_t codesOf(const PlacedColumns& placed, const PlacedPatch& faced, float skin, Codes& codes) {
   const Tag d;
   const Points facing = all(faced.patch.facing);
@@ -100,7 +100,7 @@ FaceRows rowsOf(const SurfacePatch& patch) {
   return {patch.faceColumns, SurfacePatch::padded(patch.triangles.size())};
 }
 
-// Margins are by how much what has to hold of a contact does not, however far that changes at most when bodies move.
+// A margin says by how much a condition of a contact fails, divided by the greatest rate at which movement changes it.
 template <class Add>
 HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, const PlacedPatches& facing,
                               const Add& add) {
@@ -115,7 +115,7 @@ HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, con
     if (hn::AllFalse(d, hn::Le(margin, skin))) continue;
     auto inside = rows.inside(0, p, at);
     for (int side = 1; side < 3; ++side) inside = hn::Min(inside, rows.inside(side, p, at));
-    // How far beside it may be grows with its depth, up to some depth.
+    // The allowed distance beside a face grows with depth, up to a limit.
     const auto outside = hn::Neg(inside), depth = hn::Sub(hn::Set(d, limits.margins), height);
     const auto ifDeep =
         hn::Max(hn::Mul(hn::Set(d, 0.5F), hn::Sub(outside, depth)), hn::Sub(outside, hn::Set(d, limits.besideDeep)));
@@ -124,9 +124,9 @@ HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, con
   }
 }
 
-// What crosses the plane of a face does so inside its sides. Where bodies may yet move, a point of an edge that is
-// then on the face now is a skin or less from it, and from there to where the edge's line goes through its plane is as
-// much farther as the edge is flat to it.
+// An edge crosses a face where it passes the face's plane inside its sides. Bodies may still move by the skin. A point
+// of the edge that is on the face then is at most a skin from it now. From there to the crossing with the plane is
+// farther, the flatter the edge lies to the plane.
 template <class Add>
 HWY_INLINE void edgeThroughFaces(const Vec3& from, const Vec3& to, const SurfacePatch& faces,
                                  const PlacedPatches& facing, const Add& add) {
@@ -162,7 +162,7 @@ HWY_INLINE bool mayBeNear(const Codes& codes, const std::array<std::uint8_t, 2>&
   return (codes.of[ends[0]] & codes.of[ends[1]] & planes) == 0;
 }
 
-// Of the patch's convex edges, a bit for each that may be near.
+// A bit for each of the patch's convex edges that may be near.
 HWY_INLINE std::uint32_t nearEdgesOf(const SurfacePatch& patch, const Codes& codes) {
   std::uint32_t bits = 0;
   for (std::uint32_t e = 0; e < patch.convexEdges; ++e)
@@ -216,7 +216,7 @@ HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pa
       });
 }
 
-// Boxes of what is placed are tighter than those of placed boxes, and say no to most.
+// The boxes around placed vertices are tighter than placed boxes, and rule out most pairs.
 HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
   const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
   const float skinA = question.a.limits().skin, skinB = question.b.limits().skin;

@@ -23,7 +23,7 @@ void place(const SurfacePatch& patch, const Similarity& to, float* columns, Box&
   const Points shift = all(to.translation);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const Vec3 far(kInfinity, kInfinity, kInfinity);
-  Points least = all(far), most = all(-far);
+  Points lowest = all(far), highest = all(-far);
   for (std::uint32_t i = 0; i < stride; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const Points p = load(patch.vertexColumns, stride, i);
     const Points q{hn::Add(dotOf(rows[0], p), shift.x), hn::Add(dotOf(rows[1], p), shift.y),
@@ -31,12 +31,12 @@ void place(const SurfacePatch& patch, const Similarity& to, float* columns, Box&
     hn::StoreU(q.x, d, columns + i);
     hn::StoreU(q.y, d, columns + stride + i);
     hn::StoreU(q.z, d, columns + 2 * stride + i);
-    least = {hn::Min(least.x, q.x), hn::Min(least.y, q.y), hn::Min(least.z, q.z)};
-    most = {hn::Max(most.x, q.x), hn::Max(most.y, q.y), hn::Max(most.z, q.z)};
+    lowest = {hn::Min(lowest.x, q.x), hn::Min(lowest.y, q.y), hn::Min(lowest.z, q.z)};
+    highest = {hn::Max(highest.x, q.x), hn::Max(highest.y, q.y), hn::Max(highest.z, q.z)};
   }
   const auto low = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
   const auto high = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-  box = {{low(least.x), low(least.y), low(least.z)}, {high(most.x), high(most.y), high(most.z)}};
+  box = {{low(lowest.x), low(lowest.y), low(lowest.z)}, {high(highest.x), high(highest.y), high(highest.z)}};
 }
 
 }  // namespace cairn::bullet::HWY_NAMESPACE

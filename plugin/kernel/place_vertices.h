@@ -6,8 +6,8 @@
 
 namespace cairn::bullet {
 
-/// Puts a patch's vertices into another frame: three columns, as long as the patch's own. Returns the box around them.
-/// The same bits on every instruction set.
+/// Transforms a patch's vertices into another frame, into three columns as long as the patch's own. Returns the box
+/// around them. The same bits on every instruction set.
 Box placeVertices(const SurfacePatch& patch, const Similarity& to, float* columns);
 
 }  // namespace cairn::bullet

@@ -6,15 +6,19 @@
 
 namespace cairn::bullet {
 
-/// One of the two surfaces of a pair, and how to get from its own frame and unit (its mesh's) to the other's.
+/// One of the two surfaces of a pair, with the maps from its own frame and unit (its mesh's) to the pair's and the
+/// other's.
+///
+///     const SurfacePair surfaces = SurfacePair::of(treeA, treeB);
+///     const Vec3 inPair = surfaces.a.toPair * surfaces.a.vertex(i);
 struct PlacedSurface {
   SurfaceView mesh;
   Similarity toPair;
   Similarity toOther;
-  Mat3 axesFromPair, axesToOther;  ///< rotations alone
+  Mat3 axesFromPair, axesToOther;  ///< rotations without scale
   float scale = 1;                 ///< world length of the mesh's unit
 
-  /// Where nothing is asked of the other's frame.
+  /// For callers that do not use the other surface's frame.
   static PlacedSurface of(const SurfaceView& mesh, const Pose& pose);
 
   const SurfacePatches& patches() const { return mesh.patches(); }

@@ -8,10 +8,10 @@
 
 namespace cairn::bullet {
 
-/// A surface's vertices in the other's frame, each put there when it is first asked for: edges share their ends.
+/// A surface's vertices in the other's frame, each transformed once, when first needed: edges share their ends.
 class PlacedVertices {
  public:
-  /// Forgets the last surface. `side` must outlive the questions.
+  /// Starts a new surface. `side` must outlive the following calls.
   void begin(const PlacedSurface& side) {
     side_ = &side;
     places_.begin(side.mesh.vertices.size());
@@ -25,7 +25,7 @@ class PlacedVertices {
   StampedList<Vec3> places_;
 };
 
-/// Both surfaces of a pair.
+/// The vertices of both surfaces of a pair.
 struct PlacedPair {
   PlacedVertices aInB, bInA;
 

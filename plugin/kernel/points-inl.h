@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Zlib
 //
-// Points of a patch in columns, one a lane, compiled once per instruction set: include it after highway.h, inside no
-// namespace. Products and sums stay separate and in the order of `Vec3`'s: every target and the scalar code give the
+// Points of a patch in columns, one per lane. Compiled once per instruction set: include it after highway.h, outside
+// any namespace. Products and sums stay separate and in the order of `Vec3`'s. So every target and the scalar code give
+// the same bits.
 // same bits.
 #if defined(CAIRN_POINTS_INL_H) == defined(HWY_TARGET_TOGGLE)  // Highway's include guard, once per target
 #ifdef CAIRN_POINTS_INL_H
@@ -59,12 +60,12 @@ HWY_INLINE std::uint32_t bitsOf(hn::Mask<Tag> mask) {
   return bytes[0];
 }
 
-// Of margins in the surface's unit.
+// Converts margins from the surface's unit to world lengths.
 HWY_INLINE Lanes worldLengths(Lanes margins, const PlacedPatches& side) {
   return hn::Mul(margins, hn::Set(Tag(), side.scale()));
 }
 
-// Calls `add` with each lane's place and its margin.
+// Calls `add` with the index and margin of each lane whose bit is set.
 template <class Add>
 HWY_INLINE void addEach(std::uint32_t bits, std::uint32_t at, Lanes margins, const Add& add) {
   if (bits == 0) return;
