@@ -17,12 +17,12 @@ namespace cairn::bullet {
 
 namespace {
 
-// A place in a half-plane that ends at the axis.
+// A point in the half-plane on one side of the axis.
 struct Flat {
   float out = 0, up = 0;
 };
 
-// What is turned around the axis: from its lowest place on it to its highest, counterclockwise.
+// The outline that is rotated around the axis, counterclockwise from its lowest point on the axis to its highest.
 struct Profile {
   int axis = 1;
   std::array<Flat, 4> corners;
@@ -66,7 +66,7 @@ struct FlatPoint {
   float distance = 0;
 };
 
-// Without the margin. Behind all sides the nearest one; else the nearest point of those in front of which it is.
+// Without the margin. Inside, gives the nearest side; outside, the nearest point of the sides that face the point.
 FlatPoint nearestOn(std::span<const Flat> corners, const Flat& p) {
   FlatPoint inside{{}, -std::numeric_limits<float>::infinity()}, outside{{}, std::numeric_limits<float>::infinity()};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -78,17 +78,17 @@ FlatPoint nearestOn(std::span<const Flat> corners, const Flat& p) {
     if (height > inside.distance) inside = {normal, height};
     if (height <= 0 || height >= outside.distance) continue;
     const float part = std::clamp(along, 0.0F, 1.0F);
-    const Flat way{to.out - side.out * part, to.up - side.up * part};
-    const float distance = part == along ? height : std::sqrt(dotOf(way, way));
+    const Flat offset{to.out - side.out * part, to.up - side.up * part};
+    const float distance = part == along ? height : std::sqrt(dotOf(offset, offset));
     if (distance >= outside.distance) continue;
-    outside = {part == along ? normal : Flat{way.out / distance, way.up / distance}, distance};
+    outside = {part == along ? normal : Flat{offset.out / distance, offset.up / distance}, distance};
   }
   if (outside.distance < std::numeric_limits<float>::infinity()) return outside;
   if (inside.distance > -std::numeric_limits<float>::infinity()) return inside;
-  // All in one place.
-  const Flat way{p.out - corners[0].out, p.up - corners[0].up};
-  const float distance = std::sqrt(dotOf(way, way));
-  return distance > 0 ? FlatPoint{{way.out / distance, way.up / distance}, distance} : FlatPoint{{1, 0}, 0};
+  // All corners coincide.
+  const Flat offset{p.out - corners[0].out, p.up - corners[0].up};
+  const float distance = std::sqrt(dotOf(offset, offset));
+  return distance > 0 ? FlatPoint{{offset.out / distance, offset.up / distance}, distance} : FlatPoint{{1, 0}, 0};
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ std::optional<NearestPoint> nearestOnRound(const btConvexShape& shape, const Vec
   Vec3 outward = p;
   outward[profile->axis] = 0;
   const float out = length(outward);
-  // On the axis itself every way out is as good.
+  // On the axis all directions away from it are equal.
   if (out > 0)
     outward = unitVector(outward);
   else

@@ -9,18 +9,21 @@
 
 namespace cairn::bullet {
 
-// Nearest points in the shape's frame, world lengths. Formulas are those of Ericson, *Real-Time Collision Detection*
-// (2005), chapter 5; a point that is as near to several places gets one of them.
+// Nearest points of simple shapes, in the shape's frame, world lengths; constant time. The formulas are those of
+// Ericson, *Real-Time Collision Detection* (2005), chapter 5. A point that is equally near to several places gets one
+// of them.
+//
+//     const NearestPoint nearest = nearestOnBox(halfExtents, p);  // nearest.distance < 0 inside
 
-/// Of a box of these half extents and a sphere of this radius, both at the origin.
+/// For a box of these half extents, or a sphere of this radius, at the origin.
 NearestPoint nearestOnBox(const Vec3& halfExtents, const Vec3& p);
 NearestPoint nearestOnSphere(float radius, const Vec3& p);
 
-/// Of capsules, cylinders and cones, their margin included, in the shape's frame: what turning a line, a rectangle or a
-/// triangle around the shape's axis gives, grown by the margin. Nothing for other shapes.
+/// For capsules, cylinders and cones, margin included: a line, a rectangle or a triangle rotated around the shape's
+/// axis and grown by the margin. Empty for other shapes.
 std::optional<NearestPoint> nearestOnRound(const btConvexShape& shape, const Vec3& p);
 
-/// Whether one of these answers.
+/// Whether one of the functions above handles the shape.
 bool isClosedForm(const btConvexShape& shape);
 
 }  // namespace cairn::bullet

@@ -20,7 +20,7 @@
 namespace cairn::bullet {
 
 Vec3 Collider::alignNormals(std::span<Contact> /*cluster*/, std::span<const Vec3> /*lasts*/,
-                            std::vector<Contact>& /*strays*/) {
+                            std::vector<Contact>& /*outliers*/) {
   return {};
 }
 
@@ -30,7 +30,7 @@ std::optional<float> Collider::appendOfMesh(const MeshQuestion& /*question*/, st
 
 namespace {
 
-// Concave by name, but its `processAllTriangles` is empty. Others may share its type number.
+// Concave by its type, but its `processAllTriangles` is empty. Other shapes may use its type number, hence the cast.
 bool hidesTriangles(const btCollisionShape& shape) {
   return shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE &&
          dynamic_cast<const btGImpactCompoundShape*>(&shape) != nullptr;

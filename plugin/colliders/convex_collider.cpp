@@ -16,14 +16,16 @@ namespace cairn::bullet {
 
 namespace {
 
-// What a plane must separate better by, as a fraction of the reach, to be preferred.
+// Fraction of the contact distance by which a plane must separate better to be preferred.
 constexpr float kPlaneGain = 0.1F;
-// Halvings of the way to where a leaf touches, for a point of it that hangs over the shape's edge.
+// Steps by which a contact point that hangs over the shape's edge moves towards the place of touch; each halves the
+// way.
 constexpr int kMaxPulls = 3;
-// Part of the shape's size from which on a leaf's radius is large against it: it may stand in the leaf's middle.
+// Fraction of the shape's size at which a leaf's radius counts as large: the shape may then stand in the middle of the
+// leaf.
 constexpr float kLargeLeaf = 0.25F;
 
-// In its own frame, margin included.
+// In the shape's own frame, margin included.
 Box ownBox(const btCollisionShape& shape) {
   btVector3 lower, upper;
   shape.getAabb(btTransform::getIdentity(), lower, upper);
@@ -121,7 +123,7 @@ std::optional<float> ConvexCollider::appendOfMesh(const MeshQuestion& question, 
   return answer->minSeparation;
 }
 
-// Contacts of meshes know no leaves.
+// Contacts of meshes have no leaves, so the nearest leaf is looked up.
 NodePair ConvexCollider::leavesOf(const Contact& contact) const {
   if (contact.pair != NodePair{kRootNode, kRootNode}) return contact.pair;
   return {tree_.leafAt(contact.position), 0};
@@ -156,7 +158,7 @@ void ConvexCollider::measureInnerEdges(std::size_t first, std::vector<Contact>& 
   contacts.erase(std::remove_if(begin, old, isInner), old);
 }
 
-// The leaf's own points, where the shape is over them.
+// Uses those of the leaf's own points that lie over the shape.
 void ConvexCollider::appendAlong(const Vec3& normal, const Contact& inner, std::vector<Contact>& contacts) {
   const NodeId leaf = inner.pair.a;
   const Vec3 onShape = pairFromShapeAxes_ * surface_.support(transpose(pairFromShapeAxes_) * normal) + shapeOrigin_;
@@ -180,7 +182,7 @@ void ConvexCollider::appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<C
   const NearestPoint center = nearest(sphere.center);
   const float apart = center.distance - sphere.radius - margin_ - maxSeparation_;
   if (apart > 0) {
-    // Planes support the shape up to GJK's accuracy, far below the reach they are compared with.
+    // GJK's planes support the shape up to its accuracy, far below the lengths they are compared with.
     if (planes_.size() < kMaxPlanes) planes_.push_back({center.normal, dot(center.normal, center.point)});
     return;
   }
@@ -195,14 +197,14 @@ void ConvexCollider::appendLeaf(NodeId leaf, const Sphere& sphere, std::vector<C
     appendContact(leaf, touch, tree_.extreme(leaf, -touch.plane.normal), -1, contacts);
     return;
   }
-  // A planar leaf touches with its corners: which of them is extreme would change with every rounding.
+  // A planar leaf touches with its corners, because the choice of the extreme one would change with every rounding.
   int index = 0;
   for (const Vec3& point : tree_.supportPoints(leaf))
     appendContact(leaf, touch, tree_.toPair() * point, index++, contacts);
 }
 
-// Of each child of the root the point that lies lowest where its middle sees the shape. By GJK that would take longer
-// than what it stands in for.
+// Tests for each child of the root its lowest point, along the shape's normal at the child's middle. By GJK this would
+// take longer than the contacts it replaces.
 std::uint32_t ConvexCollider::appendCoarse(std::vector<Contact>& contacts) {
   if (!surface_.isClosedForm()) return 0;
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
@@ -226,9 +228,9 @@ ConvexCollider::Touch ConvexCollider::touchAlong(NodeId leaf, const Plane& plane
   return {plane, dot(plane.normal, lowest) - plane.offset, lowest};
 }
 
-// The plane nearest to the leaf's centre lies above a round shape everywhere else, and coarse leaves would float. Every
-// plane that supports the shape is a true bound, so the best of several is taken. Where the leaf's lowest point is as
-// near as the plane says, there is none better.
+// The plane nearest to the leaf's centre lies outside a round shape everywhere else, so that coarse leaves would float.
+// Every plane that supports the shape is a true bound, so the best of several is taken. If the leaf's lowest point is
+// as near as the plane says, no plane is better.
 void ConvexCollider::improve(NodeId leaf, Touch& touch) {
   if (nearest(touch.point).distance <= touch.height + kPlaneGain * maxSeparation_) return;
   offerFaces(leaf, touch);
@@ -249,7 +251,7 @@ std::optional<NearestPoint> ConvexCollider::nearestToLeaf(NodeId leaf) {
   return surface_.nearestToHull(std::span(inShape).first(count));
 }
 
-// Planes that are better by less than a tenth of the reach would only make the choice flicker.
+// Planes that are better by less than a tenth of the contact distance would only make the choice flicker.
 void ConvexCollider::offer(NodeId leaf, const Plane& plane, Touch& touch) const {
   const Touch other = touchAlong(leaf, plane);
   if (other.height > touch.height + kPlaneGain * maxSeparation_) touch = other;
@@ -265,7 +267,7 @@ void ConvexCollider::offerFaces(NodeId leaf, Touch& touch) const {
   }
 }
 
-// Where a point of the leaf hangs over the shape's edge, the contact is nearer to where the leaf touches.
+// Moves a contact point that hangs over the shape's edge towards the place where the leaf touches.
 Vec3 ConvexCollider::pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height) {
   Vec3 where = onTree;
   for (int i = 0; i < kMaxPulls && nearest(where).distance > std::max(height, 0.0F) + maxSeparation_; ++i)
@@ -299,9 +301,9 @@ bool ConvexCollider::appendCommon(NodeId leaf, const Touch& touch, std::vector<C
       appendContact(leaf, touch, onTree, index, contacts);
     ++index;
   }
-  // Corners that are no support points may lie lower; by less than a tenth of the reach which one is told would
-  // flicker. What the ball certifies beyond them is another leaf's to tell: it may be in the wall of a slot the shape
-  // stands in.
+  // Corners that are not support points may lie lower. Within a tenth of the contact distance the lowest would flicker,
+  // so such corners are ignored. Only corners count, not the leaf's ball: surface that the ball certifies beyond them
+  // belongs to other leaves. It may be the wall of a slot in which the shape stands.
   const Vec3 lowest = tree_.farthestCorner(leaf, -normal);
   const float height = dot(normal, lowest) - touch.plane.offset;
   const auto isAsLow = [&](const Contact& c) { return c.separation <= height - margin_ + kPlaneGain * maxSeparation_; };
@@ -310,8 +312,7 @@ bool ConvexCollider::appendCommon(NodeId leaf, const Touch& touch, std::vector<C
   return contacts.size() > before;
 }
 
-// The face is cut by the planes through the triangle's sides along the normal; what is left of it lies over the
-// triangle.
+// Cuts the face by planes through the triangle's sides along the normal; the rest lies over the triangle.
 void ConvexCollider::appendOnTriangle(NodeId leaf, const Vec3& normal, const Triangle& triangle,
                                       std::span<const Vec3> face, std::vector<Contact>& contacts) const {
   const Vec3 outwards = triangle.normal();
@@ -324,7 +325,7 @@ void ConvexCollider::appendOnTriangle(NodeId leaf, const Vec3& normal, const Tri
     const Vec3 inwards = cross(corner[(i + 1) % 3] - corner[i], normal);
     common.cut(inwards, dot(inwards, corner[i]) - seam * length(inwards));
   }
-  // Beside what there is of the leaf's own points, whose number is limited.
+  // Point numbers after those of the leaf's own points.
   int index = kMaxSupportPoints;
   for (const Vec3& onShape : common.points()) {
     const float separation = dot(outwards, onShape - triangle.a) / facing - margin_;

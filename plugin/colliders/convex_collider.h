@@ -13,11 +13,12 @@
 
 namespace cairn::bullet {
 
-/// A convex shape, seen from a tree, for pruning: its box in its own frame. One element. Exact for boxes, conservative
-/// for the rest, whose true distance is only asked for at leaves (GJK costs as much as some hundred of these tests).
+/// A convex shape as the traversal of a tree tests it: one element, the shape's box in its own frame. Exact for boxes,
+/// conservative for other shapes. Only leaves ask for the true distance, because GJK costs as much as some hundred of
+/// these tests.
 class ConvexObstacle final : public Obstacle {
  public:
-  /// `toShape` maps the tree's frame into the shape's. `margin` in world length is added to every sphere.
+  /// `toShape` maps the tree's frame to the shape's. `margin` (world length) is added to every sphere.
   void place(const Similarity& toShape, const Vec3& boxCenter, const Vec3& boxHalfExtents, float margin);
 
   std::uint32_t elementCount() const override { return 1; }
@@ -29,7 +30,8 @@ class ConvexObstacle final : public Obstacle {
   float margin_ = 0;
 };
 
-/// Any convex shape of Bullet.
+/// Contacts with any convex shape of Bullet: between meshes and shape where `ConvexContacts` can answer, else between
+/// leaves and shape.
 class ConvexCollider final : public Collider, private ConvexBody {
  public:
   void place(const PairPlacement& placement) override;
@@ -50,11 +52,11 @@ class ConvexCollider final : public Collider, private ConvexBody {
     Vec3 normal;
     float offset;
   };
-  // How a leaf and the shape are apart, or overlap.
+  // The relation of a leaf and the shape, apart or overlapping.
   struct Touch {
-    Plane plane;   // supports the shape; of all that were tried, the one the leaf lies highest above
-    float height;  // of the leaf's lowest point above it
-    Vec3 point;    // of the leaf, about the nearest to the shape
+    Plane plane;   // supports the shape; the one tried so far that the leaf lies highest above
+    float height;  // height of the leaf's lowest point above the plane
+    Vec3 point;    // point of the leaf that is about the nearest to the shape
   };
   static constexpr std::size_t kMaxPlanes = 8;
 
@@ -67,13 +69,13 @@ class ConvexCollider final : public Collider, private ConvexBody {
   Touch touchAlong(NodeId leaf, const Plane& plane) const;
   // Replaces the plane if the leaf lies higher above another.
   void improve(NodeId leaf, Touch& touch);
-  // To the hull of all the leaf knows of its region, in the shape's frame; nothing when GJK gives up.
+  // Nearest point of the shape to the hull of a leaf's known points, in the shape's frame; empty when GJK gives up.
   std::optional<NearestPoint> nearestToLeaf(NodeId leaf);
   void offer(NodeId leaf, const Plane& plane, Touch& touch) const;
   void offerFaces(NodeId leaf, Touch& touch) const;
-  // For a leaf that is large against the shape: what the shape's face, edge or point has in common with the leaf's
-  // triangles, seen along the normal, and the leaf's own points that lie on the shape. False when there is none of
-  // either.
+  // For a leaf that is large against the shape. Contacts are the parts of the shape's face,
+  // edge or point over the leaf's triangles, seen along the normal. The leaf's own points on the shape are contacts
+  // too. Returns false when there is neither.
   bool appendCommon(NodeId leaf, const Touch& touch, std::vector<Contact>& contacts);
   void appendOnTriangle(NodeId leaf, const Vec3& normal, const Triangle& triangle, std::span<const Vec3> face,
                         std::vector<Contact>& contacts) const;
@@ -82,8 +84,7 @@ class ConvexCollider final : public Collider, private ConvexBody {
                      std::vector<Contact>& contacts);
   void append(NodeId leaf, const Vec3& normal, const Vec3& position, float separation, int pointIndex,
               std::vector<Contact>& contacts) const;
-  // Where leaves touch across borders that are no edges of the body, they are measured along the face, see
-  // `InnerEdges`.
+  // Measures leaves again along the face if they touch across borders that are no edges of the body; see `InnerEdges`.
   void measureInnerEdges(std::size_t first, std::vector<Contact>& contacts);
   void appendAlong(const Vec3& normal, const Contact& inner, std::vector<Contact>& contacts);
   Vec3 pulledOntoShape(const Vec3& onTree, const Vec3& anchor, float height);
@@ -94,7 +95,7 @@ class ConvexCollider final : public Collider, private ConvexBody {
   float margin_ = 0;
   float maxSeparation_ = 0, contactDistance_ = 0;
   float size_ = 0;        // of the shape
-  bool isSmall_ = false;  // the shape, against the tree: it may land on one of its faces, and not the other way round
+  bool isSmall_ = false;  // the shape against the tree: it may land on one of the tree's faces
   FacingCorners facing_;
   Similarity shapeFromPair_;
   Mat3 pairFromShapeAxes_;

@@ -26,7 +26,7 @@ struct GjkAnswer final : btDiscreteCollisionDetectorInterface::Result {
   }
 };
 
-// All corners of which can be asked for.
+// Hulls list all their corners; boxes have closed forms.
 bool isHull(const btConvexShape& shape) {
   return shape.isPolyhedral() && shape.getShapeType() != BOX_SHAPE_PROXYTYPE;
 }
@@ -100,7 +100,7 @@ std::optional<NearestPoint> ConvexSurface::askGjk(const btConvexShape& other, co
 }
 
 // GJK and EPA can give up on a point that lies on the surface. The plane that supports the shape in the point's
-// direction from the middle of its box is then a true, if not the least, separation.
+// direction from the middle of its box then gives a true, if not the smallest, separation.
 NearestPoint ConvexSurface::supportingPlane(const Vec3& p) const {
   btVector3 lower, upper;
   shape_->getAabb(btTransform::getIdentity(), lower, upper);

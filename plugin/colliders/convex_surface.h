@@ -19,29 +19,34 @@
 
 namespace cairn::bullet {
 
-/// Distance queries against one convex shape, in the shape's frame, its margin included. Boxes and round shapes are
-/// answered in closed form, hulls by their faces, everything else by GJK, and by EPA inside.
+/// Distance queries against one convex shape, in the shape's frame, margin included. Boxes and round shapes are
+/// answered in closed form, hulls by their faces. All others use GJK, and EPA inside.
+///
+///     ConvexSurface surface;
+///     surface.setShape(shape);
+///     const NearestPoint nearest = surface.nearest(p);
 class ConvexSurface {
  public:
-  /// What a leaf has: its support points and its region's corners.
+  /// The points a leaf has: its support points and its region's corners.
   static constexpr std::size_t kMaxHullPoints = kMaxSupportPoints + kMaxRegionCorners;
 
   ConvexSurface() : point_(0) { points_.setMargin(0); }
 
   /// The shape must outlive its use here.
   void setShape(const btConvexShape& shape);
-  /// Whether it is that shape, and a hull still has the corners it had then. Of other shapes their box tells.
+  /// Whether this is the shape set last, and a hull still has the same corners. For other shapes the caller compares
+  /// boxes.
   bool isStillOf(const btConvexShape& shape) const;
-  /// Whether questions take tens of nanoseconds, where GJK takes a microsecond and EPA several.
+  /// Whether queries take tens of nanoseconds; GJK takes a microsecond and EPA several.
   bool isClosedForm() const { return bullet::isClosedForm(*shape_); }
+  /// The surface point nearest to `p`.
   NearestPoint nearest(const Vec3& p);
-  /// No more than the distance of a point outside; cheap for hulls.
+  /// Lower bound on the distance from a point outside; cheap for hulls.
   float apartFrom(const Vec3& p);
-  /// What the shape adds to a core that is asked about; none where it is answered in closed form, but for spheres,
-  /// whose core is their middle.
+  /// The margin around the core that queries work on: 0 for closed forms, except for spheres, whose core is their
+  /// centre.
   float margin() const;
-  /// The same for the hull of at most `kMaxHullPoints` points instead of a single one, always by GJK; nothing when that
-  /// gives up.
+  /// The nearest point to the hull of at most `kMaxHullPoints` points, always by GJK; empty when GJK gives up.
   std::optional<NearestPoint> nearestToHull(std::span<const Vec3> points);
   /// The shape's point that lies farthest along a unit direction.
   Vec3 support(const Vec3& direction) const;

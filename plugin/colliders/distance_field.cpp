@@ -14,9 +14,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// By how much of the greatest coordinate the box is drawn in: Bullet takes it apart into middle and extents and puts it
-// together again, at the loss of a few units in the last place.
-constexpr float kDrawnIn = 1.0F / (1 << 20);
+// Fraction of the greatest coordinate by which the box is drawn in. Bullet splits the box into middle and extents and
+// joins them again, which loses a few units in the last place.
+constexpr float kInsetFraction = 1.0F / (1 << 20);
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void DistanceField::take(const btSdfCollisionShape& shape) {
   isEmpty_ = !isFinite(lower_) || !isFinite(upper_) || !isFinite(upper_ - lower_);
   if (isEmpty_) return;
   for (int axis = 0; axis < 3; ++axis) extent_ = std::max({extent_, std::abs(lower_[axis]), std::abs(upper_[axis])});
-  const Vec3 in = Vec3(1, 1, 1) * (kDrawnIn * extent_);
+  const Vec3 in = Vec3(1, 1, 1) * (kInsetFraction * extent_);
   lower_ = lower_ + in;
   upper_ = upper_ - in;
   isEmpty_ = !(lower_.x < upper_.x && lower_.y < upper_.y && lower_.z < upper_.z);
@@ -50,8 +50,9 @@ std::uint64_t DistanceField::fingerprint() const {
   for (const Vec3& corner : {lower_, upper_})
     for (int axis = 0; axis < 3; ++axis) hash.add(corner[axis]);
   const Vec3 middle = 0.5F * (lower_ + upper_), quarter = 0.25F * (upper_ - lower_);
-  for (const Vec3& way : {Vec3(-1, -1, -1), Vec3(1, 1, -1), Vec3(1, -1, 1), Vec3(-1, 1, 1)}) {
-    const std::optional<Sample> sample = query(middle + Vec3(way.x * quarter.x, way.y * quarter.y, way.z * quarter.z));
+  for (const Vec3& offset : {Vec3(-1, -1, -1), Vec3(1, 1, -1), Vec3(1, -1, 1), Vec3(-1, 1, 1)}) {
+    const std::optional<Sample> sample =
+        query(middle + Vec3(offset.x * quarter.x, offset.y * quarter.y, offset.z * quarter.z));
     hash.add(sample ? sample->value : std::numeric_limits<float>::infinity());
   }
   return hash.value();
@@ -67,7 +68,7 @@ std::optional<DistanceField::Sample> DistanceField::query(const Vec3& p) const {
   return sample;
 }
 
-// Bullet takes what is not a number for a point of the domain.
+// Bullet takes NaN for a point of the domain, hence the check.
 std::optional<DistanceField::Nearest> DistanceField::nearestInDomain(const Vec3& p) const {
   if (isEmpty_ || !isFinite(p)) return std::nullopt;
   Vec3 q;
@@ -75,8 +76,8 @@ std::optional<DistanceField::Nearest> DistanceField::nearestInDomain(const Vec3&
   return Nearest{q, p - q, length(p - q)};
 }
 
-// A point of the domain is no nearer to what is outside than the box is, and, seen from there, lies beyond the box's
-// nearest point at an obtuse angle: so the two distances add up like sides at a right angle at least.
+// The box is at most as far from an outside point as any point of the domain. From the box's nearest point, the two
+// directions are at an obtuse angle. So the two distances add up at least like sides at a right angle.
 std::optional<DistanceField::Sample> DistanceField::at(const Vec3& p) const {
   const std::optional<Nearest> nearest = nearestInDomain(p);
   if (!nearest) return std::nullopt;

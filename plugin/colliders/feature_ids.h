@@ -6,10 +6,10 @@
 
 namespace cairn::bullet {
 
-/// Which features of two sphere-trees' meshes touch: see `ContactPart`; -1 for what has none.
+/// The contact ids of two touching features of sphere-trees' meshes: see `ContactPart`; -1 where there is no feature.
 ContactId featureIdsOf(const FeatureContact& contact);
 
-/// What the kernel found, as a pair's contact of that id.
+/// Converts a contact of the kernel to a contact of the pair with this id.
 Contact contactOf(const FeatureContact& found, const ContactId& id);
 
 }  // namespace cairn::bullet

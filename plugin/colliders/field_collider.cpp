@@ -12,11 +12,12 @@ namespace cairn::bullet {
 
 namespace {
 
-// Steps from a leaf's support points down to where it is lowest; each asks the field once and for its shortenings.
+// Steps from a leaf's support points down to its lowest point; each costs one query and those of its shortenings.
 constexpr int kMaxDescents = 12;
-// Of a step beyond which the field rises again; each asks the field once.
+// Shortenings of a step that ends where the field rises again; each costs one query.
 constexpr int kMaxShortenings = 3;
-// What a step must promise to gain, as a fraction of the reach: on flat ground the corners stay what is lowest.
+// Least expected gain of a step, as a fraction of the contact distance. On flat ground the corners then stay the
+// lowest.
 constexpr float kDescentGain = 0.1F;
 
 }  // namespace
@@ -101,15 +102,15 @@ float FieldCollider::appendLeaf(NodeId leaf, std::vector<Contact>& contacts) con
   return apart;
 }
 
-// The body has a point about as far out as the leaf's ball less the certified error, and corners that are no support
-// points. They may be a leaf's radius aside, where round ground has fallen away: so the field is asked there.
+// The body has a point about as far out as the leaf's ball minus the certified error, and corners that are not support
+// points. They may be a leaf's radius aside, where round ground has fallen away, so the field is queried there.
 FieldCollider::Place FieldCollider::lowerExtreme(NodeId leaf, const Place& place) const {
   if (!place.field.hasDirection()) return place;
   const std::optional<Place> there = placeAt(tree_.extreme(leaf, -normalized(place.field.gradient)));
   return there && canTouch(*there) && there->field.value < place.field.value ? *there : place;
 }
 
-// A planar leaf touches with its corners: which of them is lowest would change with every rounding.
+// A planar leaf touches with its corners, because the choice of the lowest one would change with every rounding.
 void FieldCollider::appendCorners(NodeId leaf, const Place& lowest, std::vector<Contact>& contacts) const {
   int index = 0;
   for (const Vec3& inTree : tree_.supportPoints(leaf)) {
@@ -120,7 +121,7 @@ void FieldCollider::appendCorners(NodeId leaf, const Place& lowest, std::vector<
   }
 }
 
-// On the way down places may lie outside the domain, where nothing touches.
+// On the way down points may lie outside the domain, where nothing touches.
 std::optional<FieldCollider::Place> FieldCollider::lowest(NodeId leaf, const std::optional<Place>& middle) const {
   std::optional<Place> place = lowestSupport(leaf, middle), touching = place;
   for (int i = 0; place && i < kMaxDescents; ++i) {
@@ -134,7 +135,7 @@ bool FieldCollider::canTouch(const Place& place) {
   return place.field.isInDomain && place.field.hasDirection();
 }
 
-// Where the field has no direction, all points are asked.
+// Where the field has no direction, all points are queried.
 std::optional<FieldCollider::Place> FieldCollider::lowestSupport(NodeId leaf,
                                                                  const std::optional<Place>& middle) const {
   if (middle && middle->field.hasDirection())
@@ -147,29 +148,29 @@ std::optional<FieldCollider::Place> FieldCollider::lowestSupport(NodeId leaf,
   return lowest;
 }
 
-// Towards the point that lies deepest along the gradient, as far as the field falls (Frank and Wolfe): between the two
-// slopes it is taken for a parabola.
+// Steps towards the deepest point along the gradient, as far as the field falls (Frank and Wolfe). Between the two
+// slopes the field is taken for a parabola.
 std::optional<FieldCollider::Place> FieldCollider::descend(NodeId leaf, const Place& from) const {
   if (!from.field.hasDirection()) return std::nullopt;
   const Vec3 downwards = -normalized(from.field.gradient);
   const Vec3 deepest = tree_.isPlanar(leaf) ? tree_.support(leaf, downwards) : tree_.extreme(leaf, downwards);
-  Vec3 way = deepest - from.point;
-  float fall = -dot(from.field.gradient, way);
+  Vec3 step = deepest - from.point;
+  float fall = -dot(from.field.gradient, step);
   if (fall <= kDescentGain * maxSeparation_) return std::nullopt;
-  std::optional<Place> to = placeAt(from.point + way);
+  std::optional<Place> to = placeAt(from.point + step);
   for (int i = 0; to && i < kMaxShortenings; ++i) {
-    const float rise = dot(to->field.gradient, way);
+    const float rise = dot(to->field.gradient, step);
     if (rise <= 0 || (i > 0 && to->field.value < from.field.value)) break;
-    way = way * (fall / (fall + rise));
+    step = step * (fall / (fall + rise));
     fall *= fall / (fall + rise);
-    to = placeAt(from.point + way);
+    to = placeAt(from.point + step);
     if (to) to->isSupport = false;
   }
   if (!to || to->field.value >= from.field.value) return std::nullopt;
   return to;
 }
 
-// What lies outside the field's domain touches nothing.
+// Points outside the field's domain touch nothing.
 void FieldCollider::appendContact(NodeId leaf, const Place& place, int pointIndex,
                                   std::vector<Contact>& contacts) const {
   if (!canTouch(place)) return;
@@ -183,7 +184,7 @@ void FieldCollider::appendContact(NodeId leaf, const Place& place, int pointInde
   contacts.push_back(contact);
 }
 
-// Where the field says nothing there is nothing to be held against.
+// Where the field has no value, the contact holds nothing.
 Contact FieldCollider::boundingContact(const NodePair& pair) {
   const Sphere ball = tree_.sphere(pair.a);
   Contact contact;
@@ -207,7 +208,7 @@ bool FieldCollider::seeOtherSides(const Place& middle, const Place& lowest) {
   return dot(ofMiddle, ofLowest) < kCoarseCosine * length(ofMiddle) * length(ofLowest);
 }
 
-// Of each child of the root the lowest of its own points.
+// For each child of the root: its lowest support point.
 std::uint32_t FieldCollider::appendCoarse(std::vector<Contact>& contacts) {
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
   const std::uint32_t count = tree_.tree().childCount(kRootNode);

@@ -9,12 +9,12 @@
 
 namespace cairn::bullet {
 
-/// A signed distance field, seen from a tree: one element. Conservative as far as `DistanceField` assumes the truth;
-/// a query for every sphere, of about a microsecond.
+/// A signed distance field as the traversal of a tree tests it: one element. Conservative under the assumption of
+/// `DistanceField`. Cost: one query for each sphere, about a microsecond.
 class FieldObstacle final : public Obstacle {
  public:
-  /// `toShape` maps the tree's frame into the shape's. `margin` in world length is added to every sphere. The field
-  /// must outlive its use here.
+  /// `toShape` maps the tree's frame to the shape's. `margin` (world length) is added to every sphere. The field must
+  /// outlive its use here.
   void place(const Similarity& toShape, const DistanceField& field, float margin);
 
   std::uint32_t elementCount() const override { return 1; }
@@ -26,27 +26,27 @@ class FieldObstacle final : public Obstacle {
   float margin_ = 0;
 };
 
-/// A btSdfCollisionShape. Contacts are measured where a leaf is lowest in the field, at its support points or between
-/// them, along the field's gradient there.
+/// Contacts with a btSdfCollisionShape. They are measured where a leaf is lowest in the field, at its support points or
+/// between them, along the field's gradient there.
 class FieldCollider final : public Collider {
  public:
   void place(const PairPlacement& placement) override;
   void start(std::vector<NodePair>& known, float skin) override;
   bool resume() override;
   Traversal& traversal() override { return traversal_; }
-  /// Who owns it notices another field by its mark.
+  /// The owner detects another field by its fingerprint.
   bool isCacheable() const override { return true; }
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   void appendContacts(std::span<const NodePair> pairs, std::span<float> separations,
                       std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// Nothing where the field says nothing of the tree.
+  /// Appends nothing where the field has no value at the tree's centre.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
 
  private:
-  // A point of a leaf and what the field says there; gradient in the pair frame.
+  // A point of a leaf, and the field there with its gradient in the pair frame.
   struct Place {
     Vec3 point;
     DistanceField::Sample field;
@@ -55,13 +55,13 @@ class FieldCollider final : public Collider {
 
   void placeObstacle();
   std::optional<Place> placeAt(const Vec3& point) const;
-  // Returns how far apart the leaf and the surface are at least.
+  // Returns a lower bound on the separation of the leaf and the surface.
   float appendLeaf(NodeId leaf, std::vector<Contact>& contacts) const;
-  // `place`, or the leaf's farthest point against the gradient there, if that is lower.
+  // `place`, or the leaf's farthest point against the gradient there if that is lower.
   Place lowerExtreme(NodeId leaf, const Place& place) const;
-  // In the domain, and where the field has a direction: elsewhere nothing touches.
+  // In the domain, and where the field has a direction: nothing touches elsewhere.
   static bool canTouch(const Place& place);
-  // `middle`: of the leaf's ball.
+  // `middle`: the centre of the leaf's ball.
   std::optional<Place> lowest(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> lowestSupport(NodeId leaf, const std::optional<Place>& middle) const;
   std::optional<Place> descend(NodeId leaf, const Place& from) const;

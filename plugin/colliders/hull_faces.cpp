@@ -22,7 +22,7 @@ btVector3 cornerOf(const btPolyhedralConvexShape& shape, int index) {
   return corner;
 }
 
-// The whole face's, or of a fan of its triangles the thin ones would have their own.
+// The area of the whole face: thin triangles of its fan would have inexact normals of their own.
 Vec3d areaOf(const std::vector<Vec3d>& polygon) {
   Vec3d area;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -42,8 +42,8 @@ std::shared_ptr<const HullFaces> HullFaces::of(const btPolyhedralConvexShape& sh
   return faces->faces_.empty() ? nullptr : faces;
 }
 
-// The hull is found on a grid of some ten thousand steps: corners that stick out by less are left out, but every plane
-// supports them. Two faces back to back have no inside.
+// The hull is found on a grid of some ten thousand steps. Corners that stick out by less are left out, but every plane
+// still supports them. Two faces back to back have no inside.
 HullFaces::HullFaces(const btPolyhedralConvexShape& shape) {
   for (int i = 0; i < shape.getNumVertices(); ++i) corners_.push_back(cornerOf(shape, i));
   const auto isFinite = [](const btVector3& corner) { return std::isfinite(double(corner.length2())); };
@@ -79,32 +79,32 @@ bool HullFaces::isOf(const btPolyhedralConvexShape& shape) const {
 }
 
 float HullFaces::heightAbove(const Vec3& p) const {
-  float most = -std::numeric_limits<float>::infinity();
-  for (const Face& face : faces_) most = std::max(most, dot(face.normal, p) - face.offset);
-  return most;
+  float maxHeight = -std::numeric_limits<float>::infinity();
+  for (const Face& face : faces_) maxHeight = std::max(maxHeight, dot(face.normal, p) - face.offset);
+  return maxHeight;
 }
 
-// Behind all planes the nearest one. Else the nearest point of the faces whose outer side is seen: never one of those
-// that are not.
+// Behind all planes: the nearest plane. Else: the nearest point of the faces whose outer side faces the point; the
+// nearest is never on another face.
 NearestPoint HullFaces::nearest(const Vec3& p) const {
   const auto height = [&](const Face& face) { return dot(face.normal, p) - face.offset; };
   const Face& highest = *std::ranges::max_element(faces_, {}, height);
-  const float most = height(highest);
-  if (most <= 0) return {p - highest.normal * most, highest.normal, most};
+  const float maxHeight = height(highest);
+  if (maxHeight <= 0) return {p - highest.normal * maxHeight, highest.normal, maxHeight};
   const auto nearestOn = [&](const Face& face) {
     return nearestOnTriangle({face.corner[0], face.corner[1], face.corner[2]}, p);
   };
-  if (const TrianglePoint on = nearestOn(highest); on.onFace) return {on.point, highest.normal, most};
+  if (const TrianglePoint on = nearestOn(highest); on.onFace) return {on.point, highest.normal, maxHeight};
   NearestPoint nearest{{}, {}, std::numeric_limits<float>::infinity()};
   for (const Face& face : faces_) {
     const float above = height(face);
     if (above <= 0 || above >= nearest.distance) continue;
     const TrianglePoint on = nearestOn(face);
     if (on.onFace) return {on.point, face.normal, above};
-    const Vec3 way = p - on.point;
-    const float distance = length(way);
+    const Vec3 toPoint = p - on.point;
+    const float distance = length(toPoint);
     if (distance >= nearest.distance) continue;
-    nearest = {on.point, way == Vec3() ? highest.normal : unitVector(way), distance};
+    nearest = {on.point, toPoint == Vec3() ? highest.normal : unitVector(toPoint), distance};
   }
   return nearest;
 }

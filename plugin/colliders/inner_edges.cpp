@@ -9,7 +9,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Cosine of the half degree within which contacts are along one normal.
+// Cosine of the half degree within which contacts have one normal.
 constexpr float kAlongNormalCosine = 0.99996192F;
 
 }  // namespace

@@ -50,7 +50,7 @@ SurfacePair MeshGround::surfacesOf(const PairPlacement& placement) const {
   return SurfacePair::of(tree.tree().surfaceView(), tree.pose(), surface_->view(), pose);
 }
 
-// Most of the body.
+// Whether most of the sampled vertices are inside.
 bool MeshGround::isInside(const PairPlacement& placement) {
   const SurfacePair surfaces = surfacesOf(placement);
   const std::span<const Vec3> vertices = surfaces.a.mesh.vertices;
@@ -81,7 +81,8 @@ std::optional<float> MeshGround::append(const MeshQuestion& question, const Pair
   return answer->minSeparation;
 }
 
-// Bullet knows triangles alone: vertices and edges go by one of theirs, and what is merely deep by the nearest.
+// Bullet knows only triangles. A vertex or an edge gets one of its triangles, a deep contact without a feature the
+// nearest.
 ContactId MeshGround::idOf(const Near& near, const FeatureContact& contact) const {
   const ContactId id = featureIdsOf(contact);
   const auto part = id.otherPart < 0 ? std::nullopt : std::optional(static_cast<ContactPart>(id.otherPart));

@@ -13,26 +13,29 @@
 
 namespace cairn::bullet {
 
-/// The contacts of a tree with one of Bullet's meshes, surface against surface, where that is a solid and the body
-/// outside of it.
+/// The contacts of a tree with one of Bullet's meshes, surface against surface. Works where the mesh is a solid and the
+/// body is outside of it.
+///
+///     if (!ground.watch(placement, near)) return {};
+///     return ground.append(question, placement, near, contacts);
 class MeshGround {
  public:
-  /// What of the mesh is near the tree.
+  /// The part of the mesh near the tree.
   struct Near {
     const btConcaveShape& shape;
     const TriangleSoup& soup;
-    std::span<const Triangle> inPair;  ///< the soup's, in the pair frame
+    std::span<const Triangle> inPair;  ///< triangles of the soup, in the pair frame
   };
 
   void reset();
-  /// Whether `append` can tell the contacts. Notes when the body comes near, and whether it is inside then: to be told
-  /// in each step. False for what is no solid, inside of one (rooms, and what came so fast that most of it is through
-  /// the surface), and once triangles change.
+  /// Whether `append` can find the contacts. Must be called in each step: it records when the body comes near, and
+  /// whether it is inside then. False for a mesh that is not a solid, and once triangles change. False for bodies
+  /// inside: rooms, and bodies so fast that most of them has passed the surface.
   bool watch(const PairPlacement& placement, const Near& near);
-  /// See `Collider::appendOfMesh`. Precondition: `watch` said so in this step.
+  /// See `Collider::appendOfMesh`. Precondition: `watch` returned true in this step.
   std::optional<float> append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
                               std::vector<Contact>& contacts);
-  /// Where in the soup a triangle is that a contact of the last answer was told with.
+  /// The index in the soup of a contact's triangle. The contact must belong to the last answer.
   static std::uint32_t inSoup(const TriangleSoup& soup, const Contact& contact);
 
  private:
@@ -44,7 +47,7 @@ class MeshGround {
   ContactId idOf(const Near& near, const FeatureContact& contact) const;
 
   std::shared_ptr<const GroundSurface> surface_;
-  bool hasChanged_ = false;  // the mesh, since its surface was made
+  bool hasChanged_ = false;  // the mesh has changed since its surface was made
   Place place_ = Place::away;
   KernelMemory memory_;
   SurfaceRay ray_;

@@ -11,21 +11,21 @@ namespace cairn::bullet {
 
 namespace {
 
-// Sine of the angle below which two edges are parallel: nothing is across them.
+// Sine of the angle below which two edges are parallel and have no common normal.
 constexpr float kParallelEdges = 0.1F;
-// A face is preferred to a pair of edges that separates better by less than this fraction of the size: the cross
-// product of two edges that are nearly parallel says nothing.
+// Fraction of the size. A face is preferred to a pair of edges that separates better by less than this: the
+// cross product of nearly parallel edges is meaningless.
 constexpr float kFaceFraction = 0.001F;
 
 constexpr float kSameCandidateCosine = 0.99862953F;  // 3 degrees: one candidate stands for both
 constexpr float kTowardsCosine = 0.173648178F;       // 80 degrees: tilted centre lines may belong to a face
 constexpr float kHysteresisFraction = 0.003F;
-// Contacts whose faces, and whose edges, are looked at: the deepest.
+// Numbers of contacts, the deepest first, whose faces and whose edges become candidates.
 constexpr std::size_t kMaxFaceContacts = 16;
 constexpr std::size_t kMaxEdgeContacts = 4;
 
-std::span<const Contact> deepest(std::span<const Contact> cluster, std::size_t most) {
-  return cluster.first(std::min(cluster.size(), most));
+std::span<const Contact> deepest(std::span<const Contact> cluster, std::size_t maxCount) {
+  return cluster.first(std::min(cluster.size(), maxCount));
 }
 
 float flatWeight(const PlacedTree& a, const PlacedTree& b, const Contact& c) {
@@ -39,8 +39,9 @@ bool isFlat(const PlacedTree& a, const PlacedTree& b, std::span<const Contact> c
   return 2 * flat >= static_cast<float>(cluster.size());
 }
 
-// The smallest gap along the normal, or something below `enough` as soon as one is. Only where the normal is one of
-// both regions is their extreme point one of the bodies; -infinity when it is nowhere.
+// The smallest separation along the normal, or the first one found below `enough`. A contact counts only where the
+// normal belongs to both regions, because only there are their extreme points those of the bodies. Minus infinity where
+// no contact counts.
 float deepestAlong(const PlacedTree& a, const PlacedTree& b, float margins, std::span<const Contact> cluster,
                    const Vec3& normal, float enough) {
   constexpr float kNone = std::numeric_limits<float>::max();
@@ -57,7 +58,7 @@ float deepestAlong(const PlacedTree& a, const PlacedTree& b, float margins, std:
   return smallestSeparation == kNone ? -kNone : smallestSeparation;
 }
 
-// The directions of a leaf's edges: where two of its faces meet, pair frame, not of unit length.
+// The directions of a leaf's edges, where two of its faces meet; pair frame, not of unit length.
 struct Edges {
   std::array<Vec3, kMaxFaceNormals> direction;
   std::size_t count = 0;
@@ -68,7 +69,7 @@ struct Edges {
     const Mat3 pairFromAxes = transpose(tree.axesFromPair());
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = i + 1; j < faces.size(); ++j) {
-        const Vec3 along = cross(faces[i], faces[j]);  // of none where they are the two sides of a plate
+        const Vec3 along = cross(faces[i], faces[j]);  // zero for the two sides of a plate
         if (lengthSq(along) > kParallelEdges * kParallelEdges) direction[count++] = pairFromAxes * along;
       }
   }
@@ -76,17 +77,17 @@ struct Edges {
 
 }  // namespace
 
-bool PlanarNormal::add(const Vec3& normal, const Vec3& towards, std::size_t most) {
-  if (dot(normal, towards) < kTowardsCosine || candidates_.size() >= most) return false;
+bool PlanarNormal::add(const Vec3& normal, const Vec3& towards, std::size_t maxCount) {
+  if (dot(normal, towards) < kTowardsCosine || candidates_.size() >= maxCount) return false;
   for (const Candidate& c : candidates_)
     if (dot(c.normal, normal) > kSameCandidateCosine) return false;
   candidates_.push_back({normal, 0});
   return true;
 }
 
-// Face normals point outwards: B's towards A as they are, A's reversed. The larger body's come first, as of two that
-// are nearly the same the first is taken: measured along a small face's normal a large one would be as deep as it is
-// wide times the tilt.
+// Face normals point outwards, so A's are reversed. The larger body's faces come first, because of two similar
+// candidates the first is kept. Along a small face's normal, a large face would be as deep as it is wide times the
+// tilt.
 void PlanarNormal::collectFacesOfBoth(const PlacedTree& a, const PlacedTree& b, const Contact& contact) {
   const bool isLargerFirst = a.sphere(kRootNode).radius >= b.sphere(kRootNode).radius;
   if (isLargerFirst) collectFaces(a, contact.pair.a, -1, contact.normal);
@@ -113,7 +114,7 @@ void PlanarNormal::collectEdges(const PlacedTree& a, const PlacedTree& b, const 
     }
 }
 
-// The likeliest are asked first: what is far deeper is then given up at once.
+// The likeliest candidates come first, so that others are soon given up.
 void PlanarNormal::putLastFirst(std::span<const Vec3> lasts, float bonus) {
   auto first = candidates_.begin();
   for (auto it = candidates_.begin(); it != candidates_.end(); ++it) {
@@ -126,12 +127,12 @@ void PlanarNormal::putLastFirst(std::span<const Vec3> lasts, float bonus) {
 }
 
 bool PlanarNormal::isFartherAlongOther(const PlacedTree& a, const PlacedTree& b, float margins, const Contact& contact,
-                                       float least) {
+                                       float minSeparation) {
   candidates_.clear();
   collectFacesOfBoth(a, b, contact);
   collectEdges(a, b, contact);
   return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
-    return deepestAlong(a, b, margins, std::span(&contact, 1), candidate.normal, least) > least;
+    return deepestAlong(a, b, margins, std::span(&contact, 1), candidate.normal, minSeparation) > minSeparation;
   });
 }
 
@@ -148,7 +149,7 @@ Vec3 PlanarNormal::find(const PlacedTree& a, const PlacedTree& b, float margins,
   for (const Contact& c : deepest(cluster, kMaxEdgeContacts)) {
     if (c.ofSpheres) continue;
     collectEdges(a, b, c);
-    // What is smooth may lie on an edge.
+    // A smooth body may lie on an edge.
     if (a.isFaceted(c.pair.a) != b.isFaceted(c.pair.b)) add(c.normal, c.normal, kMaxCandidates);
   }
 

@@ -14,7 +14,7 @@
 namespace cairn::bullet {
 
 namespace {
-// Not near: no node of a tree has that name.
+// Marks a vertex in no near leaf; no node has this id.
 constexpr NodeId kNoLeaf = ~NodeId{0};
 }  // namespace
 
@@ -74,7 +74,7 @@ bool PlaneCollider::resume() {
   return true;
 }
 
-// A planar leaf touches with its corners: which of them is extreme would change with every rounding.
+// A planar leaf touches with its corners, because the choice of the extreme one would change with every rounding.
 void PlaneCollider::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   for (const NodePair& pair : pairs) {
     if (!tree_.isPlanar(pair.a)) {
@@ -87,7 +87,7 @@ void PlaneCollider::appendContacts(std::span<const NodePair> pairs, std::vector<
   }
 }
 
-// The regions of the root's children, as if they were leaves.
+// Treats the regions of the root's children as leaves.
 std::uint32_t PlaneCollider::appendCoarse(std::vector<Contact>& contacts) {
   const NodeId first = tree_.tree().childFamily(kRootNode) * kFamilyWidth;
   const std::uint32_t count = tree_.tree().childCount(kRootNode);
@@ -103,7 +103,7 @@ bool PlaneCollider::hasFewVertices() const {
   return tree_.tree().vertices().size() <= kMaxVertices;
 }
 
-// Of the leaves that are near, the first that holds a vertex stands for it.
+// A vertex belongs to the first near leaf whose ball holds it.
 void PlaneCollider::findVertices() {
   const SphereTree& tree = tree_.tree();
   areFound_ = true;
@@ -119,8 +119,8 @@ void PlaneCollider::findVertices() {
       }
 }
 
-// The lowest of a mesh are vertices, whichever leaf they are in: a query that looks farther than contacts are wants to
-// know. What rolls on its many vertices would lose to their facets what a leaf, as round as its ball, does not.
+// A mesh's lowest points are vertices, in whatever leaf, and a query that looks beyond the contact distance needs them.
+// Meshes of many vertices keep their leaves otherwise: a round body rolls on balls, and its facets would brake it.
 std::optional<float> PlaneCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
   if (traversal_.leafPairs().empty()) return std::nullopt;
   const bool isDistanceWanted = question.finest == Finest::triangles && isQuery_;
@@ -130,7 +130,7 @@ std::optional<float> PlaneCollider::appendOfMesh(const MeshQuestion& question, s
   if (!hasFewVertices() && !question.budget.charge(cost)) return std::nullopt;
   if (hasFewVertices()) question.budget.forceCharge(cost);
   const std::size_t before = contacts.size();
-  float lowest = maxSeparation_ + skin_;  // or farther: what the traversal did not look for
+  float lowest = maxSeparation_ + skin_;  // the traversal did not look farther
   for (const NearVertex& near : nearVertices_) {
     const Vec3 vertex = tree_.toPair() * tree_.tree().vertices()[near.vertex];
     lowest = std::min(lowest, dot(normal_, vertex) - offset_ - margin_);

@@ -8,7 +8,7 @@
 
 namespace cairn::bullet {
 
-/// The half-space below a plane, seen from a tree: one element. Exact.
+/// The half-space below a plane as the traversal of a tree tests it: one element. Exact.
 class PlaneObstacle final : public Obstacle {
  public:
   /// In the tree's frame and unit: points p with dot(normal, p) < offset are below. `margin` is added to every sphere.
@@ -22,11 +22,11 @@ class PlaneObstacle final : public Obstacle {
   float limit_ = 0;
 };
 
-/// A btStaticPlaneShape.
+/// Contacts with a btStaticPlaneShape.
 class PlaneCollider final : public Collider {
  public:
-  /// Meshes of so few vertices are asked themselves. What has more may be meant to be round, and rolls better by its
-  /// leaves.
+  /// Meshes of at most so many vertices touch with their vertices. A larger mesh may be meant to be round, and rolls
+  /// better on its leaves.
   static constexpr std::size_t kMaxVertices = 48;
 
   void reset() override;
@@ -52,7 +52,7 @@ class PlaneCollider final : public Collider {
   int otherIndex_ = -1;  // of the shape, among its compound's children
   float margin_ = 0;
   float maxSeparation_ = 0;
-  bool isQuery_ = false;  // it looks farther than contacts reach
+  bool isQuery_ = false;  // looks farther than the contact distance
   float skin_ = 0;
   Vec3 normal_;  // pair frame; the plane is dot(normal_, p) == offset_
   float offset_ = 0;
@@ -62,7 +62,7 @@ class PlaneCollider final : public Collider {
     std::uint32_t vertex;
     NodeId leaf;
   };
-  std::vector<NearVertex> nearVertices_;  // of the traversal at hand once it is done
+  std::vector<NearVertex> nearVertices_;  // of the current traversal, once it is done
   bool areFound_ = false;
   std::vector<NodeId> leafOf_;  // by vertex; working memory
 };

@@ -14,9 +14,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// Nearer to a centre than this fraction of its radius, the way from a border to it is rounding.
+// Fraction of a ball's radius: nearer to its centre, the direction to a border is only rounding.
 constexpr float kNoDirectionFraction = 0.001F;
-// Of the hundredth of a radian between normals below which faces count as one plane.
+// Cosine of the hundredth of a radian within which faces count as one plane.
 constexpr float kSamePlaneCosine = 0.99995F;
 
 Pose inverse(const Pose& pose) {
@@ -54,7 +54,7 @@ void TerrainCollider::placeObstacle() {
   const PlacedTree& tree = placement_.tree;
   const Pose& pose = tree.pose();
   const float margin = placement_.maxSeparation + placement_.treeMargin;
-  // The ground of interest is near the tree, so the tree's own extent bounds the lengths that round.
+  // The ground of interest is near the tree, so the tree's own extent bounds rounding.
   const float lengths = 4 * (tree.tree().extent() * tree.scale() + margin);
   obstacle_.place(*lattice_,
                   {terrainFromPair_.rotation * pose.rotation, terrainFromPair_ * pose.translation, pose.scale},
@@ -83,8 +83,7 @@ Triangle TerrainCollider::toPair(const TerrainLattice::Corners& t) const {
   return {corner(0), corner(1), corner(2)};
 }
 
-// Appends the triangles near a node's sphere to the working memory, unless the sphere is certainly farther than the
-// reach.
+// Appends the triangles near a node's sphere to the working memory, unless the sphere is certainly out of reach.
 void TerrainCollider::gather(NodeId node) {
   const Sphere ball = placement_.tree.sphere(node);
   const Vec3d center = terrainFromPair_ * Vec3d(ball.center);
@@ -101,10 +100,10 @@ void TerrainCollider::gather(NodeId node) {
   });
 }
 
-// The touches of what was gathered, nodes one after the other and nearest first, and their sides. Whatever side of a
-// triangle's plane a centre is on, its face is the upper one. No surface point that is nearest to anything has its way
-// out downwards: those that would are behind others, or on the ground's border. Nor is what a sphere does not reach
-// touched by anything inside it.
+// Measures the gathered triangles, node by node and nearest first, with their sides. The upper face always counts,
+// whichever side of a triangle's plane a centre is on. A touch whose way out leads downwards gets no side: it lies
+// behind others, or on the ground's border. A touch outside the sphere gets none either, because nothing inside the
+// sphere touches there.
 std::span<TriangleTouch> TerrainCollider::measure() {
   const std::span<TriangleTouch> touches = contacts_.measure(placement_, inPair_, pairs_);
   const Vec3 up(pairFromTerrain_.rotation * Vec3d(0, 0, 1));
@@ -139,8 +138,8 @@ void TerrainCollider::appendContacts(std::span<const NodePair> pairs, std::vecto
   dropCovered(contacts, first, corners);
 }
 
-// A planar leaf touches with its corners: which of them is extreme would change with every rounding. Over a single
-// triangle there is nothing else to touch.
+// A planar leaf touches with its corners, because the choice of the extreme one would change with every rounding. Over
+// a single triangle there is nothing else to touch.
 void TerrainCollider::appendCorners(NodeId leaf, std::size_t firstNear, std::vector<Contact>& contacts) {
   const PlacedTree& tree = placement_.tree;
   const bool isSingle = isComplete_ && inPair_.size() == firstNear + 1;
@@ -168,7 +167,7 @@ void TerrainCollider::appendCorners(NodeId leaf, std::size_t firstNear, std::vec
   if (isSingle) forgetFrom(firstNear);
 }
 
-// Where a planar leaf's corners say the same as its nearest triangle, they stand for it.
+// Drops contacts that repeat what a planar leaf's corners say.
 void TerrainCollider::dropCovered(std::vector<Contact>& contacts, std::size_t first, std::size_t corners) {
   const std::span<const Contact> ofCorners(contacts.data() + first, corners - first);
   const auto isCovered = [&](const Contact& c) {

@@ -13,11 +13,11 @@
 
 namespace cairn::bullet {
 
-/// The ground below a terrain, seen from a tree: one element, of which each sphere finds the part below it by itself
+/// The ground below a terrain as the traversal of a tree tests it: one element. Each sphere finds the part below itself
 /// (thesis 8.3.2).
 class GroundObstacle final : public Obstacle {
  public:
-  /// `terrainFromTree`: from the tree's frame and unit. `margin` (world length) is added to every sphere.
+  /// `terrainFromTree` maps from the tree's frame and unit. `margin` (world length) is added to every sphere.
   void place(const TerrainLattice& lattice, const Pose& terrainFromTree, double margin);
 
   std::uint32_t elementCount() const override { return 1; }
@@ -29,9 +29,9 @@ class GroundObstacle final : public Obstacle {
   double margin_ = 0;
 };
 
-/// A `TerrainShape`. What is below the surface is inside, however deep: which side a body belongs on needs no memory,
-/// and nothing has to be gathered or renamed. In a contact's id, part is 0, or one plus the number of a planar leaf's
-/// support point; index is the triangle.
+/// Contacts with a `TerrainShape`. All space below the surface is inside, at any depth. So the side of a body needs no
+/// memory, and no triangles are collected between steps. In a contact's id, the part is 0, or one plus the number of a
+/// planar leaf's support point; the index is the triangle.
 class TerrainCollider final : public Collider {
  public:
   void place(const PairPlacement& placement) override;
@@ -41,8 +41,8 @@ class TerrainCollider final : public Collider {
   using Collider::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// With the nearest of the triangles near the root, and with those in other directions that it does not cover, up to
-  /// four. Linear in the triangles; only what is appended is counted as work.
+  /// Uses the nearest triangle near the root, and those in other directions that it does not cover, up to four. Cost:
+  /// linear in the triangles; only appended contacts are counted as work.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }
 
@@ -63,14 +63,14 @@ class TerrainCollider final : public Collider {
   GroundObstacle obstacle_;
   ObstacleTraversal traversal_;
   TriangleContacts contacts_;
-  // Working memory, by triangle near one of the nodes asked about; b of a pair is a place in them.
+  // Working memory, by triangle near one of the tested nodes; `b` of a pair is an index into these.
   std::vector<Triangle> inPair_;
   std::vector<int> indices_, sideOf_;
   std::vector<NodePair> pairs_;
   std::vector<int> sides_;  // by touch
   std::vector<Contact> rootContacts_;
-  TerrainLattice::Corners last_;  // of what was gathered
-  bool isComplete_ = false;       // no ground was missing below the sphere it was gathered for
+  TerrainLattice::Corners last_;  // the triangle gathered last
+  bool isComplete_ = false;       // no ground was missing below the sphere tested last
 };
 
 }  // namespace cairn::bullet

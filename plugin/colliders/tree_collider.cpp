@@ -15,7 +15,7 @@
 namespace cairn::bullet {
 
 namespace {
-// Families of the larger tree looked at for guards of whole bodies; bounds the work of a pair that gets no budget.
+// Families of the larger tree opened for root contacts; this bounds the work of a pair without budget.
 constexpr int kMaxRootSplits = 8;
 }  // namespace
 
@@ -56,7 +56,7 @@ bool TreeCollider::resume() {
 Vec3 TreeCollider::centerLine(const Sphere& a, const Sphere& b) const {
   const Vec3 line = a.center - b.center;
   if (line != Vec3()) return unitVector(line);
-  // Two spheres in one place say nothing: the bodies as wholes have to.
+  // Spheres with one centre have no direction, so the whole bodies give it.
   const Vec3 bodies = a_.sphere(kRootNode).center - b_.sphere(kRootNode).center;
   return bodies != Vec3() ? unitVector(bodies) : Vec3(0, 0, 1);
 }
@@ -90,8 +90,8 @@ float TreeCollider::separation(const NodePair& pair, const Vec3& along) const {
   return dot(along, a_.support(pair.a, -along) - b_.support(pair.b, along)) - margins_;
 }
 
-// Whatever separates the two regions by the reach proves that they do not touch. Where they are about as near as they
-// can get along a normal, and not beside each other, no other direction need be asked.
+// A direction that separates the two regions by the contact distance proves that they do not touch. If they are about
+// as near as possible along a normal, and not beside each other, no other direction is needed.
 TreeCollider::Expected TreeCollider::touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const {
   if (!areFaceted(contact.pair)) return Expected::nothing;
   for (const Vec3& normal : std::span(expected_).first(expectedCount_)) {
@@ -125,11 +125,11 @@ bool TreeCollider::touch(Contact& contact, float atMost) const {
     contact.normal = centerLine(a, b);
     if (!measure(contact, atMost) || !preferPlanes(contact)) return false;
   }
-  name(contact);
+  setId(contact);
   return true;
 }
 
-void TreeCollider::name(Contact& contact) const {
+void TreeCollider::setId(Contact& contact) const {
   contact.id = {static_cast<int>(a_.tree().level(contact.pair.a)), static_cast<int>(contact.pair.a),
                 static_cast<int>(b_.tree().level(contact.pair.b)), static_cast<int>(contact.pair.b)};
 }
@@ -177,7 +177,7 @@ bool TreeCollider::touchAsMeasured(Contact& contact, const RegionSeparations& me
   contact.separation = measured.separation[lane];
   contact.position = measured.position(lane);
   if (!preferPlanes(contact)) return false;
-  name(contact);
+  setId(contact);
   return true;
 }
 
@@ -194,7 +194,7 @@ Contact TreeCollider::boundingContact(const NodePair& pair) {
   if (innerA > 0 && innerB > 0)
     contact.certainDepth = std::max(0.0F, innerA + innerB - apart - kOverlapSlack * (a.radius + b.radius + apart));
   contact.position = b.center + contact.normal * (b.radius + 0.5F * contact.separation);
-  name(contact);
+  setId(contact);
   return contact;
 }
 
@@ -202,8 +202,8 @@ bool TreeCollider::isMuchLarger(const Sphere& large, const Sphere& small) const 
   return large.radius > kMaxSizeRatio * small.radius;
 }
 
-// The largest sphere is replaced by those of its children that still overlap, until none is much larger or the work is
-// done. What is left covers all that may touch.
+// Replaces the largest sphere by its children that still overlap, until none is much larger or the work limit is
+// reached. The remaining spheres cover all that may touch.
 std::uint32_t TreeCollider::appendRootContacts(std::vector<Contact>& contacts) {
   const Sphere rootA = a_.sphere(kRootNode), rootB = b_.sphere(kRootNode);
   const bool splitsA = isMuchLarger(rootA, rootB);
@@ -236,13 +236,13 @@ std::optional<float> TreeCollider::appendOfMesh(const MeshQuestion& question, st
   return appendOfKernel(question, contacts);
 }
 
-// Of what has no leaves near each other nothing is asked.
+// Without leaf pairs the meshes are not queried.
 std::optional<std::uint64_t> TreeCollider::expectedMeshCost(const RelativePlacement& placement) const {
   if (traversal_.done() && traversal_.leafPairs().empty()) return 0;
   return kernelMemory_.expectedCost(placement);
 }
 
-// Contacts of meshes know no leaves.
+// Contacts of meshes have no leaves, so the nearest leaves are looked up.
 NodePair TreeCollider::leavesOf(const Contact& contact) const {
   if (contact.pair != NodePair{kRootNode, kRootNode}) return contact.pair;
   return {a_.leafAt(contact.position), b_.leafAt(contact.position)};
@@ -259,8 +259,9 @@ std::optional<float> TreeCollider::appendOfKernel(const MeshQuestion& question, 
   return answer->minSeparation;
 }
 
-// What does not face the normal lies on a border where it is about as near along it: its neighbour knows better. Where
-// it is far deeper than along a direction that it does face, it is a contact of another face.
+// A region that does not face the normal, but is about as near along it, lies on a border; its
+// neighbour gives the contact. If it is far deeper than along a direction it does face, the contact belongs to another
+// face.
 Vec3 TreeCollider::alignNormals(std::span<Contact> cluster, std::span<const Vec3> lasts,
                                 std::vector<Contact>& outliers) {
   const Vec3 normal = planarNormal_.find(a_, b_, margins_, cluster, lasts);

@@ -10,7 +10,7 @@
 
 namespace cairn::bullet {
 
-/// Another sphere-tree. In a `NodePair`, a is a node of the pair's tree and b one of the collider.
+/// Contacts with another sphere-tree. In a `NodePair`, a is a node of the pair's tree and b a node of the collider.
 class TreeCollider final : public Collider {
  public:
   void reset() override;
@@ -24,8 +24,8 @@ class TreeCollider final : public Collider {
   void appendContacts(std::span<const NodePair> pairs, std::span<float> separations,
                       std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
-  /// Where one tree is much larger, its root says little: the larger one is followed down to spheres about as large as
-  /// the smaller one's, at most eight families.
+  /// Where one tree is much larger, its root says little. So the larger tree is opened down to spheres about as large
+  /// as the smaller root, by at most eight families.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
   bool isOfLikeSize() const override { return isOfLikeSize_; }
   void expect(std::span<const Vec3> normals) override;
@@ -39,28 +39,28 @@ class TreeCollider final : public Collider {
   std::optional<float> appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts);
   bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
-  // Whether there is a contact; its gap is set either way, to what the surfaces are apart at least, or at least to
-  // something not below `atMost`.
+  // Whether there is a contact. Sets its separation in either case, to a lower bound on the surfaces' separation. The
+  // bound may stop at any value that is at least `atMost`.
   bool touch(Contact& contact, float atMost) const;
-  // Where a region is planar, the centre line says more about where the leaves lie than about where the surfaces meet:
-  // the contact is then measured along whichever of it and the planar regions' normals separates best. False when that
-  // is not below the reach, or when the two do not face each other.
+  // The centre line of planar regions depends on where the leaves lie, more than on where the surfaces meet. So the
+  // contact is measured along the best separating one of the centre line and the planar regions' normals. Returns false
+  // when that reaches `maxSeparation_`, or when the two do not face each other.
   bool preferPlanes(Contact& contact) const;
-  // What the pair's last common normals say of two regions of flat faces.
+  // The answer of the pair's last common normals for two regions of flat faces.
   enum class Expected : std::uint8_t { nothing, apart, touching };
   Expected touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const;
-  void name(Contact& contact) const;
-  // How far apart the two regions are along a unit vector, at least.
+  void setId(Contact& contact) const;
+  // Lower bound on the separation of the two regions along a unit vector.
   float separation(const NodePair& pair, const Vec3& along) const;
-  // Gap and position along the contact's normal; false when the gap is not below the reach. A gap of `atMost` or more
-  // is larger than what is set.
+  // Sets separation and position along the contact's normal. Returns false when the separation reaches
+  // `maxSeparation_`. A separation of `atMost` or more may be larger than the value set.
   bool measure(Contact& contact, float atMost) const;
-  // What `touch` says of each pair, in order, but many at a time; `separations` may be empty.
+  // Like `touch` for each pair, in order, but many at a time; `separations` may be empty.
   void appendMeasured(std::span<const NodePair> pairs, float atMost, std::span<float> separations,
                       std::vector<Contact>& contacts) const;
-  // A bit for each of the pairs of which the common normals may say something: these are asked one by one.
+  // A bit for each pair that the common normals may decide; these are tested one by one.
   std::uint32_t expectedOf(std::span<const NodePair> pairs) const;
-  // The end of `touch` for a pair that was found near along its centre line.
+  // The end of `touch` for a pair found near along its centre line.
   bool touchAsMeasured(Contact& contact, const RegionSeparations& measured, std::uint32_t lane) const;
   bool areFaceted(const NodePair& pair) const;
 

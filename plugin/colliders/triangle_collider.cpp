@@ -15,9 +15,9 @@
 namespace cairn::bullet {
 
 namespace {
-// Steps of motion to look ahead after a traversal was overtaken by the tree.
+// Steps of motion to gather ahead after the tree has left the gathered triangles.
 constexpr btScalar kStepsAhead = 4;
-// How much larger than a tree (by their boxes, margins among them) something may be and still stand on its faces.
+// How much larger than the tree (by boxes, margins included) a shape may be and still stand on the tree's faces.
 constexpr float kAlike = 1.05F;
 }  // namespace
 
@@ -25,7 +25,7 @@ float TriangleCollider::size(const btCollisionShape& shape) const {
   btVector3 lower, upper;
   shape.getAabb(btTransform::getIdentity(), lower, upper);
   const auto diagonal = static_cast<float>((upper - lower).length());
-  // A foreign shape may say that it has no end, which need not be a number.
+  // A foreign shape may report an infinite or NaN box.
   return std::isfinite(diagonal) ? diagonal : std::numeric_limits<float>::infinity();
 }
 
@@ -38,7 +38,8 @@ void TriangleCollider::reset() {
 }
 
 std::optional<float> TriangleCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
-  // On which side leaves are is told by where they were: what leaves told last and meshes tell now do not mix.
+  // A leaf's side depends on where leaves were in earlier steps. So answers of leaves and of meshes must not alternate
+  // from step to step.
   if (question.finest != Finest::triangles || question.mayBeInterrupted) return {};
   const auto& shape = static_cast<const btConcaveShape&>(*placement_.otherShape);
   const MeshGround::Near near{shape, soup_, inPair_};
@@ -46,7 +47,7 @@ std::optional<float> TriangleCollider::appendOfMesh(const MeshQuestion& question
   return ground_.append(question, placement_, near, contacts);
 }
 
-// Contacts of meshes know no leaves.
+// Contacts of meshes have no leaves, so the nearest leaf is looked up.
 NodePair TriangleCollider::leavesOf(const Contact& contact) const {
   if (contact.pair != NodePair{kRootNode, kRootNode} || !contact.isExact) return contact.pair;
   return {placement_.tree.leafAt(contact.position), MeshGround::inSoup(soup_, contact)};
@@ -100,7 +101,7 @@ void TriangleCollider::placeTriangles() {
   const PlacedTree& tree = placement_.tree;
   const float unit = 1 / tree.scale();
   const float margin = (placement_.maxSeparation + placement_.treeMargin) * unit;
-  // The triangles of interest are near the tree, so the tree's own extent bounds the lengths that round.
+  // The triangles of interest are near the tree, so the tree's own extent bounds rounding.
   const float lengths = 4 * (tree.tree().extent() + margin);
   obstacle_.clear(margin + kOverlapSlack * lengths);
   inPair_.clear();
@@ -115,7 +116,7 @@ void TriangleCollider::placeTriangles() {
 void TriangleCollider::appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   const std::size_t first = contacts.size();
   if (placement_.speculativeDistance > 0 && placement_.speculativeDistance < placement_.maxSeparation)
-    measureAsked(pairs, contacts);
+    measureQuery(pairs, contacts);
   else
     measure(pairs, placement_, contacts);
   for (std::size_t i = first; i < contacts.size(); ++i) {
@@ -133,9 +134,10 @@ void TriangleCollider::measure(std::span<const NodePair> pairs, const PairPlacem
   onFaces_.append(placement, size(*placement.otherShape), inPair_, ofFaces_, traversal_.done(), contacts);
 }
 
-// Which face a point belongs to is told by what is within the reach of it. Where a query asks farther, that would be
-// most of the body: what touches is measured as it always is, and only what is apart comes from looking farther.
-void TriangleCollider::measureAsked(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
+// Surface within the contact distance decides to which face a point belongs. A query that looks farther would let most
+// of the body decide. So touching pairs are measured as in a step, and only contacts farther apart come from the wider
+// search.
+void TriangleCollider::measureQuery(std::span<const NodePair> pairs, std::vector<Contact>& contacts) {
   const TriangleSides sidesBefore = sides_;
   const TrianglesOnFaces facesBefore = onFaces_;
   const std::size_t first = contacts.size();
@@ -158,7 +160,7 @@ bool TriangleCollider::isNear(const NodePair& pair) const {
   return lengthSq(ball.center - nearestOnTriangle(inPair_[pair.b], ball.center).point) < within * within;
 }
 
-// What is no larger than the tree stands on its flat leaves' faces.
+// A shape no larger than the tree stands on the faces of the tree's flat leaves.
 void TriangleCollider::divide(std::span<const NodePair> pairs) {
   others_.clear();
   ofFaces_.clear();
@@ -190,7 +192,7 @@ std::uint32_t TriangleCollider::appendRootContacts(std::vector<Contact>& contact
   for (std::uint32_t i = 0; i < inPair_.size(); ++i) rootContacts_.push_back(boundingContact({kRootNode, i}));
   std::uint32_t found = 0;
   for (; found < kMaxRootContacts && !rootContacts_.empty(); ++found) {
-    // The first of equals, as the order of the triangles is the shape's own.
+    // The first of equals, because the order of the triangles is the shape's own.
     Contact nearest = *std::ranges::min_element(rootContacts_, {}, &Contact::separation);
     nearest.isRootContact = true;
     sides_.noteBall(touchOf(placement_.tree, inPair_[nearest.pair.b], nearest.pair), nearest.normal);

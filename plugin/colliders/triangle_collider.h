@@ -14,9 +14,9 @@
 
 namespace cairn::bullet {
 
-/// Anything made of triangles: BVH mesh, scaled mesh, height field, GImpact, a foreign concave shape. The surface is
-/// the triangles themselves, both sides alike; Bullet's margin around them is not added. In a `NodePair`, b is a
-/// position in the gathered soup.
+/// Contacts with any shape made of triangles: BVH mesh, scaled mesh, height field, GImpact mesh, a foreign concave
+/// shape. The surface is the triangles themselves, both sides alike, without Bullet's margin. In a `NodePair`, b is an
+/// index into the gathered soup.
 class TriangleCollider final : public Collider {
  public:
   void reset() override;
@@ -26,14 +26,14 @@ class TriangleCollider final : public Collider {
   Traversal& traversal() override { return traversal_; }
   using Collider::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
-  /// On which side of a triangle a node belongs can only be told from everything it touches.
+  /// A node's side of a triangle can only be decided from everything it touches.
   bool usesCurvatureCorrection() const override { return false; }
   bool measuresTogether() const override { return true; }
   Contact boundingContact(const NodePair& pair) override;
-  /// With the nearest of the triangles that were gathered, and with those in other directions that it does not cover,
-  /// up to four. Linear in the triangles; only what is appended is counted as work.
+  /// Uses the nearest of the gathered triangles, and those in other directions that it does not cover, up to four.
+  /// Cost: linear in the triangles; only appended contacts are counted as work.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
-  /// Where the triangles are those of one solid, and do not change: the contacts of two meshes.
+  /// Gives the contacts of two meshes, where the triangles are those of one solid and do not change.
   std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
   NodePair leavesOf(const Contact& contact) const override;
   float size(const btCollisionShape& shape) const override;
@@ -44,12 +44,12 @@ class TriangleCollider final : public Collider {
   void placeTriangles();
   void divide(std::span<const NodePair> pairs);
   void measure(std::span<const NodePair> pairs, const PairPlacement& placement, std::vector<Contact>& contacts);
-  void measureAsked(std::span<const NodePair> pairs, std::vector<Contact>& contacts);
+  void measureQuery(std::span<const NodePair> pairs, std::vector<Contact>& contacts);
   bool isNear(const NodePair& pair) const;
 
   PairPlacement placement_;
   btVector3 treeLower_, treeUpper_;  // the tree's box in the shape's frame
-  bool outran_ = false;              // the last traversal had to be given up: gather farther ahead
+  bool outran_ = false;              // the tree left the last traversal's triangles: gather farther ahead
   TriangleSoup soup_;
   std::vector<TriangleSoup::Source> oldSources_;
   std::vector<Triangle> inPair_;
