@@ -12,8 +12,8 @@ namespace {
 
 using Common = CutFace<kMaxFaceCorners>;
 
-// Of the first face's size: so far beside it a point still lies over it. Crossing edges meet in a point that rounding
-// would else lose.
+// Fraction of the first face's size within which a point beside it still lies over it. Otherwise rounding would lose
+// the point in which two edges cross.
 constexpr float kSeam = 1e-3F;
 
 Vec3 beside(const Vec3& normal, const Vec3& v) {
@@ -26,7 +26,7 @@ Vec3 middleOf(std::span<const Vec3> points) {
   return sum * (1 / static_cast<float>(points.size()));
 }
 
-// Of a convex face's border, seen along the normal.
+// The nearest point on a convex face's border, seen along the normal.
 Vec3 nearestOnBorder(const Vec3& normal, std::span<const Vec3> face, const Vec3& point) {
   Vec3 nearest = face.front();
   float leastSq = lengthSq(beside(normal, nearest - point));
@@ -42,7 +42,7 @@ Vec3 nearestOnBorder(const Vec3& normal, std::span<const Vec3> face, const Vec3&
   return nearest;
 }
 
-// What of the second face lies over the first.
+// The part of the second face that lies over the first.
 Common commonOf(const Vec3& normal, std::span<const Vec3> first, std::span<const Vec3> second, const Vec3& middle) {
   float reachSq = 0;
   for (const Vec3& corner : first) reachSq = std::max(reachSq, lengthSq(corner - middle));
@@ -60,7 +60,7 @@ Common commonOf(const Vec3& normal, std::span<const Vec3> first, std::span<const
     return common;
   }
   for (std::size_t i = 0; i < first.size(); ++i) {
-    // Towards the middle, whichever way round the corners come.
+    // Each cut keeps the side of the middle, whichever way round the corners come.
     const Vec3 side = cross(normal, first[(i + 1) % first.size()] - first[i]);
     cut(dot(side, middle - first[i]) < 0 ? -side : side, first[i]);
   }

@@ -9,19 +9,23 @@
 
 namespace cairn::bullet {
 
-/// Where two regions that come together along a normal touch: what the faces (edges, corners) that they turn to each
-/// other have in common, seen along it.
+/// Finds where two regions touch that come together along a normal. It is the common part of the faces (edges, corners)
+/// that face each other, seen along the normal.
+///
+///     FaceOverlap overlap;
+///     overlap.find(normal, ofTree.corners(), ofOther.corners());
+///     for (const Vec3& point : overlap.points()) ...;
 class FaceOverlap {
  public:
   static constexpr std::size_t kMax = 4;
 
-  /// `normal`: unit, away from the second region. `first`, `second`: the corners of what either turns to the other, in
-  /// their order around it (`FacingCorners`), as they meet, all in one frame and unit; neither is empty. Where they lie
-  /// beside each other the second's point that is nearest to the first counts. Work: a cut of the second for each side
+  /// `normal`: unit, away from the second region. `first`, `second`: the corners of either region that face the other,
+  /// in order (`FacingCorners`), at the time of touch. All in one frame and unit; neither is empty. If the two lie
+  /// beside each other, the result is the second's point nearest to the first. Cost: a cut of the second for each side
   /// of the first.
   void find(const Vec3& normal, std::span<const Vec3> first, std::span<const Vec3> second);
 
-  /// On the second region; one at least.
+  /// On the second region; at least one.
   std::span<const Vec3> points() const { return std::span(points_).first(count_); }
 
  private:

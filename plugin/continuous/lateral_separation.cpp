@@ -7,7 +7,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Of the side between two corners, the point nearest to the origin.
+// The point nearest to the origin on the side between two corners.
 Vec3 nearestOfSide(const Vec3& a, const Vec3& b) {
   const Vec3 side = b - a;
   return a + side * std::clamp(-dot(a, side) / lengthSq(side), 0.0F, 1.0F);
@@ -23,8 +23,8 @@ bool LateralSeparation::add(const Vec3& point) {
 }
 
 bool LateralSeparation::surroundsOrigin() const {
-  const float ab = turn(corners_[0], corners_[1]), bc = turn(corners_[1], corners_[2]),
-              ca = turn(corners_[2], corners_[0]);
+  const float ab = crossAlong(corners_[0], corners_[1]), bc = crossAlong(corners_[1], corners_[2]),
+              ca = crossAlong(corners_[2], corners_[0]);
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
@@ -32,7 +32,7 @@ Vec3 LateralSeparation::nearestToOrigin() {
   if (count_ == 1) return corners_[0];
   if (count_ == 2) return nearestOfSide(corners_[0], corners_[1]);
   if (surroundsOrigin()) return {};
-  // Beyond one of the newest corner's sides: it was on this side of the other two.
+  // The origin is beyond one of the newest corner's sides: it was on this side of the other two.
   const Vec3 newest = corners_[2];
   const Vec3 toFirst = nearestOfSide(corners_[0], newest), toSecond = nearestOfSide(corners_[1], newest);
   const bool isFirst = lengthSq(toFirst) < lengthSq(toSecond);

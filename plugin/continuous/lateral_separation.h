@@ -9,20 +9,26 @@
 
 namespace cairn::bullet {
 
-/// Whether two convex things, one of which moves straight on, pass beside each other: seen along the way they do not
-/// overlap. A search for the difference's point that is nearest to the origin (Gilbert, Johnson, Keerthi 1988) in the
-/// plane at right angles to the way, ended by the first direction along which they are apart. All vectors are in one
-/// frame and unit. Work: `kMaxRounds` questions at most; nothing fails.
+/// Decides whether two convex bodies, one moving straight, pass beside each other: seen along the motion they do not
+/// overlap.
+///
+///     const auto direction = LateralSeparation(along).direction(first, margin, difference);
+///     if (direction) return;  // they pass
+///
+/// It searches the point of the bodies' difference nearest to the origin (Gilbert, Johnson, Keerthi 1988), in the plane
+/// perpendicular to the motion. It stops at the first direction that separates them. All vectors are in one frame and
+/// unit. Cost: at most `kMaxRounds` support queries of each body. It cannot fail.
 class LateralSeparation {
  public:
   static constexpr int kMaxRounds = 12;
 
-  /// `along`: the way, unit.
+  /// `along`: the direction of motion, unit.
   explicit LateralSeparation(const Vec3& along) : along_(along) {}
 
-  /// A unit direction at right angles to the way along which they are farther apart than `margin`; nothing where they
-  /// overlap, or it takes too long to tell. `first`: about where the one is, seen from the other.
-  /// `difference(direction)`: the one's farthest point against a unit direction minus the other's along it.
+  /// A unit direction perpendicular to the motion along which they are farther apart than `margin`. Empty if they
+  /// overlap, or if the search takes too long. `first`: a rough direction from the other to the one.
+  /// `difference(direction)`: the farthest point of the one against a unit direction, minus the other's farthest along
+  /// it.
   std::optional<Vec3> direction(const Vec3& first, float margin, const auto& difference) {
     Vec3 nearest = across(first);
     for (int round = 0; round < kMaxRounds; ++round) {
@@ -32,7 +38,7 @@ class LateralSeparation {
       const Vec3 point = across(difference(tried));
       const float apart = dot(tried, point);
       if (apart > margin) return tried;
-      // What has no end along it has none anywhere near.
+      // A body without an end along this direction has none along any near one.
       if (!(apart > -kFarthest) || !add(point)) return std::nullopt;
       nearest = nearestToOrigin();
     }
@@ -43,11 +49,11 @@ class LateralSeparation {
   static constexpr float kFarthest = 1e18F;
 
   Vec3 across(const Vec3& v) const { return v - along_ * dot(along_, v); }
-  float turn(const Vec3& a, const Vec3& b) const { return dot(along_, cross(a, b)); }
-  // False for a corner that is known already: there is nothing nearer.
+  float crossAlong(const Vec3& a, const Vec3& b) const { return dot(along_, cross(a, b)); }
+  // Returns false for a known corner: nothing is nearer.
   bool add(const Vec3& point);
   bool surroundsOrigin() const;
-  // Zero if the origin lies among the corners; else keeps the side that it is nearest to.
+  // Zero if the origin lies among the corners; else keeps the side nearest to it.
   Vec3 nearestToOrigin();
 
   Vec3 along_;

@@ -9,19 +9,20 @@
 
 namespace cairn::bullet {
 
-/// The directions along which two things may be apart. What finds no room is left out.
+/// The directions along which two regions may be apart, at most `kMax`; further ones are dropped. Filled by
+/// `SweptTarget` and `TreeParts`, tried by `Sweep`.
 class SeparatingNormals {
  public:
   static constexpr std::size_t kMax = 16;
 
   void clear() { count_ = 0; }
-  /// Unit; zero is ignored. `isFace`: of a face of either, not of a line between them.
+  /// `normal`: unit; zero is ignored. `isFace`: it belongs to a face of either region, not to a line between them.
   void add(const Vec3& normal, bool isFace) {
     if (count_ == kMax || lengthSq(normal) == 0) return;
     normals_[count_] = normal;
     isFace_[count_++] = isFace;
   }
-  /// All that there are.
+  /// Rotates all normals.
   void turn(const Mat3& rotation) {
     for (Vec3& normal : std::span(normals_).first(count_)) normal = rotation * normal;
   }

@@ -15,25 +15,26 @@ namespace cairn::bullet {
 
 namespace {
 
-// Radians that a tree may turn against the other within a segment: the points of a leaf are then up to a fifth of its
-// radius beside its straight way.
+// Radians that a tree may turn against the other within a segment. Points of a leaf are then beside its straight path
+// by up to a fifth of its radius.
 constexpr btScalar kTurn = btScalar(0.2);
-// Moving a sphere and testing it once; measuring a leaf pair moves two.
+// Charges: moving a sphere and testing it once; measuring a leaf pair moves two.
 constexpr std::uint32_t kTestCost = kSphereUpdateCost + kOverlapTestCost;
 constexpr std::uint32_t kLeafCost = 2 * kSphereUpdateCost + kOverlapTestCost;
-// By then what had sunk in is out, or else is pressed in: where it stood long ago says nothing of that.
+// Steps. By then a body that had sunk in is out, or else is pressed in, and its old pose no longer helps.
 constexpr int kMaxSlowSteps = 30;
-// Two walls of a corner, after its floor.
+// A floor may deflect a body into the two walls of a corner.
 constexpr int kDeflections = 2;
 
-// A leaf whose certified error is more than this part of the other side's radius may say too little of where its
-// surface is to be met as a whole.
+// Fraction of the other side's radius. A leaf with a larger certified error may place its surface too roughly to be met
+// as a whole.
 constexpr float kCrudeFraction = 0.25F;
-// The same of the moved tree's own leaves, as a part of its radius: one contact for each would not hold it.
+// The same limit for the moved tree's own leaves, as a fraction of its radius: one contact for each leaf would not hold
+// it.
 constexpr float kCrudeInBody = 0.05F;
 constexpr int kNone = std::numeric_limits<int>::min();
 
-// Of the other side from the origin of its frame.
+// The distance of the other side's farthest point from the origin of its frame.
 float reachOf(const btCollisionShape& shape) {
   btVector3 center;
   btScalar radius = 0;
@@ -73,13 +74,13 @@ void Sweep::sweep(const SweptPair& pair, Budget& budget) {
     if (m.isContact) addContactsOf(m);
     isSunk = isSunk || (m.isContact && m.at < 0);
   }
-  markLater();
+  markSecondary();
   const bool isIn = !sunkFloors_.empty();
   if (pair.isFast) deflect(pair, budget);
   slowSteps_ = pair.isFast ? 0 : slowSteps_ + 1;
   if ((isSunk || (isIn && anchor_)) && slowSteps_ < kMaxSlowSteps) return;
   anchor_.reset();
-  // Where it was set down in something it has never been in front of that.
+  // A body that was placed inside a floor has no pose in front of it to remember.
   if (pair.isFast && !isIn) anchor_ = frame_->at(0);
 }
 
@@ -99,17 +100,17 @@ const Sweep::Meeting* Sweep::firstMeeting() const {
   return first == meetings_.end() || !first->isContact ? nullptr : &*first;
 }
 
-// A ball that comes straight down onto a plate meets what lies beside with the far side of the plate's next leaf, along
-// a line that leans: it is not there any more by then.
-void Sweep::markLater() {
+// A ball that comes straight down onto a plate also meets the far side of the plate's next leaf, along a tilted line.
+// By then the ball has stopped elsewhere, so such later meetings do not bounce.
+void Sweep::markSecondary() {
   const Meeting* const first = firstMeeting();
   if (!first) return;
   for (Contact& contact : contacts_)
     contact.isSecondary = dot(contact.normal, first->contact.normal) < kSameNormalCosine;
 }
 
-// What is stopped by a floor goes on along it, and may run into a wall of the same body within the step; then along
-// both into a third.
+// A body stopped by a floor goes on along it, and may hit a wall of the same body within the step. Then it goes on
+// along both, perhaps into a third.
 void Sweep::deflect(SweptPair pair, Budget& budget) {
   for (int turn = 0; turn < kDeflections; ++turn) {
     const Meeting* const first = firstMeeting();
@@ -129,7 +130,7 @@ void Sweep::follow(const SweptPair& pair, bool fromAnchor, Budget& budget) {
   if (target_->rootCount() == 0) return;
   meetingOf_.assign(segments_.front().tree.tree().traversalNodes().size(), kNone);
   for (const Segment& s : segments_) {
-    // What it came to on the way from the anchor and is in front of still, it may run into now.
+    // A part that was met on the way from the anchor, and is still in front of the surface, may meet it now.
     if (s.from == 0)
       for (Meeting& m : meetings_)
         if (!m.isContact) m.at = kNotMet;
@@ -143,7 +144,7 @@ SweptPlace Sweep::placeAt(float part) const {
   return placeBetween(frame_->at(0), *anchor_, -btScalar(part));
 }
 
-// Also asks the target for all that is near the way.
+// Cuts the motion into segments. Also gives the target the space that the motion needs.
 void Sweep::cut(const SweptPair& pair, bool fromAnchor) {
   segments_.clear();
   const bool otherIsSmaller = !asSphereTree(pair.other) && otherReach_ < pair.tree->size();
@@ -189,7 +190,7 @@ Sweep::Segment Sweep::segment(const SweptPair& pair, float from, float to) const
           static_cast<float>(chordBetween(otherAxes, otherAxesAtEnd)) * otherReach_};
 }
 
-// A ball's points move as its middle does but for what turning adds; its middle moves on an arc about the tree's.
+// A ball's points move like its middle, apart from rotation. The ball's middle moves on an arc about the tree's middle.
 Sweep::MovedNode Sweep::moved(const Segment& segment, TreeParts::Part part) {
   const Sphere ball = segment.tree.sphere(part);
   const float arm = distance(ball.center, segment.tree.sphere(kRootNode).center);
@@ -209,7 +210,7 @@ void Sweep::enter(const Segment& segment, const NodePair& pair) {
   std::push_heap(heap_.begin(), heap_.end());
 }
 
-// Earliest first, so that what a leaf runs into first rules out most of the rest.
+// Earliest entry first, because a leaf's first meeting rules out most of the others.
 void Sweep::search(const SweptPair& pair, const Segment& segment, Budget& budget) {
   heap_.clear();
   margin_ = static_cast<float>(pair.tree->getMargin());
@@ -226,7 +227,7 @@ void Sweep::search(const SweptPair& pair, const Segment& segment, Budget& budget
   }
 }
 
-// False for what cannot be split any more.
+// False for a candidate that cannot be split further.
 bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& budget) {
   const auto [a, b] = candidate.pair;
   const TreeParts& tree = segment.tree;
@@ -236,7 +237,7 @@ bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& bu
   const bool splitsTree = own.count > 0 && (below.count == 0 || radius >= target_->radius(b));
   const std::uint32_t first = splitsTree ? own.first : below.first;
   const std::uint32_t count = splitsTree ? own.count : below.count;
-  if (splitsTree && TreeParts::isTriangle(first)) makeMeetingsBelow(a, count);
+  if (splitsTree && TreeParts::isTriangle(first)) addTriangleMeetings(a, count);
   for (std::uint32_t child = first; child < first + count; ++child) {
     enter(segment, splitsTree ? NodePair{child, b} : NodePair{a, child});
   }
@@ -245,8 +246,8 @@ bool Sweep::split(const Segment& segment, const Candidate& candidate, Budget& bu
   return count > 0;
 }
 
-// Before anything is asked about a leaf's triangles.
-void Sweep::makeMeetingsBelow(NodeId leaf, std::uint32_t count) {
+// Allocates the meetings of a leaf's triangles before they are tested.
+void Sweep::addTriangleMeetings(NodeId leaf, std::uint32_t count) {
   int& known = meetingOf_[leaf];
   if (known != kNone) return;
   known = -1 - static_cast<int>(meetings_.size());
@@ -259,14 +260,14 @@ const Sweep::Meeting* Sweep::meetingOf(TreeParts::Part part) const {
   return known >= 0 ? &meetings_[static_cast<std::size_t>(known)] : nullptr;
 }
 
-// A leaf that is met as a whole after all, because there is no time for more, is not known by that.
+// A split leaf that is met as a whole after all, for lack of budget, gets a meeting that `meetingOf` does not find.
 Sweep::Meeting& Sweep::makeMeeting(TreeParts::Part part) {
   if (const Meeting* const known = meetingOf(part)) return const_cast<Meeting&>(*known);
   if (meetingOf_[part] == kNone) meetingOf_[part] = static_cast<int>(meetings_.size());
   return meetings_.emplace_back();
 }
 
-// Whether the part has met something by then.
+// Whether the part has met something by this time.
 bool Sweep::isPastFirstHit(TreeParts::Part part, float at) const {
   const Meeting* const known = meetingOf(part);
   return known && known->at <= at;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
-// Edges inside a floor are no obstacles: what flies over one face of it and is stopped by that does not come to where
-// it would run into the next.
+//
+// Edges inside a floor are not obstacles. A body that is stopped by one face of a floor does not reach the place where
+// it would hit the next face.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +11,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// Cosine of 5 degrees: normals of one flat face, up to what a mesh's rounding does to them.
+// Cosine of the 5 degrees within which normals belong to one flat face of a rounded mesh.
 constexpr float kFloorCosine = 0.996194698F;
-// Of a region's radius: so far beside a floor's plane it is part of that.
+// Fraction of a region's radius within which it belongs to a floor's plane.
 constexpr float kFloorFraction = 0.05F;
 
 }  // namespace
@@ -33,7 +34,7 @@ void Sweep::keepAboveFloors(const SweptPair& pair) {
       isFloor = true;
       keepAbove({nodes, normal, at, isTrees, heightOf(isTrees, *start, nodes, normal)}, pair, *start);
     }
-    if (!isFloor) answer(normal);
+    if (!isFloor) markTested(normal);
   }
 }
 
@@ -47,13 +48,13 @@ void Sweep::keepAbove(const Floor& floor, const SweptPair& pair, const Segment& 
   }
 }
 
-// Where the surface of a region lies along a normal from the other side to the tree, as the step begins.
+// Height of a region's surface along a normal from the other side to the tree, at the beginning of the step.
 float Sweep::heightOf(bool ofTree, const Segment& start, const NodePair& nodes, const Vec3& normal) const {
   const Vec3 on = ofTree ? start.tree.support(nodes.a, -normal) : supportOf(*target_, nodes.b, start.otherAxes, normal);
   return dot(normal, on);
 }
 
-// The earliest that was not asked for yet.
+// The earliest meeting that was not tested yet.
 const Sweep::Meeting* Sweep::nextMeeting() {
   Meeting* next = nullptr;
   for (Meeting& m : meetings_)
@@ -62,8 +63,8 @@ const Sweep::Meeting* Sweep::nextMeeting() {
   return next;
 }
 
-// All that are met along this direction.
-void Sweep::answer(const Vec3& normal) {
+// Marks all meetings along this direction as tested.
+void Sweep::markTested(const Vec3& normal) {
   for (Meeting& m : meetings_)
     if (dot(m.normal, normal) > kFloorCosine) m.isAsked = true;
 }
@@ -85,21 +86,22 @@ bool Sweep::isFace(bool ofTree, const Segment& start, const NodePair& nodes, con
   return false;
 }
 
-// Whether a region has a face as high as the floor.
+// Whether a region has a face at the floor's height.
 bool Sweep::isLevel(const Floor& floor, const Segment& start, const NodePair& nodes) const {
   const float radius = floor.isTrees ? start.tree.sphere(nodes.a).radius : target_->radius(nodes.b);
   const float beside = heightOf(floor.isTrees, start, nodes, floor.normal) - floor.height;
   return std::abs(beside) <= kFloorFraction * radius;
 }
 
-// Whether a part of the body on the floor is above it as the step begins, or no deeper than what slides is.
+// Whether a part of the body on the floor is above it at the beginning of the step, or no deeper than sliding parts
+// are.
 bool Sweep::isInFront(const Floor& floor, const Segment& start, const NodePair& nodes, float maxSeparation) const {
   const float radius = floor.isTrees ? target_->radius(nodes.b) : start.tree.sphere(nodes.a).radius;
   return separationAlong(floor.normal, nodes, start.tree, start.otherAxes) >=
          -std::max(maxSeparation, kSunkFraction * radius);
 }
 
-// Whether what it meets later is another region of that floor, which it was above as the step began.
+// Whether a later meeting belongs to another region of the same floor, which the part was above when the step began.
 bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m, float maxSeparation) {
   if (!m.isContact || m.at <= floor.at) return false;
   if (floor.isTrees ? m.nodes.a == floor.nodes.a : m.nodes.b == floor.nodes.b) return false;
@@ -107,15 +109,15 @@ bool Sweep::standsOn(const Floor& floor, const Segment& start, const Meeting& m,
          isInFront(floor, start, m.nodes, maxSeparation);
 }
 
-// What lies in a floor already, set down or pressed into it, is held by ordinary contacts. Its edges are no obstacles,
-// and what swings up through it from below has never been there.
+// Ordinary contacts hold a body that lies in a floor already, placed or pressed into it. The floor's edges are no
+// obstacles to it. A part that swings up through the floor from below was never above it.
 void Sweep::noteSunk(const Segment& start, const NodePair& nodes) {
   noteSunkInto(true, start, nodes);
   noteSunkInto(false, start, nodes);
 }
 
 void Sweep::noteSunkInto(bool isTrees, const Segment& start, const NodePair& nodes) {
-  // Of the body on the floor; the other's is where its frame begins.
+  // The middle of the body on the floor; the other's is the origin of its frame.
   const Vec3 middle = isTrees ? Vec3() : start.tree.sphere(kRootNode).center;
   collectFaces(isTrees, start, nodes);
   for (std::size_t i = 0; i < normals_.all().size(); ++i) {
@@ -132,7 +134,7 @@ void Sweep::noteSunkInto(bool isTrees, const Segment& start, const NodePair& nod
   }
 }
 
-// Of a region with a face in the floor's plane: along no other face of it.
+// Whether a region with a face in the floor's plane is met along none of its other faces.
 bool Sweep::isEdgeOf(const Floor& floor, const Segment& start, const Meeting& m) {
   if (dot(m.normal, floor.normal) > kFloorCosine) return false;
   if (!isFace(floor.isTrees, start, m.nodes, floor.normal) || !isLevel(floor, start, m.nodes)) return false;
@@ -152,8 +154,8 @@ void Sweep::keepOffSunkFloors(const SweptPair& pair, const Segment& start) {
   }
 }
 
-// Along the floor's normal, if it comes to that within the step. In its own place: a node that was split and then, for
-// want of time, met as a whole has a meeting that is not found by its name.
+// Meets the floor along its normal, if the part reaches it within the step. Overwrites the meeting in place, because
+// the meeting of a split node that was met as a whole cannot be looked up.
 void Sweep::meetFloor(const Floor& floor, const SweptPair& pair, Meeting& meeting) {
   const NodePair nodes = meeting.nodes;
   meeting = {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
-// Where and along which direction two regions that come near each other meet.
+//
+// Finds where, and along which direction, two approaching regions meet.
 #include <algorithm>
 #include <cmath>
 
@@ -14,9 +15,9 @@ namespace cairn::bullet {
 
 namespace {
 
-// Of the way: what closes by less along a direction passes by.
+// Fraction of the displacement. Regions that close by less along a direction pass each other.
 constexpr float kPassingFraction = 1e-4F;
-// What is left of a unit line beside the way, to make a direction of.
+// Least length across the motion that a unit line must have to give a direction.
 constexpr float kMinBeside = 0.1F;
 
 }  // namespace
@@ -36,8 +37,8 @@ struct Sweep::Approach {
   const Segment& segment;
   NodePair nodes;
   MovedNode node;
-  float entry;  // part of the segment at which they are near
-  float sunk;   // so deep they still count as apart
+  float entry;  // fraction of the segment at which they are near
+  float sunk;   // depth up to which they still count as apart
 
   float separation(const Vec3& normal) const {
     return sweep.separationAlong(normal, nodes, segment.tree, segment.otherAxes);
@@ -48,7 +49,8 @@ struct Sweep::Approach {
   float closing(const Vec3& normal) const { return -dot(normal, node.displacement); }
   bool passes(const Vec3& normal) const { return closing(normal) <= kPassingFraction * length(node.displacement); }
   bool areSeparated(const Vec3& normal, float at) const { return separation(normal) - closing(normal) * at > -sunk; }
-  // Beside each other all the way, along a direction that is no face's: past an edge or a corner. `normal`: any.
+  // Whether they are beside each other all the way, past an edge or a corner, along a direction that need not be a
+  // face's. `normal`: any direction to start from.
   bool isPassing(const Vec3& normal) const {
     const auto start = [&](const Vec3& n) { return sweep.apartAlong(n, nodes, segment.tree, segment.otherAxes); };
     const auto end = [&](const Vec3& n) {
@@ -68,7 +70,7 @@ struct Sweep::Approach {
   }
 };
 
-// Returns how many of them are the other side's; those come first.
+// Returns how many of the normals belong to the other side; those come first.
 std::size_t Sweep::collectNormals(const Approach& approach) {
   normals_.clear();
   const Vec3& displacement = approach.node.displacement;
@@ -84,8 +86,8 @@ std::size_t Sweep::collectNormals(const Approach& approach) {
   return ofOther;
 }
 
-// Along each direction the regions stay apart for a while; what counts is the one along which they do so for longest.
-// Nothing if that is to the end of the segment, or if they are in contact already.
+// Along each direction the regions stay apart for a while; the hit is along the one where they do so for longest. Empty
+// if they stay apart to the end of the segment, or if they are in contact already.
 std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& segment, const Candidate& candidate) {
   const MovedNode node = moved(segment, candidate.pair.a);
   if (lengthSq(node.displacement) == 0) return std::nullopt;
@@ -98,7 +100,7 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
     if (!approach.areSeparated(normal, candidate.entry)) continue;
     if (approach.passes(normal) || approach.separation(normal) - node.slack + approach.sunk >= approach.closing(normal))
       return std::nullopt;
-    // The slack is more than what turning brings nearer: at the segment's end it is known.
+    // The slack is larger than the true effect of rotation, which is known at the segment's end.
     if (approach.separationAtEnd(normal) > -approach.sunk) return std::nullopt;
     const Hit hit = approach.hit(normal);
     if (!latest || hit.at > latest->at) latest = hit;
@@ -109,9 +111,9 @@ std::optional<Sweep::Hit> Sweep::hitOf(const SweptPair& pair, const Segment& seg
   return std::nullopt;
 }
 
-// Where surfaces of several faces go on flatly, an edge between two of them is no obstacle: of the faces along whose
-// normals the regions are still as good as apart by then, the other side's if it has any, the one along which they
-// close least.
+// Where surfaces of several faces continue flat, an edge between two of them is no obstacle. Considers the faces along
+// whose normals the regions are still apart at the hit, only the other side's if it has any. Takes the one along which
+// they close least.
 Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofOther) const {
   bool hasOtherFaces = false;
   for (std::size_t i = 0; i < ofOther; ++i) hasOtherFaces = hasOtherFaces || normals_.isFace(i);
@@ -124,8 +126,9 @@ Sweep::Hit Sweep::flattest(const Approach& approach, Hit latest, std::size_t ofO
   return latest;
 }
 
-// The smaller region knows where: on a flat one any point may be the extreme one. Of something that is no tree the
-// corners are known as well: the place is what they have in common with the leaf's, unless that is a single point.
+// The smaller region decides the place, because on a flat region any point may be the extreme one. For shapes other
+// than trees the corners are known too. Then the place is their common part with the leaf's corners, unless it is a
+// single point.
 Sweep::Points Sweep::pointsOf(const SweptPair& pair, const Segment& segment, const NodePair& nodes,
                               const Hit& hit) const {
   const auto treeSupport = [&](const Vec3& direction) { return segment.tree.support(nodes.a, direction); };
@@ -159,7 +162,7 @@ void Sweep::note(const SweptPair& pair, const Segment& segment, const NodePair& 
   makeMeeting(nodes.a) = meeting;
 }
 
-// Where the two regions are now, with the plane that they reach then.
+// Makes the contact at the regions' present places, with the plane that they reach at the hit.
 Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, const NodePair& nodes, const Hit& hit) {
   const float length = segment.to - segment.from, at = segment.from + hit.at * length;
   const auto inPair = [&](btTransform pose) {
@@ -179,7 +182,7 @@ Sweep::Meeting Sweep::meetingAt(const SweptPair& pair, const Segment& segment, c
   contact.separationVector = onTree - onOther - contact.normal * (target_->margin() + margin_);
   const float separation = dot(contact.normal, contact.separationVector);
   const bool isSunk = segment.from < 0;
-  if (!isSunk && separation < 0) contact.separationVector -= contact.normal * separation;  // it has turned in between
+  if (!isSunk && separation < 0) contact.separationVector -= contact.normal * separation;  // rotation in between
   contact.position = onTree - contact.normal * dot(contact.normal, contact.separationVector);
   contact.separation = -(1 - at) * hit.closing / length;
   contact.id = {static_cast<int>(segment.tree.tree().level(leaf)), static_cast<int>(leaf), -1, pair.otherIndex};

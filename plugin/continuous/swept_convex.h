@@ -6,7 +6,7 @@
 
 namespace cairn::bullet {
 
-/// Any convex shape: its box says when it is near.
+/// Any convex shape as a sweep's target: one element, near when its box is entered.
 class SweptConvex final : public SweptTarget {
  public:
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;

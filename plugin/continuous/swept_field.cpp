@@ -8,9 +8,9 @@
 namespace cairn::bullet {
 
 namespace {
-// Each leaves a third of the way to a surface straight ahead.
+// Each step leaves a third of the distance to a surface straight ahead.
 constexpr int kMaxSteps = 16;
-// So near, as a fraction of the ball's radius, is near enough.
+// Fraction of the ball's radius within which the surface counts as reached.
 constexpr float kNearFraction = 0.01F;
 }  // namespace
 
@@ -25,18 +25,18 @@ float SweptField::radius(std::uint32_t /*element*/) const {
 
 std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*element*/, const Vec3& displacement) const {
   const float norm = length(displacement);
-  float gone = 0;
+  float travelled = 0;
   for (int i = 0; i < kMaxSteps; ++i) {
-    const Vec3 center = gone > 0 ? ball.center + displacement * (gone / norm) : ball.center;
+    const Vec3 center = travelled > 0 ? ball.center + displacement * (travelled / norm) : ball.center;
     const float apart = field_.leastDistance(center) - ball.radius;
     if (apart <= kNearFraction * ball.radius) break;
-    gone += apart;
-    if (gone > norm) return std::nullopt;
+    travelled += apart;
+    if (travelled > norm) return std::nullopt;
   }
-  return gone > 0 ? gone / norm : 0.0F;
+  return travelled > 0 ? travelled / norm : 0.0F;
 }
 
-// Nothing is told of any other direction.
+// Other directions are unknown.
 Vec3 SweptField::support(std::uint32_t /*element*/, const Vec3& direction) const {
   return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kEndless;
 }

@@ -6,14 +6,15 @@
 
 namespace cairn::bullet {
 
-/// A signed distance field. What comes near it meets the plane that touches its surface there.
+/// A signed distance field as a sweep's target: one element. A body near it meets the plane that touches its surface
+/// there.
 class SweptField final : public SweptTarget {
  public:
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;
   float radius(std::uint32_t element) const override;
-  /// By steps as long as the field allows.
+  /// Advances by steps as long as the field allows.
   std::optional<float> entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const override;
-  /// Of what lies behind the plane that `appendNormals` found last.
+  /// Of the half-space behind the plane that `appendNormals` found last.
   Vec3 support(std::uint32_t element, const Vec3& direction) const override;
   void appendNormals(std::uint32_t element, const Vec3& center, SeparatingNormals& normals) override;
   void name(std::uint32_t /*element*/, Contact& /*contact*/) const override {}

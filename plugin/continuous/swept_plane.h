@@ -5,7 +5,7 @@
 
 namespace cairn::bullet {
 
-/// Everything behind a plane.
+/// The half-space behind a plane as a sweep's target: one element.
 class SweptPlane final : public SweptTarget {
  public:
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;

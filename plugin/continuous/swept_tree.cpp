@@ -21,7 +21,7 @@ SweptTarget::Children SweptTree::children(std::uint32_t element, float crude) co
   return {below.first, below.count};
 }
 
-// Two moving spheres: where the line through the centres' difference first comes as near as their radii.
+// Two moving spheres: the time when the line of centre differences first comes within the sum of radii.
 std::optional<float> SweptTree::entry(const Sphere& ball, std::uint32_t element, const Vec3& displacement) const {
   if (TreeParts::isTriangle(element))
     return SweptTriangle(tree_.triangle(element)).entry({ball.center, ball.radius + margin_}, displacement);

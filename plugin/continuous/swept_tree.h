@@ -6,7 +6,7 @@
 
 namespace cairn::bullet {
 
-/// Another sphere-tree; elements are its parts.
+/// Another sphere-tree as a sweep's target; elements are its parts (`TreeParts`).
 class SweptTree final : public SweptTarget {
  public:
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;

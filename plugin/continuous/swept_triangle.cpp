@@ -16,7 +16,7 @@ SweptTriangle::SweptTriangle(const Triangle& t) : triangle(t), normal(t.normal()
   }
 }
 
-// Both its box and the slab around its plane have to be entered.
+// The ball must enter both the triangle's box and the slab around its plane.
 std::optional<float> SweptTriangle::entry(const Sphere& ball, const Vec3& displacement) const {
   const float height = dot(normal, ball.center - triangle.a), closing = -dot(normal, displacement);
   float intoSlab = 0;

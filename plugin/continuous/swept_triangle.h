@@ -9,10 +9,12 @@
 
 namespace cairn::bullet {
 
-/// A triangle that a moving ball may run into.
+/// A triangle that a moving ball may meet.
+///
+///     if (const auto at = SweptTriangle(triangle).entry(ball, displacement)) ...;
 struct SweptTriangle {
   Triangle triangle;
-  Vec3 normal;  ///< zero if it is degenerate
+  Vec3 normal;  ///< zero if the triangle is degenerate
   Vec3 lower, upper;
 
   explicit SweptTriangle(const Triangle& t);

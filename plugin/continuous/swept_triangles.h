@@ -9,7 +9,7 @@
 
 namespace cairn::bullet {
 
-/// The triangles of any concave shape, both sides alike.
+/// The triangles of any concave shape as a sweep's target, both sides alike; one element each.
 class SweptTriangles final : public SweptTarget {
  public:
   void take(const btCollisionShape& shape, const btVector3& lower, const btVector3& upper) override;

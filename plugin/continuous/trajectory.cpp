@@ -12,7 +12,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Bullet turns no body by more than a quarter of a right angle's double in one step.
+// Bullet clamps a body's rotation to 45 degrees a step.
 btVector3 clampedTurn(const btVector3& angular, btScalar timeStep) {
   const btScalar turn = angular.length() * timeStep;
   return turn > ANGULAR_MOTION_THRESHOLD ? angular * (ANGULAR_MOTION_THRESHOLD / turn) : angular;
@@ -41,7 +41,7 @@ Trajectory Trajectory::along(const btVector3& normal, const Trajectory& other) c
   return along;
 }
 
-// A sphere beside the middle of what it is a child of moves on an arc.
+// A sphere that is an off-centre child of a compound moves on an arc.
 btScalar Trajectory::turn() const {
   if (isRound_ && childInObject_.getOrigin().fuzzyZero()) return 0;
   return angular_.length() * timeStep_;

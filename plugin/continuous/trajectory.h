@@ -7,19 +7,22 @@ struct btCollisionObjectWrapper;
 
 namespace cairn::bullet {
 
-/// How a body's shape moves within a step if nothing stops it: as Bullet will integrate it, the step's forces included.
+/// The motion of a body's shape within a step if nothing stops it, as Bullet will integrate it, with the step's forces.
+///
+///     const Trajectory trajectory(wrapper, timeStep);
+///     const btTransform atEnd = trajectory.at(1);
 class Trajectory {
  public:
-  /// `body`: of an object, or of a child of a compound, which moves with it. A sphere has the world's axes all the
-  /// time: it looks the same from everywhere, and what stands beside one that rolls would else move on arcs.
+  /// `body`: wraps an object, or a child of a compound that moves with it. A sphere always has the world's axes: its
+  /// rotation does not change its shape. In the axes of a rolling sphere, things beside it would move on arcs.
   /// `timeStep`: seconds.
   Trajectory(const btCollisionObjectWrapper& body, btScalar timeStep);
 
-  /// Where the shape stands after this part of the step, 0 to 1; world frame.
+  /// The shape's pose after this fraction of the step, 0 to 1; world frame.
   btTransform at(btScalar fraction) const;
-  /// The same without what moves it against `normal` (unit, world frame) faster than `other`.
+  /// The trajectory without its velocity against `normal` (unit, world frame) relative to `other`.
   Trajectory along(const btVector3& normal, const Trajectory& other) const;
-  /// Radians within the whole step; 0 of a sphere about its middle, which looks the same.
+  /// Rotation in the whole step, in radians; 0 for a sphere about its centre.
   btScalar turn() const;
 
  private:

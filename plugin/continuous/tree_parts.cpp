@@ -23,7 +23,7 @@ Triangle TreeParts::triangle(Part part) const {
   return {tree_.toPair() * data.vertices[a], tree_.toPair() * data.vertices[b], tree_.toPair() * data.vertices[c]};
 }
 
-// About the mean of a triangle's corners, which moves with them: that of its box would not where it turns.
+// Centred at the mean of a triangle's corners, which rotates with them; the centre of a box would not.
 Sphere TreeParts::sphere(Part part) const {
   if (!isTriangle(part)) return tree_.sphere(part);
   const auto& [a, b, c] = triangle(part);

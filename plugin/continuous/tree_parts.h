@@ -9,12 +9,15 @@
 
 namespace cairn::bullet {
 
-/// A sphere-tree as it is swept: its *parts* are its nodes and, below leaves that say too little of where their surface
-/// is, those leaves' source triangles. A part below a leaf is named by that leaf and its place among them.
+/// A sphere-tree as it is swept, in *parts*: its nodes, and the source triangles of leaves whose error is too large. A
+/// triangle part is named by its leaf and its index among the leaf's triangles.
+///
+///     const TreeParts parts(placedTree);
+///     const TreeParts::Children children = parts.children(part, crude);
 class TreeParts {
  public:
   using Part = std::uint32_t;
-  /// Leaves of more triangles are left whole, as no budget covers asking them.
+  /// Leaves of more triangles are not split, because no budget covers their tests.
   static constexpr std::uint32_t kMaxTriangles = 64;
 
   struct Children {
@@ -29,20 +32,20 @@ class TreeParts {
   float scale() const { return tree_.scale(); }
 
   static bool isTriangle(Part part) { return (part & kTriangleBit) != 0; }
-  /// The node itself, or the leaf that a triangle is below.
+  /// The node itself, or the leaf of a triangle.
   static NodeId nodeOf(Part part) { return isTriangle(part) ? (part & ~kTriangleBit) / kMaxTriangles : part; }
-  /// Which of its leaf's triangles.
+  /// The triangle's index among those of its leaf.
   static std::uint32_t indexOf(Part part) { return part % kMaxTriangles; }
 
-  /// None for a triangle, and for a leaf that is no farther than `crude` (world length, certified) from its surface or
-  /// names its faces.
+  /// Empty for a triangle, and for a leaf that is within `crude` (world length, certified) of its surface or names its
+  /// faces.
   Children children(Part part, float crude) const;
   Triangle triangle(Part part) const;
   Sphere sphere(Part part) const;
   /// The part's point that lies farthest along `direction`.
   Vec3 support(Part part, const Vec3& direction) const;
-  /// The normals of a part's faces, where it has any; else the middle of its normals, where it lies in a plane. Both
-  /// ways: what is behind a flat region is apart from it along the opposite.
+  /// Appends the normals of a part's faces, or the middle of the normals of a part in one plane. Both signs: a body
+  /// behind a flat region is apart from it along the opposite normal.
   void appendFaces(Part part, SeparatingNormals& normals) const;
 
  private:

@@ -15,7 +15,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Others may have no end, or show their triangles near the box alone.
+// Other concave shapes may be infinite, or show triangles only near the box.
 bool isMesh(const btConcaveShape& shape) {
   switch (shape.getShapeType()) {
     case TRIANGLE_MESH_SHAPE_PROXYTYPE:
@@ -37,7 +37,7 @@ bool isSamePlace(const btVector3& p, const btVector3& q) {
 std::shared_ptr<const GroundSurface> GroundSurface::of(const btConcaveShape& shape) {
   static SharedFor<btConcaveShape, GroundSurface> known;
   if (!isMesh(shape)) return nullptr;
-  // Whoever uses it sees whether it still is the shape's.
+  // Callers check with `triangleOf` that the surface still matches the shape.
   return known.of(
       shape, [](const GroundSurface&) { return true; },
       [&] { return std::shared_ptr<const GroundSurface>(new GroundSurface(shape)); });
@@ -61,7 +61,7 @@ GroundSurface::GroundSurface(const btConcaveShape& shape) {
   derived_.thickness = surfaceThickness(view());
 }
 
-// False where a corner has no place.
+// False if a corner is not finite.
 bool GroundSurface::weld() {
   origin_ = soup_.triangles().front().corners[0];
   std::vector<std::pair<btVector3, std::size_t>> corners;
@@ -84,7 +84,7 @@ bool GroundSurface::weld() {
   return true;
 }
 
-// Edges are in the order of their ends: one of several triangles comes several times in a row.
+// Edges are sorted by their ends, so an edge of more than two triangles appears several times in a row.
 bool GroundSurface::isClosed() const {
   const std::span<const SurfaceEdge> edges = derived_.features.edges();
   const auto runsAlong = [&](const SurfaceEdge& edge, std::uint32_t triangle) {

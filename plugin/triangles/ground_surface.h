@@ -13,27 +13,30 @@
 
 namespace cairn::bullet {
 
-/// The surface that the triangles of one of Bullet's meshes make: corners in one place are one vertex. Immutable.
+/// The surface that the triangles of one of Bullet's meshes form: corners in one place are one vertex. Immutable.
+///
+///     const auto surface = GroundSurface::of(shape);
+///     if (surface && surface->isSolid()) use(surface->view());
 class GroundSurface {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  /// That of the shape, shared by all who ask while anyone has it; null for what is no mesh. It is made when it is
-  /// first asked for, from all triangles, some microseconds each: whoever uses it is to see by `triangleOf` whether it
-  /// still is the shape's.
+  /// The surface of the shape, shared by all callers while any of them keeps the pointer; null for shapes that are not
+  /// meshes. The first call makes it from all triangles, some microseconds each. The caller must check with
+  /// `triangleOf` that it still matches the shape.
   static std::shared_ptr<const GroundSurface> of(const btConcaveShape& shape);
 
-  /// Whether it is the surface of one solid: in one piece, each side of a triangle shared with one other that shows the
-  /// same side, outwards by the right-hand rule. Nothing else is known of what is not, or of meshes of more than
-  /// `tuning::kMaxTriangles`.
+  /// Whether it is the surface of one solid: in one piece, closed, with all fronts outwards by the right-hand rule.
+  /// Closed means that each side of a triangle is shared with exactly one other, which runs along it the other way.
+  /// False for meshes of more than `tuning::kMaxTriangles`. Without a solid no other data exists.
   bool isSolid() const { return isSolid_; }
-  /// Frame: the shape's axes, from `origin`; unit: world length. Precondition of this and all that follows: `isSolid`.
+  /// Frame: the shape's axes, from `origin`; unit: world length. Precondition of this and all below: `isSolid`.
   SurfaceView view() const { return {vertices_, triangles_, &derived_}; }
   /// In the shape's frame.
   const btVector3& origin() const { return origin_; }
-  /// Which triangle of the surface it is; `kNone` if the shape had another one, or none, of these numbers.
+  /// The index of this triangle on the surface; `kNone` if the shape had another triangle, or none, with these numbers.
   std::uint32_t triangleOf(const TriangleSoup::Source& source) const;
-  /// What the shape calls it.
+  /// The shape's own numbers for a triangle.
   const TriangleSoup::Source& source(std::uint32_t triangle) const { return soup_.triangles()[triangle]; }
 
  private:

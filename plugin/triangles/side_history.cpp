@@ -8,19 +8,19 @@ namespace cairn::bullet {
 
 namespace {
 
-// Cosine of the 60 degrees within which two directions are the same side of a node.
+// Cosine of the 60 degrees within which two directions mean the same side of a node.
 constexpr float kSameSideCosine = 0.5F;
-// Cosine of the 25 degrees within which the rest of the tree says something about a triangle.
+// Cosine of the 25 degrees within which the rest of the tree is a witness for a triangle.
 constexpr float kWitnessCosine = 0.906307787F;
-// A plane lies before another when its point is farther along the other's normal than half of the way there.
+// A plane lies before another if its point is farther along the other's normal than this fraction of their distance.
 constexpr float kBeforeShare = 0.5F;
-// Cosine of the 3 degrees within which witnesses whose planes hold each other's point are one, up to this share of the
-// distance; how many are kept, which bounds the work of a step.
+// Witnesses within 3 degrees (cosine) count as one, if their planes hold each other's point up to this fraction of the
+// distance. The number kept bounds the work of a step.
 constexpr float kAlikeCosine = 0.99863F;
 constexpr float kAlikeShare = 0.05F;
 constexpr std::size_t kMaxWitnesses = 64;
-// Cosine of the 45 degrees within which directions vote alike, of the 18 within which votes are counted together, and
-// how many are.
+// Cosines of the 45 degrees within which directions vote alike, and of the 18 within which votes are counted together.
+// The number of counts is bounded.
 constexpr float kVoteCosine = 0.707106781F, kOneVoteCosine = 0.951056516F;
 constexpr std::size_t kMaxVotes = 32;
 constexpr std::uint32_t kOutvoted = 3;

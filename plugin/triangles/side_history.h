@@ -9,52 +9,54 @@
 
 namespace cairn::bullet {
 
-/// A surface near a node of the tree, pair frame: a point of it, and its normal towards where the node belongs.
+/// A surface near a node of the tree, pair frame: a point of it, and its normal towards the side of the node.
 struct SurfaceSide {
   Vec3 point;
   Vec3 normal;
 };
 
-/// On which sides of a surface the nodes of a tree were last seen. A triangle has no inside: what has sunk through it
-/// looks like what lies behind it, and only where it was before tells one from the other. Sides are kept as planes, so
+/// Remembers on which sides of a surface the nodes of a tree were last seen. A triangle has no inside: a node that has
+/// sunk through it looks like one behind it. Only its earlier place tells the two apart. Sides are kept as planes, so
 /// that they carry over from triangle to triangle.
 ///
-/// An answer is +1 where the normal asked about points, -1 on the other side of its triangle, 0 when nothing is known.
+///     history.beginStep(carry);
+///     const int side = history.ofNode(node, surface, tolerance);
+///     history.note(node, surface);
+///
+/// An answer is +1 for the side to which the given normal points, -1 for the other side of its triangle, 0 for unknown.
 class SideHistory {
  public:
-  /// Forgets all.
+  /// Forgets everything.
   void reset();
-  /// The bodies have moved: `carry(SurfaceSide&)` takes a plane along with the collider. What was seen in the last
-  /// step is no witness any more.
+  /// Begins a step. `carry(SurfaceSide&)` moves a plane along with the collider. Witnesses of the last step are
+  /// dropped.
   void beginStep(const auto& carry) {
     for (Side& side : sides_) carry(side.plane);
     witnesses_.clear();
     count();
   }
-  /// A new traversal begins. What the one before it has not seen is forgotten.
+  /// Begins a traversal. Drops sides that the traversal before it has not seen.
   void beginTraversal();
   /// Whether this is the first traversal since `reset`.
   bool isFirst() const { return traversal_ <= 1; }
 
-  /// Where the node was seen, by whichever of its planes lies within 60 degrees of this one; +1 before -1. What lies
-  /// before a plane that the node was seen in front of (by more than `tolerance`) has not been sunk through: the floor
-  /// below a ceiling.
+  /// The side of a node, by any of its planes within 60 degrees of this one; +1 wins over -1. A surface in front of a
+  /// known plane by more than `tolerance` has not been sunk through: the floor below a ceiling.
   int ofNode(NodeId node, const SurfaceSide& surface, float tolerance) const;
   /// Whether the point is behind a plane that the node belongs in front of.
   bool isBehind(NodeId node, const Vec3& point) const;
-  /// Where anything of the tree was seen in this step, of surfaces within 25 degrees and `tolerance` of this one: 0
-  /// also when it was seen on both sides.
+  /// The side on which any node was seen in this step, for surfaces within 25 degrees and `tolerance` of this one. It
+  /// is 0 also when nodes were seen on both sides.
   int ofTree(const SurfaceSide& surface, float tolerance) const;
-  /// Whether of what the tree had seen before this step at least three times as much belongs against the direction as
-  /// along it.
+  /// Whether at least three times as many sides known before this step point against the direction as along it.
   bool isOutvoted(const Vec3& direction) const;
 
-  /// Notes where a node belongs, instead of what it had within 60 degrees. Known to all questions but `isOutvoted`
-  /// after `endNotes`.
+  /// Records a node's side, in place of its sides within 60 degrees. All functions but `isOutvoted` use it after
+  /// `endNotes`.
   void note(NodeId node, const SurfaceSide& side);
-  /// Notes are of leaves at their triangles, and so tell about their neighbours.
+  /// Ends a group of notes. They come from leaves at their triangles, and so also serve as witnesses for neighbours.
   void endNotes();
-  /// The same at once, of a guess that tells about nothing else.
+  /// Records a side at once, for a guess that is no witness for others.
   void noteAlone(NodeId node, const SurfaceSide& side) { hold({node, side, traversal_}); }
 
  private:

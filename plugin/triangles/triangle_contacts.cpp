@@ -9,7 +9,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Fraction of the leaf's radius by which a point must stand before a plane to count as a surface of its own.
+// Fraction of the leaf's radius by which a point must rise above a plane to count as a surface of its own.
 constexpr float kStandsOutFraction = 0.01F;
 
 float overhang(std::span<const Triangle> triangles, const auto& touches, const Vec3& p) {
@@ -21,7 +21,7 @@ float overhang(std::span<const Triangle> triangles, const auto& touches, const V
 
 }  // namespace
 
-// A region touches what it faces; one that faces along the normal belongs to the far side of the body.
+// A region touches only surfaces it faces; one that faces along the normal belongs to the far side of the body.
 TriangleContacts::Touch TriangleContacts::onSide(const PlacedTree& tree, const TriangleTouch& touch, int side) {
   const auto sign = static_cast<float>(side);
   Touch t{touch, sign * touch.line, sign * touch.face};

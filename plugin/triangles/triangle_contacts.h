@@ -10,32 +10,38 @@
 
 namespace cairn::bullet {
 
-/// Turns (leaf, triangle) pairs into contacts without being tripped by the edges inside a mesh.
+/// Makes contacts of (leaf, triangle) pairs that do not catch on the edges inside a mesh.
 ///
-/// For each leaf, its triangles are taken nearest first. A triangle whose nearest point lies behind the contact plane
-/// of a nearer one is covered by it: on flat or convex ground only the triangle below the leaf counts. Triangles that
-/// share their nearest point (an edge or a corner) make one contact, along whichever of the centre line and their face
-/// normals separates the region best. A region that faces away touches nothing, but still covers what lies behind, so
-/// neither the top of a plate on the ground nor the far side of a rock that has sunk into it pulls the body down. What
-/// has sunk through a triangle comes back (`TriangleSides`). Back faces are not ignored: soups need not be closed or
-/// oriented.
+///     triangleContacts.append(placement, triangles, pairs, isComplete, sides, contacts);
+///
+/// Each leaf's triangles are taken nearest first, by these rules:
+///
+/// 1. A triangle whose nearest point lies behind the contact plane of a nearer one is covered. On flat or convex ground
+///    only the triangle below the leaf counts.
+/// 2. Triangles that share their nearest point (an edge or a corner) make one contact. Its normal is the centre line or
+///    one of their face normals, whichever separates the region best.
+/// 3. A region that faces away touches nothing, but still covers what lies behind. So neither the top of a plate on the
+///    ground nor the far side of a sunken rock pulls the body down.
+/// 4. A region that has sunk through a triangle comes back (`TriangleSides`).
+/// 5. Back faces count, because soups need not be closed or oriented.
 class TriangleContacts {
  public:
-  /// Appends the contacts with a gap below the placement's reach. `triangles` are in the pair frame; b of a pair
-  /// indexes them. `isComplete`: they are all pairs of their leaves.
+  /// Appends the contacts whose separation is below the placement's `maxSeparation`. `triangles` are in the pair frame;
+  /// b of a pair is their index. `isComplete`: the pairs are all pairs of their leaves.
   void append(const PairPlacement& placement, std::span<const Triangle> triangles, std::span<const NodePair> pairs,
               bool isComplete, TriangleSides& sides, std::vector<Contact>& contacts);
 
-  /// The same in two steps, for who knows the sides. First the touches of these pairs, ordered by node and nearest
-  /// first, to be changed as need be; valid until the next call.
+  /// First of two steps for callers that know the sides. Gives the touches of these pairs, sorted by node and nearest
+  /// first; the caller may change them. Valid until the next call.
   std::span<TriangleTouch> measure(const PairPlacement& placement, std::span<const Triangle> triangles,
                                    std::span<const NodePair> pairs);
-  /// Then their contacts, with the side of each touch: see `TriangleSides::settle`.
+  /// Second step: appends the contacts of the measured touches. `sides` has one entry for each touch; see
+  /// `TriangleSides::settle`.
   void appendMeasured(const PairPlacement& placement, std::span<const Triangle> triangles, std::span<const int> sides,
                       std::vector<Contact>& contacts);
 
  private:
-  // How a region touches: the touch's line and face on the region's side, zero where it does not touch along them.
+  // How a region touches: line and face on the region's side, zero where the region does not touch along them.
   struct Touch : TriangleTouch {
     Vec3 normal;
     Vec3 faceNormal;

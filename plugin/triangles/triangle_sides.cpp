@@ -7,12 +7,12 @@ namespace cairn::bullet {
 
 namespace {
 
-// How much of a region (share of its thickness across a triangle) may be through the triangle while the region still
-// counts as on the side its centre is on.
+// Fraction of a region's thickness across a triangle that may be through the triangle, while the region still counts as
+// on its centre's side.
 constexpr float kMaySinkFraction = 0.25F;
-// How far apart (in radii of the sphere that asks) planes may be that are taken for one surface.
+// Distance between planes (in radii of the sphere asked about) within which they count as one surface.
 constexpr float kOneSurfaceFraction = 0.05F;
-// How much farther than its speed explains (in radii of the root) a tree may move in a step by itself.
+// Distance (in radii of the root) beyond its speed by which a tree may move in a step without having been set down.
 constexpr btScalar kTreeMotionFraction = btScalar(0.5);
 
 float massHeight(const PlacedTree& tree, const TriangleTouch& touch) {
@@ -57,8 +57,8 @@ std::span<const int> TriangleSides::settle(const PlacedTree& tree, std::span<con
   return sides_;
 }
 
-// Off a triangle's face, whether something has sunk through it or gone around its border, and what stands beside a
-// triangle but behind another, is for the nearest triangle to say.
+// Away from a triangle's face, only the nearest triangle can tell a node that has sunk through from one that went
+// around the border. The same holds for a node beside a triangle but behind another.
 void TriangleSides::dropUncovered(const PlacedTree& tree, std::span<const TriangleTouch> touches) {
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const TriangleTouch& touch = touches[i];
@@ -67,14 +67,14 @@ void TriangleSides::dropUncovered(const PlacedTree& tree, std::span<const Triang
   }
 }
 
-// What one way of telling has settled is seen by the next.
+// Sides settled by one rule are known to the next.
 void TriangleSides::settleBy(const PlacedTree& tree, std::span<const TriangleTouch> touches, const auto& sideOf) {
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const TriangleTouch& touch = touches[i];
     if (touch.pair.a != touches[nearest].pair.a) nearest = i;
     if (sides_[i] != 0) continue;
-    // What is in front of the nearest triangle went around the borders of the others, not through them.
+    // A node in front of the nearest triangle went around the borders of the others, not through them.
     const bool isAround = !touch.onFace && i != nearest && sides_[nearest] == 1 && touches[nearest].isOver();
     int side = isAround ? 1 : sideOf(touch);
     if (side == 0) continue;
@@ -105,7 +105,7 @@ int TriangleSides::byPath(const PlacedTree& tree, const Triangle& triangle, cons
   if (before >= 0) return 0;
   const Vec3 crossing = center + (last - center) * (now / (now - before));
   if (!nearestOnTriangle(triangle, crossing).onFace) return 0;
-  // What comes out of a surface that the body is in front of had sunk too deep to be seen.
+  // A node that comes out of a surface in front of which the body is had sunk too deep to be seen.
   return ofTree(tree, touch) > 0 && massHeight(tree, touch) > 0 ? 1 : -1;
 }
 
@@ -119,7 +119,7 @@ int TriangleSides::byFacing(const PlacedTree& tree, const TriangleTouch& touch) 
 
 int TriangleSides::byBody(const PlacedTree& tree, const TriangleTouch& touch) const {
   if (const int side = ofTree(tree, touch); side != 0) return side;
-  // Off a triangle's face a region may reach through its plane and be nowhere near it.
+  // Away from a triangle's face, a region may pass through its plane without being near it.
   if (!touch.onFace || massHeight(tree, touch) >= 0) return 1;
   const NodeId leaf = touch.pair.a;
   const float below = dot(touch.face, touch.nearest - tree.support(leaf, -touch.face));
@@ -128,7 +128,8 @@ int TriangleSides::byBody(const PlacedTree& tree, const TriangleTouch& touch) co
   return tree.facesAlong(leaf, touch.face) || below > kMaySinkFraction * (below + above) ? -1 : 1;
 }
 
-// A ring may swing through a sheet as far as its ball's centre goes; its centre of mass tells that from sinking.
+// A ring may swing through a sheet until its ball's centre is through. The ring's centre of mass tells this from
+// sinking.
 int TriangleSides::ofBall(const PlacedTree& tree, const TriangleTouch& touch) const {
   return touch.isOver() && massHeight(tree, touch) < 0 && ofNode(tree, touch) < 0 ? -1 : 1;
 }

@@ -12,36 +12,43 @@
 
 namespace cairn::bullet {
 
-/// Tells on which side of each triangle what touches it belongs: +1 on the side its sphere's centre is on, -1 on the
-/// other, where it has sunk through. Beside a triangle, and in front of the nearest one, there is nothing to have sunk
-/// through. For the rest it is told, in this order, by
+/// Decides on which side of each triangle a touching node belongs. +1 is the side of its sphere's centre, -1 the other,
+/// where it has sunk through. A node beside a triangle, and in front of the nearest one, cannot have sunk through it.
+/// All other nodes are decided by the first of these rules that has an answer:
+///
 /// 1. where the same node was seen before (`SideHistory`),
-/// 2. whether its centre went through the triangle since the last step: `byPath`,
-/// 3. where the rest of the body is seen, if the centre went through the triangle's plane or the centre of mass is
-///    there too; else which way the region faces, as it touches what it faces: `byFacing`,
-/// 4. where the rest of the body is seen; else where the centre of mass is, if the region reaches through the triangle
-///    or the bodies were never apart: `byBody`.
-/// What a body hangs by has its centre of mass on the wrong side, what has sunk deep faces the wrong way, and what is
-/// in the middle of a thin sheet says nothing by itself: none of them suffices alone. So an answer that the centre of
-/// mass contradicts lapses when most of what was seen contradicts it as well: a leaf that sank unseen does not keep the
-/// body down for ever.
+/// 2. whether its centre went through the triangle since the last step (`byPath`),
+/// 3. where the rest of the body was seen, if the node's centre went through the plane or the centre of mass agrees;
+///    else which way the region faces (`byFacing`),
+/// 4. where the rest of the body was seen; else where the centre of mass is (`byBody`). The centre of mass counts if
+///    the region passes through the triangle or the bodies were never apart.
+///
+/// No rule suffices alone. A body that hangs has its centre of mass on the wrong side. A region that has sunk deep
+/// faces the wrong way. A region in the middle of a thin sheet has no side by itself. So an answer lapses when both the
+/// centre of mass and most of the known sides contradict it. A leaf that sank unseen therefore does not keep the body
+/// down for ever.
+///
+///     sides.beginStep(placement);
+///     sides.beginTraversal();
+///     const std::span<const int> known = sides.settle(tree, triangles, touches, isComplete);
 class TriangleSides {
  public:
   void reset();
-  /// Takes the poses of this step, before all else in it. A body that moved farther than its speed explains was set
-  /// down: it has no past.
+  /// Takes the poses of this step; call it before all else in a step. A body that moved farther than its speed explains
+  /// was set down elsewhere, and its history is dropped.
   void beginStep(const PairPlacement& placement);
   void beginTraversal() { seen_.beginTraversal(); }
 
-  /// The sides of `touches`, which are ordered by node and nearest first; valid until the next call. `triangles` are
-  /// those of the pair's obstacle. Unless `isComplete`, what a node touches may be missing: then 0 is the side of what
-  /// is off a triangle's face and may have sunk, through it or a neighbour: only the nearest triangle could tell.
+  /// The sides of `touches`, which are sorted by node and nearest first. `triangles` are those of the pair's obstacle.
+  /// If not `isComplete`, some of a node's triangles may be missing, and only the nearest one could decide some
+  /// touches. Such touches off a triangle's face get side 0 if the node may have sunk through it or a neighbour. Valid
+  /// until the next call.
   std::span<const int> settle(const PlacedTree& tree, std::span<const Triangle> triangles,
                               std::span<const TriangleTouch> touches, bool isComplete);
 
-  /// The side of a bounding sphere: where it was noted, else where it is.
+  /// The side of a bounding sphere: the recorded one, else that of its centre.
   int ofBall(const PlacedTree& tree, const TriangleTouch& touch) const;
-  /// Notes where a bounding sphere stands.
+  /// Records the side of a bounding sphere.
   void noteBall(const TriangleTouch& touch, const Vec3& normal);
 
  private:
@@ -57,7 +64,8 @@ class TriangleSides {
   SideHistory seen_;
   bool hasPast_ = false;
   btTransform treeBody_, other_;  // of this step, as in the placement
-  btTransform back_;  // takes a point of the tree to where it was in the last step, as seen from where the other is now
+  // Maps a point of the tree to its place in the last step, relative to the other body's present pose.
+  btTransform back_;
   std::vector<int> sides_;
 };
 

@@ -19,7 +19,7 @@ auto coordinates(const TriangleSoup::Source& s) {
   return std::array{a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()};
 }
 
-// Shapes of the user may number their triangles as they like, or not at all.
+// A user's own shape may number its triangles freely, or not at all.
 bool beforeInSoup(const TriangleSoup::Source& x, const TriangleSoup::Source& y) {
   if (before(x, y) || before(y, x)) return before(x, y);
   return coordinates(x) < coordinates(y);

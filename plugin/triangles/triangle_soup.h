@@ -10,9 +10,11 @@
 
 namespace cairn::bullet {
 
-/// The triangles of a concave shape near a tree, gathered once for a traversal and ordered by (part, index) and
-/// corners, so that neither the shape's own order nor its acceleration structure shows in the result. Buffers are
-/// reused.
+/// The triangles of a concave shape near a tree, gathered once for a traversal. They are sorted by (part, index) and
+/// corners, so that the result does not depend on the shape's own order or acceleration structure. Buffers are reused.
+///
+///     soup.gather(shape, lower, upper);
+///     for (const TriangleSoup::Source& source : soup.triangles()) ...;
 class TriangleSoup {
  public:
   struct Source {
@@ -20,14 +22,14 @@ class TriangleSoup {
     btVector3 corners[3];  // the shape's frame
   };
 
-  /// Asks the shape for all triangles near the box [lower, upper] of its own frame.
+  /// Gathers all triangles of the shape near the box [lower, upper] of its own frame.
   void gather(const btConcaveShape& shape, const btVector3& lower, const btVector3& upper);
-  /// Whether the last gathering saw all of the box.
+  /// Whether the last call of `gather` covered all of this box.
   bool covers(const btVector3& lower, const btVector3& upper) const;
 
   const std::vector<Source>& triangles() const { return triangles_; }
-  /// Position in `triangles()` of the triangle with this part and index, or -1. Where a shape gives several the same
-  /// numbers, that with the same corners.
+  /// Index in `triangles()` of the triangle with this part and index, or -1. If a shape gives several triangles the
+  /// same numbers, the corners decide.
   int find(const Source& wanted) const;
 
  private:
@@ -35,7 +37,7 @@ class TriangleSoup {
   btVector3 lower_{1, 1, 1}, upper_{-1, -1, -1};
 };
 
-/// Triangles in the frame and unit of a tree, one element each.
+/// Triangles as the traversal of a tree tests them, in its frame and unit: one element each.
 class SoupObstacle final : public Obstacle {
  public:
   void clear(float margin);

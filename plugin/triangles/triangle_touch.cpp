@@ -4,7 +4,7 @@
 namespace cairn::bullet {
 
 namespace {
-// Cosine of the 18 degrees off a face's normal within which what is nearest to its border still lies over the face.
+// Cosine of the 18 degrees off a face's normal within which a node near the face's border still lies over the face.
 constexpr float kOverCosine = 0.951056516F;
 }  // namespace
 

@@ -7,16 +7,17 @@
 
 namespace cairn::bullet {
 
-/// How a node's sphere stands to a triangle, pair frame.
+/// The relation of a node's sphere to a triangle, pair frame.
 struct TriangleTouch {
   NodePair pair;
-  Vec3 nearest;        ///< on the triangle, to the sphere's centre
-  Vec3 line;           ///< unit, from there to the centre; the face's normal where that is the same; zero: degenerate
+  Vec3 nearest;  ///< on the triangle, to the sphere's centre
+  /// Unit, from `nearest` to the centre; the face's normal if the two coincide; zero for a degenerate triangle.
+  Vec3 line;
   Vec3 face;           ///< the triangle's normal, on the centre's side
   float distance = 0;  ///< from `nearest` to the centre
   bool onFace = false;
 
-  /// Whether the centre is over the triangle rather than beside it, where there is no side of it to have sunk to.
+  /// Whether the centre is over the triangle and not beside it; beside it there is no side to sink to.
   bool isOver() const;
 };
 

@@ -11,19 +11,20 @@ namespace cairn::bullet {
 
 namespace {
 
-// Fraction of a triangle's least height that is its rim.
+// Fraction of a triangle's least height that counts as its rim.
 constexpr float kRimFraction = 0.25F;
-// Fraction of a leaf's radius by which what a normal is shared by may differ in height and still be one face.
+// Fraction of a leaf's radius within which triangles with a common normal form one face, by height.
 constexpr float kOneFaceFraction = 0.2F;
-// Fraction of the tree's radius by which the heights of one plane may differ from step to step.
+// Fraction of the tree's radius within which the heights of one plane may differ from step to step.
 constexpr float kPlaneFraction = 1e-3F;
-// Fraction of the other shape's size by which what does not stand on the other side of a face, but flush with it, may
-// reach there.
+// Fraction of the other shape's size. A body that stands flush with a face may reach across its plane by this much
+// without crossing the face.
 constexpr float kFlushFraction = 2e-3F;
-// Fraction of that by which the middle of what is over a face must be.
+// Fraction of the flush length. The middle of a common part must be inside a face's sides by this much to count as over
+// the face.
 constexpr float kBesideFraction = 0.05F;
-// Fraction of the other shape's size by which what touches may be moved in a step: solvers push bodies that are deep in
-// others, whatever their speeds.
+// Fraction of the other shape's size by which a touching body may move in a step, whatever its speed. Solvers push
+// bodies that are deep in others.
 constexpr float kPushedFraction = 0.1F;
 
 void forEachFaceNormal(const PlacedTree& tree, NodeId leaf, const auto& visit) {
@@ -83,7 +84,7 @@ void TrianglesOnFaces::append(const PairPlacement& placement, float size, std::s
   appendInFront(triangles, placement.maxSeparation, contacts);
 }
 
-// One for each height: a leaf may hold the floor and the roof.
+// One face for each height: a leaf may hold the floor and the roof.
 void TrianglesOnFaces::addFaces(const PlacedTree& tree, NodeId leaf, const Vec3& outwards) {
   const std::size_t first = faces_.size();
   const float tolerance = kOneFaceFraction * tree.sphere(leaf).radius;
@@ -136,7 +137,7 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
       lowestOfAll = std::min(lowestOfAll, least.separation);
       highestOfAll = std::max(highestOfAll, most.separation);
       const bool isRim = !isWellOver(own, common, placement.maxSeparation + placement.slip);
-      // What hangs beside the face, a wall against a wall, is on both sides of its plane and not over it.
+      // A body that hangs beside the face, a wall against a wall, is on both sides of the face's plane and not over it.
       if (isRim && !isWellOver(own, common, kBesideFraction * flush_)) found_.resize(before);
       onRim_.resize(found_.size(), isRim);
       if (isRim) continue;
@@ -149,7 +150,7 @@ void TrianglesOnFaces::look(const PairPlacement& placement, Face& face, std::spa
   face.end = found_.size();
 }
 
-// What lies over no more than the rim stands on the face beyond it: a plate on a beam is no wall to the beam's sides.
+// A body over no more than the rim stands on the face beyond it. So a plate on a beam is no wall to the beam's sides.
 bool TrianglesOnFaces::isWellOver(const Own& own, std::span<const Contact> points, float tolerance) {
   if (points.empty()) return false;
   Vec3 middle{};
@@ -157,8 +158,8 @@ bool TrianglesOnFaces::isWellOver(const Own& own, std::span<const Contact> point
   return own.isOver(middle * (1 / static_cast<float>(points.size())), -std::min(tolerance, kRimFraction * own.height));
 }
 
-// The other triangle is cut by the planes through the own one's sides along the direction; what is left of it lies over
-// it.
+// Cuts the other triangle by the planes through the own triangle's sides along the normal. The rest lies over the own
+// triangle.
 void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle& other, const NodePair& pair) {
   const std::array<Vec3, 3> others{other.a, other.b, other.c};
   CutFace<3> common(others);
@@ -173,7 +174,7 @@ void TrianglesOnFaces::compare(const Face& face, const Own& own, const Triangle&
   }
 }
 
-// Of a plane that is new what is no deeper than the bodies can have moved is in front.
+// For a new plane, points count as in front up to the depth by which the bodies can have moved.
 void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
   const float tolerance = placement.maxSeparation + placement.slip;
   for (Face& face : faces_) {
@@ -188,7 +189,8 @@ void TrianglesOnFaces::decide(const PairPlacement& placement, float size) {
   bringOut(placement.maxSeparation, kPushedFraction * size);
 }
 
-// What was in front has sunk by no more than it can have moved, and by no more than half the way to what was behind.
+// Points in front have sunk by no more than the bodies can have moved. They have also sunk by at most half the distance
+// to the points behind.
 float TrianglesOnFaces::thresholdOf(const Seen& last, float tolerance, float size) const {
   const float moved = last.isTouched ? std::max(tolerance, kPushedFraction * size) : tolerance;
   const float between = last.behind == kNothing ? moved : 0.5F * (last.front - last.behind);
@@ -202,9 +204,9 @@ float TrianglesOnFaces::deepestInFront(const Face& face) const {
   return deepest;
 }
 
-// The far side of what something stands on sees it as well, from behind; where bodies are fast, that may be no deeper
-// than a step explains, and what is squeezed comes up there. What goes through the one and not through the other came
-// from there.
+// The far side of a body that something stands on meets that too, from behind. Where bodies are fast, it may be no
+// deeper than a step explains, and a squeezed body would come out there. If a body goes through one side and not
+// through the other, the face that it crossed is the entry face.
 bool TrianglesOnFaces::isFarSide(const Face& face, float tolerance) const {
   if (face.wasTouched) return false;
   const float deepest = deepestInFront(face);
@@ -221,7 +223,7 @@ bool TrianglesOnFaces::isOfOnePlane(const Face& one, const Face& other) const {
   return dot(one.outwards, other.outwards) >= kSameFaceCosine && std::abs(one.offset - other.offset) <= planeTolerance_;
 }
 
-// The leaves that share a plane know how deep something is in any of them, and whether it crosses it there.
+// Leaves that share a plane share how deep a body is in any of them, and whether it crosses the plane.
 void TrianglesOnFaces::gatherPlanes() {
   for (Face& face : faces_) face.deepest = std::ranges::min(ofFace(face), {}, &Contact::separation).separation;
   for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -233,9 +235,9 @@ void TrianglesOnFaces::gatherPlanes() {
     }
 }
 
-// What goes through a face overlaps for certain, and if nothing holds it, it is in front of whichever plane it crosses
-// least deep. Where it is held as well, no deeper than `alsoTo` through a face that is new: a floor, and now a wall.
-// What is deeper, or goes through the face on the other side, too, stands beside an edge.
+// A body that passes through a face overlaps for certain. If nothing holds it, it is in front of the plane that it
+// crosses least deep. If it is held already, it may also be in front of a new face: a floor, and now a wall. It must
+// cross that face by at most `alsoTo`. A deeper body, or one that crosses the opposite face too, stands beside an edge.
 void TrianglesOnFaces::bringOut(float maxSeparation, float alsoTo) {
   const auto mayBeLost = [&](const Face& face) { return face.isNew || deepestInFront(face) >= maxSeparation; };
   if (std::ranges::none_of(faces_, [&](const Face& face) { return face.isCrossedOnRim && mayBeLost(face); })) return;
@@ -248,20 +250,20 @@ void TrianglesOnFaces::bringOut(float maxSeparation, float alsoTo) {
   for (const Face& face : faces_)
     if (face.isCrossed && !isHeld) least = std::max(least, face.deepest);
   for (Face& face : faces_) {
-    const bool isLeast = least != kNothing && face.deepest >= least;
-    if (face.isCrossed && (isLeast || (face.isNew && face.deepest >= -alsoTo && !isSpanned(face))))
+    const bool isShallowest = least != kNothing && face.deepest >= least;
+    if (face.isCrossed && (isShallowest || (face.isNew && face.deepest >= -alsoTo && !isSpanned(face))))
       face.threshold = std::min(face.threshold, face.deepest - maxSeparation);
   }
 }
 
-// Whether the other side is crossed, too.
+// Whether the opposite side is crossed too.
 bool TrianglesOnFaces::isSpanned(const Face& face) const {
   return std::ranges::any_of(faces_, [&](const Face& other) {
     return other.isCrossed && dot(other.outwards, face.outwards) < kOppositeCosine;
   });
 }
 
-// Of crates that stand on each other flush all that crosses a face does so on its rim.
+// For crates that stand flush on each other, all crossings of a face are on its rim.
 void TrianglesOnFaces::crossOnRims(float alsoTo) {
   for (Face& face : faces_) face.isCrossed = face.isCrossedOnRim && face.deepest >= -alsoTo;
 }

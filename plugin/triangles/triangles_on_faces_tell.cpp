@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
-// Which of the points in front of a leaf's faces are told, and along which normal where two faces meet.
+//
+// Decides which points in front of a leaf's faces are reported, and along which normal where two faces meet.
 #include <algorithm>
 #include <limits>
 
@@ -10,15 +11,16 @@ namespace cairn::bullet {
 
 namespace {
 
-// Of cosines: by how much a normal between two others may miss them where it is one of them.
+// Difference of cosines by which a normal may miss the range between two others and still count as within it.
 constexpr float kBesideEnds = 0.01F;
-// Length of the sum of two faces' normals below which, at half a degree, they are the two sides of a plate and meet in
-// no edge: rounding says where its middle would be. Blades are sharp, too.
+// Length of the sum of two faces' normals. Below it, at half a degree, they are the two sides of a plate and meet in no
+// edge. Rounding would decide where its middle is. The limit is small, because blades are sharp too.
 constexpr float kPlateSum = 0.01F;
 
 }  // namespace
 
-// Where two faces meet, what has sunk a little through one of them is far behind the other: the one it belongs to.
+// Where two faces meet, a point that has sunk a little through one of them is far behind the other. It belongs to the
+// first.
 const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const Contact& contact,
                                                         float maxSeparation) const {
   if (contact.separation >= -maxSeparation) return nullptr;
@@ -33,7 +35,7 @@ const TrianglesOnFaces::Face* TrianglesOnFaces::ownerOf(const Face& face, const 
   return owner == faces_.end() ? nullptr : &*owner;
 }
 
-// Another face that the point touches as well: where the two meet.
+// Another face that the point touches as well: the two meet there.
 const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, const Contact& contact,
                                                            float maxSeparation) const {
   const Vec3 onOther = contact.onCollider();
@@ -47,8 +49,8 @@ const TrianglesOnFaces::Face* TrianglesOnFaces::acrossEdge(const Face& face, con
   return across == faces_.end() ? nullptr : &*across;
 }
 
-// On an edge, what lies on it with a face of its own touches along that face's normal, if that is one of the edge's;
-// else along the middle of the two faces' normals, and false.
+// At an edge, a triangle that lies on it touches along the triangle's own normal, if this is between the two faces'
+// normals. Returns true then. Otherwise it touches along the middle of the two normals, and the result is false.
 bool TrianglesOnFaces::turnToEdge(const Face& face, const Face& other, const Triangle& triangle, Contact& contact) {
   const Vec3 middle = unitVector(face.outwards + other.outwards), onOther = contact.onCollider();
   Vec3 own = triangle.normal();
@@ -73,16 +75,16 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
         continue;
       }
       face.ownDeepest = std::min(face.ownDeepest, contact.separation);
-      tell(face, contact, triangles, maxSeparation, contacts);
+      report(face, contact, triangles, maxSeparation, contacts);
     }
   float from = 0;
   for (std::size_t i = 0; i < owned_.size(); ++i) {
     const Face& face = *owned_[i].face;
     const Contact& contact = found_[owned_[i].found];
-    if (i == 0 || &face != owned_[i - 1].face) from = stoodOnFrom(face, maxSeparation);
-    if (contact.separation >= from) tell(face, contact, triangles, maxSeparation, contacts);
+    if (i == 0 || &face != owned_[i - 1].face) from = reportedFrom(face, maxSeparation);
+    if (contact.separation >= from) report(face, contact, triangles, maxSeparation, contacts);
   }
-  // Triangles that meet an edge with their borders only say nothing where one that lies on it has spoken.
+  // A triangle that meets an edge only with its border adds nothing near a triangle that lies on the edge.
   const std::size_t count = contacts.size() - first;
   for (const Contact& contact : onBorders_) {
     const auto isBeside = [&](const Contact& reported) {
@@ -92,9 +94,10 @@ void TrianglesOnFaces::appendInFront(std::span<const Triangle> triangles, float 
   }
 }
 
-// What touches a face within it, or on borders on opposite sides of it (a crate on another), does not stand beside it,
-// and is told from this gap on, up to the face's border: farther down it is beside, as a saddle's legs are.
-float TrianglesOnFaces::stoodOnFrom(const Face& face, float maxSeparation) {
+// The separation from which on contacts of `face` are reported that belong to other faces. A body touches the face
+// inside it, or on borders at opposite sides (a crate on another). Then it stands on the face, and contacts up to the
+// border count. Deeper ones stand beside the face, as a saddle's legs do.
+float TrianglesOnFaces::reportedFrom(const Face& face, float maxSeparation) {
   float deepest = std::numeric_limits<float>::infinity(), shallowest = kNothing;
   for (const Face& other : faces_)
     if (isOfOnePlane(other, face)) deepest = std::min(deepest, other.ownDeepest);
@@ -113,8 +116,8 @@ float TrianglesOnFaces::stoodOnFrom(const Face& face, float maxSeparation) {
   return isBetween ? shallowest - maxSeparation : std::numeric_limits<float>::infinity();
 }
 
-void TrianglesOnFaces::tell(const Face& face, Contact contact, std::span<const Triangle> triangles, float maxSeparation,
-                            std::vector<Contact>& contacts) {
+void TrianglesOnFaces::report(const Face& face, Contact contact, std::span<const Triangle> triangles,
+                              float maxSeparation, std::vector<Contact>& contacts) {
   const Face* const other = acrossEdge(face, contact, maxSeparation);
   const bool isClear = !other || turnToEdge(face, *other, triangles[contact.pair.b], contact);
   (isClear ? contacts : onBorders_).push_back(contact);
