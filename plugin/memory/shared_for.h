@@ -8,11 +8,15 @@
 
 namespace cairn::bullet {
 
-/// What is derived of objects of Bullet's, shared by all who ask while anyone has it. Threads may ask at a time.
+/// Data derived from Bullet's objects, shared by all callers while any of them keeps the pointer. Thread-safe.
+///
+///     static SharedFor<btConcaveShape, GroundSurface> known;
+///     return known.of(shape, isStill, make);
 template <class Object, class Derived>
 class SharedFor {
  public:
-  /// That of the object, or where nobody has one for which `isStill(derived)` holds what `make()` makes.
+  /// The data of the object: the existing one if `isStill(data)` holds, else the result of `make()`. Calls `make` under
+  /// a lock. Cost: linear in the number of objects known.
   template <class IsStill, class Make>
   std::shared_ptr<const Derived> of(const Object& object, const IsStill& isStill, const Make& make) {
     const std::lock_guard lock(mutex_);

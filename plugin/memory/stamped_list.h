@@ -7,12 +7,15 @@
 
 namespace cairn::bullet {
 
-/// What is found out about things that have numbers, each when it is first asked for, until the next `begin`: that
-/// forgets everything without touching it. Allocates only for more things than ever before.
+/// A table of values by number, each computed when first needed. `begin` forgets all values without touching them.
+/// Allocates only when the number of entries exceeds all earlier ones.
+///
+///     list.begin(count);
+///     const Value& value = list.get(number, [&] { return compute(number); });
 template <class Value>
 class StampedList {
  public:
-  /// Forgets everything. `count`: numbers are below it.
+  /// Forgets everything. Precondition of `get`: numbers are below `count`.
   void begin(std::size_t count) {
     if (entries_.size() < count) entries_.resize(count);
     if (++run_ == 0) {  // all stamps are old
@@ -20,7 +23,7 @@ class StampedList {
       run_ = 1;
     }
   }
-  /// What is known of `number`, or what `find()` finds. Valid until the next `begin`.
+  /// The value of `number`, computed by `find()` on the first call. Valid until the next `begin`.
   template <class Find>
   const Value& get(std::uint32_t number, const Find& find) {
     Entry& entry = entries_[number];

@@ -6,8 +6,8 @@
 
 namespace cairn::bullet {
 
-/// Room for so many elements, in memory that has been written to: a page's first write takes as long as a pair. The
-/// list's elements stay.
+/// Reserves room for so many elements in memory that has been written to. The first write to a page takes as long as a
+/// pair. The list keeps its elements.
 template <class Element>
 void makeWrittenRoom(std::vector<Element>& list, std::size_t count) {
   if (list.capacity() >= count) return;

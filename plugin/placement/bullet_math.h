@@ -37,7 +37,7 @@ inline btMatrix3x3 toBullet(const Mat3d& m) {
           btScalar(m(1, 2)), btScalar(m(2, 0)), btScalar(m(2, 1)), btScalar(m(2, 2))};
 }
 
-/// The pose rounded to float, for points that are near its own origin.
+/// The pose rounded to float, for points near its own origin.
 inline Similarity toSimilarity(const Pose& pose) {
   const Mat3d linear = pose.rotation * pose.scale;
   return {{{Vec3(linear.rows[0]), Vec3(linear.rows[1]), Vec3(linear.rows[2])}},

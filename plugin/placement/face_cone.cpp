@@ -8,14 +8,14 @@ namespace cairn::bullet {
 
 namespace {
 
-// Faces whose normals are as good as parallel span nothing.
+// Sine of the angle below which faces are parallel, so that their normals span nothing.
 constexpr float kMinSine = 0.02F;
 
 bool isNear(const Vec3& face, const Vec3& direction) {
   return dot(face, direction) > 0 && lengthSq(cross(face, direction)) <= kConeSlack * kConeSlack;
 }
 
-// On the arc between two normals, or not far beside it.
+// Whether the direction is on the arc between two normals, or hardly beside it.
 bool isBetween(const Vec3& first, const Vec3& second, const Vec3& direction) {
   const Vec3 edge = cross(first, second);
   const float sineSq = lengthSq(edge);
@@ -25,7 +25,7 @@ bool isBetween(const Vec3& first, const Vec3& second, const Vec3& direction) {
          dot(cross(direction, second), edge) >= 0;
 }
 
-// Inside the triangle of three normals, whichever way round they are named.
+// Whether the direction is inside the spherical triangle of three normals, in either order.
 bool isInside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& direction) {
   const float turn = dot(a, cross(b, c));
   if (std::abs(turn) < kMinSine * kMinSine) return false;

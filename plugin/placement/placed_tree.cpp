@@ -39,9 +39,9 @@ Vec3 PlacedTree::farthestOf(std::span<const std::uint32_t> corners, const Vec3& 
   float farthest = std::numeric_limits<float>::lowest();
   std::uint32_t corner = corners.front();
   for (const std::uint32_t v : corners) {
-    const float maxSeparation = dot(along, vertices[v]);
-    if (maxSeparation <= farthest) continue;
-    farthest = maxSeparation;
+    const float projection = dot(along, vertices[v]);
+    if (projection <= farthest) continue;
+    farthest = projection;
     corner = v;
   }
   const Vec3 there = toPair_ * vertices[corner];

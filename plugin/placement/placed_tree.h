@@ -10,11 +10,14 @@
 
 namespace cairn::bullet {
 
-/// A sphere-tree at a pose: nodes and their regions seen from the pair frame.
+/// A sphere-tree at a pose: its nodes and their regions, in the pair frame.
+///
+///     const PlacedTree tree(shape.tree(), treePose(shape, body));
+///     const Sphere ball = tree.sphere(node);
 class PlacedTree {
  public:
   PlacedTree() = default;
-  /// The tree must outlive this.
+  /// The tree must outlive this object.
   PlacedTree(const SphereTree& tree, const Pose& pose);
 
   const SphereTree& tree() const { return *tree_; }
@@ -28,41 +31,41 @@ class PlacedTree {
 
   PlacedRegions regions() const { return {*tree_, toPair_, axesFromPair_}; }
   Sphere sphere(NodeId node) const { return regions().sphere(node); }
-  /// Of the ball around the sphere's centre that lies inside the solid; 0 when the centre does not.
+  /// Radius of a ball around the sphere's centre that lies inside the solid; 0 if the centre is outside.
   float innerRadius(NodeId node) const { return tree_->innerRadius(node) * toPair_.scale; }
   /// Whether the node's region lies in one plane, see `SphereTree::isPlanar`.
   bool isPlanar(NodeId node) const { return tree_->isPlanar(node); }
   /// Whether the node's region consists of flat faces that the tree names, see `SphereTree::isFaceted`.
   bool isFaceted(NodeId node) const { return tree_->isFaceted(node); }
-  /// The middle of the node's outward normals.
+  /// The middle of the node's outward normals: unit, pair frame.
   Vec3 facing(NodeId node) const {
     const Vec3& axis = tree_->node(node).normalCone.axis;
     return toPair_.linear * axis * (1 / toPair_.scale);
   }
-  /// Whether the node's region certainly faces along `direction` rather than against it (by 18 degrees or more).
+  /// Whether the node's region certainly faces along `direction` (unit), by 18 degrees or more.
   bool facesAlong(NodeId node, const Vec3& direction) const {
     return tree_->node(node).normalCone.cosine > 0 && dot(facing(node), direction) > 0.3F;
   }
-  /// Whether the region's extreme point along `direction` (unit) is one of the body's: whether the direction is one of
-  /// the region's normals, see `isAmongNormals`.
+  /// Whether the region's extreme point along `direction` (unit) is the body's too: the direction is one of the
+  /// region's normals, see `isAmongNormals`.
   bool faces(NodeId node, const Vec3& direction) const {
     return !isFaceted(node) || isAmongNormals(tree_->faceNormals(node), axesFromPair_ * direction);
   }
-  /// The region's support points, tree frame; those of a planar leaf are the corners of its patch.
+  /// The region's support points, tree frame; for a planar leaf they are the corners of its patch.
   std::span<const Vec3> supportPoints(NodeId node) const { return tree_->supportPoints(node); }
   /// The point of the node's region that lies farthest along `direction`.
   Vec3 support(NodeId node, const Vec3& direction) const { return regions().support(node, direction); }
-  /// The farthest along `direction` of the region's support points and, where the tree lists them, its corners: a point
-  /// of the body's own. As dear as six contacts, where there are many.
+  /// The farthest along `direction` of the region's support points and, where the tree lists them, its corners. It is a
+  /// point of the body. With many corners it costs as much as six contacts.
   Vec3 farthestCorner(NodeId node, const Vec3& direction) const;
-  /// Up to which the body reaches along `direction` (unit) near the node, at least: its region's farthest support
-  /// point, or, if that is farther, the farthest point of its ball less the certified error. The body has points as far
-  /// out as that.
+  /// Lower bound on how far the body reaches along `direction` (unit) near the node, as a point. It is the region's
+  /// farthest support point, or the farthest point of its ball less the certified error. The body has points as far out
+  /// as this.
   Vec3 certainReach(NodeId node, const Vec3& direction) const;
-  /// The same, but the farthest of the region's corners where the tree lists them. As dear as six contacts, where there
-  /// are many.
+  /// Like `certainReach`, but considers the region's corners too, where the tree lists them. With many corners it costs
+  /// as much as six contacts.
   Vec3 extreme(NodeId node, const Vec3& direction) const;
-  /// A leaf whose ball holds the point, or is near it: the child with most room around it, level by level.
+  /// A leaf whose ball holds the point, or is near it. Descends to the child with most room around the point.
   NodeId leafAt(const Vec3& point) const;
 
  private:

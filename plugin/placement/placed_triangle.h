@@ -10,7 +10,7 @@
 
 namespace cairn::bullet {
 
-/// A source triangle in its body's frame. The same bits for everyone who asks.
+/// A source triangle in its body's frame. All callers get the same bits.
 struct PlacedTriangle {
   PlacedTriangle(const SphereTreeShape& shape, std::uint32_t index) {
     const SphereTree& tree = shape.tree();

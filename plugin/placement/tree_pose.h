@@ -9,7 +9,7 @@
 
 namespace cairn::bullet {
 
-/// Where a shape's tree frame stands, in the frame and unit that `body`, the pose of the shape's body, is given in.
+/// The pose of a shape's tree frame, in the frame and unit of `body`, which is the pose of the shape's body.
 inline Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   const btTransform fromTree = body * shape.bodyFromTree();
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};

@@ -23,7 +23,7 @@ Vec3 nearestOnBorder(const Triangle& t, const Vec3& p) {
   return best;
 }
 
-// Closest points of the lines, brought back onto the segments one after the other.
+// Nearest points of the lines, clamped to the segments one after the other.
 NearestPoints nearestOfSegments(const Vec3& p, const Vec3& toP, const Vec3& q, const Vec3& toQ) {
   const Vec3 u = toP - p, v = toQ - q, w = p - q;
   const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
@@ -36,7 +36,7 @@ NearestPoints nearestOfSegments(const Vec3& p, const Vec3& toP, const Vec3& q, c
 
 }  // namespace
 
-// Of a point every direction is: then the longest edge has no length, and z is told.
+// For a triangle that is a point, the longest edge has no length, and the result is the z axis.
 Vec3 anyNormalOf(const Triangle& t) {
   const Vec3 normal = t.normal();
   if (lengthSq(normal) > 0) return normal;

@@ -13,7 +13,7 @@ struct Triangle {
   Vec3 normal() const { return unitVector(cross(b - a, c - a)); }
 };
 
-/// Unit, and square to the triangle: its normal; of a degenerate one any direction across it.
+/// The triangle's unit normal; for a degenerate triangle, any direction perpendicular to it.
 Vec3 anyNormalOf(const Triangle& t);
 
 /// The corner that lies farthest along `direction`.
@@ -28,12 +28,12 @@ struct TrianglePoint {
   bool onFace = false;  ///< inside, not on the border
 };
 
-/// The point of the (possibly degenerate) triangle nearest to `p`: its projection if that is inside, else on the
-/// border.
+/// The point of the (possibly degenerate) triangle nearest to `p`: the projection if that is inside, else a border
+/// point.
 TrianglePoint nearestOnTriangle(const Triangle& triangle, const Vec3& p);
 
-/// The points of two triangles that are nearest to each other; some pair of points, neither near nor far, where they
-/// cross. Degenerate triangles are segments or points.
+/// The nearest points of two triangles; any pair of points where the triangles cross. Degenerate triangles count as
+/// segments or points.
 struct NearestPoints {
   Vec3 onFirst, onSecond;
 };

@@ -8,8 +8,8 @@
 
 namespace cairn::bullet {
 
-/// Of length one, to some units of rounding, however short `v` is: below 1e-19 its square has few digits left, or none.
-/// Zero for zero.
+/// `v` with length 1, within some units of rounding, however short `v` is. Below a length of 1e-19 a float's square has
+/// few digits or none, so double is used. Zero for zero.
 inline Vec3 unitVector(const Vec3& v) {
   const float squared = lengthSq(v);
   if (squared >= std::numeric_limits<float>::min()) return v / std::sqrt(squared);
@@ -18,10 +18,10 @@ inline Vec3 unitVector(const Vec3& v) {
   return norm > 0 ? Vec3(exact / norm) : Vec3();
 }
 
-/// Directions closer than this, in radians, are one: over a metre they are a hundredth of a millimetre apart.
+/// Radians. Directions closer than this are equal: over a metre they differ by a hundredth of a millimetre.
 inline constexpr float kSameDirection = 1e-5F;
 
-/// Whether what was measured along one unit vector holds for the other.
+/// Whether a measurement along one unit vector holds for the other.
 inline bool isSameNormal(const Vec3& x, const Vec3& y) {
   return lengthSq(x - y) < kSameDirection * kSameDirection;
 }

@@ -29,8 +29,8 @@ struct Ball {
   btScalar radius;
 };
 
-// The fraction at which a way enters the ball; 1 or more where it does not. From the point of the way nearest to the
-// centre, so that a ball far away is hit as exactly as a near one.
+// The fraction at which a path enters the ball; 1 or more if it does not. Computed from the path's point nearest to the
+// centre, so that a distant ball is hit as exactly as a near one.
 double entryInto(const Ball& ball, const Vec3d& from, const Vec3d& to) {
   constexpr double kNever = 2;
   const Vec3d displacement = to - from, toCenter = toVec3d(ball.center) - from;

@@ -8,12 +8,12 @@
 
 namespace cairn::bullet {
 
-/// Reports where the ray enters the balls of leaves: part is the leaf's level, index its name. What begins inside a
-/// ball does not enter it. Backfaces are never seen, so that no flag matters.
+/// Reports where the ray enters the balls of leaves; the part is the leaf's level, the index its `NodeId`. A ray that
+/// begins inside a ball does not enter it. Backfaces are never visible, so no flag matters.
 void castRayAtBalls(const SphereTreeShape& shape, const LeafBalls& balls, btTriangleRaycastCallback& callback);
 
-/// Reports where the callback's convex shape meets the balls of leaves, by Bullet's cast of two convex shapes. What
-/// `reportHit` returns, and what false means: see `castConvex`.
+/// Reports where the callback's convex shape meets the balls of leaves, by Bullet's cast of two convex shapes.
+/// `reportHit` and the return value: see `castConvex`.
 bool castConvexAtBalls(const SphereTreeShape& shape, const LeafBalls& balls, btTriangleConvexcastCallback& callback);
 
 }  // namespace cairn::bullet

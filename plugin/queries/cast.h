@@ -8,10 +8,10 @@ namespace cairn::bullet {
 class LeafBalls;
 class RegionBalls;
 
-/// Bullet asks a shape of unknown kind for all triangles in the box around a whole ray or sweep. Where the callback is
-/// one of Bullet's two casts, it is answered along its way instead, by the `balls` if there are any, and this returns
-/// true. Needs run-time type
-/// information across Bullet's library, which Bullet's own virtual tables bring along.
+/// Serves a ray or convex sweep of Bullet's along its path, and returns true; returns false for other callbacks.
+/// Without it, Bullet would ask a shape of unknown kind for all triangles in the box around the whole path. Hits the
+/// `balls` if there are any, else the triangles. Needs run-time type information across Bullet's library, which
+/// Bullet's virtual tables provide.
 bool answerCast(const SphereTreeShape& shape, const RegionBalls& regions, const LeafBalls* balls,
                 btTriangleCallback& callback);
 

@@ -7,8 +7,8 @@
 
 namespace cairn::bullet {
 
-/// Bullet's test of a triangle, with an ear for what the callback answers: a return of the very fraction that was
-/// reported says that nothing farther is wanted.
+/// Bullet's test of a triangle that also respects the callback's answer. A callback that returns the very fraction it
+/// was given wants nothing farther.
 class ConvexCaster final : public btTriangleConvexcastCallback {
  public:
   explicit ConvexCaster(btTriangleConvexcastCallback& callback)

@@ -7,18 +7,20 @@
 
 namespace cairn::bullet {
 
-/// A tree's spheres as a hierarchy over the *balls* of its leaves.
+/// A tree's spheres as a hierarchy over the *balls* of its leaves. A node's sphere holds its region of the surface, but
+/// its leaves' balls may stick out of it. So a query for balls needs other radii on its way down. Here each inner
+/// node's sphere holds the balls of all its leaves.
 ///
-/// A node's sphere holds its region of the surface, but the balls of its leaves may stick out of it: whoever asks for
-/// the balls needs other radii on the way to them. Here each inner node's reaches around all of its leaves' balls.
+///     const LeafBalls balls(tree);
+///     castRayAtBalls(shape, balls, callback);
 class LeafBalls {
  public:
-  /// Linear in leaves times depth. The tree must outlive this.
+  /// The tree must outlive this object. Cost: linear in leaves times depth.
   explicit LeafBalls(const SphereTree& tree);
 
-  /// With the centres, lanes and index of the tree's own.
+  /// Like the tree's family of this index, with the same centres and lanes.
   const Family& family(std::uint32_t index) const { return families_[index]; }
-  /// Bytes it holds.
+  /// Bytes this object holds.
   std::size_t memoryBytes() const { return sizeof *this + families_.capacity() * sizeof(Family); }
 
  private:

@@ -9,17 +9,19 @@
 
 namespace cairn::bullet {
 
-/// Calls `visit(leaf)` for the leaves a query meets, nearest entry first among siblings.
+/// Calls `visit(leaf)` for the leaves that a query meets, nearest entry first among siblings.
 ///
-/// `entries(family, end)` says where it enters the spheres of the family of that index; `end()` how far it still goes,
-/// which may shrink from visit to visit. No allocation.
+///     walkLeaves(tree, entries, end, [&](NodeId leaf) { test(leaf); });
+///
+/// `entries(family, end)` tells where the query enters the spheres of the family with this index. `end()` tells how far
+/// the query goes; it may shrink from visit to visit. No allocation.
 template <class EntriesOf, class End, class Visit>
 void walkLeaves(const SphereTree& tree, const EntriesOf& entries, const End& end, const Visit& visit) {
   struct Waiting {
     NodeId node;
     float at;
   };
-  // Each level leaves at most seven behind when it goes on with the eighth.
+  // Each level leaves at most seven nodes behind when the walk continues with the eighth.
   std::array<Waiting, (kFamilyWidth - 1) * kMaxDepth + kFamilyWidth> stack;
   std::size_t size = 0;
   const auto push = [&](std::uint32_t family) {

@@ -15,8 +15,8 @@ namespace {
 
 // Bullet's cast ends when the shapes are this close, in the world's unit.
 constexpr double kContactRadius = 0.001;
-// It reads the turn between two equal rotations off a quaternion's real part, which says 1 to within some roundings:
-// their square root, as an angle.
+// Bullet reads the rotation between two equal rotations from a quaternion's real part, which is 1 within some units of
+// rounding. As an angle, the error is the square root of that.
 const double kTurnNoise = 8 * std::sqrt(double(SIMD_EPSILON));
 
 }  // namespace

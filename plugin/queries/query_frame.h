@@ -9,8 +9,8 @@
 
 namespace cairn::bullet {
 
-/// What moves in a sweep: a box that holds it all the way, about its origin, with the axes of the frame it is seen from
-/// and in the world's unit; grown by the distance at which Bullet ends a cast.
+/// The moving body of a sweep, as a box about its origin that holds it all the way. The box has the axes of the query's
+/// frame, and the world's unit. It is grown by the distance at which Bullet ends a cast.
 struct Mover {
   btVector3 center, halfExtent;
 };
@@ -19,24 +19,24 @@ Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& w
 /// A point of the body's frame in the tree's frame and unit.
 Vec3d pointInTree(const SphereTreeShape& shape, const btVector3& point);
 
-/// Products and sums of three coordinates by which Bullet's tests of triangles and our own of what holds them can
-/// differ: transforms, a plane's distance, an interpolation.
+/// Products and sums of three coordinates in which Bullet's triangle tests and our node tests can differ: transforms, a
+/// plane's distance, an interpolation.
 inline constexpr double kQueryRoundings = 8;
 
-/// By how much, in the tree's unit, Bullet's tests of triangles and our own of nodes can differ by rounding alone.
-/// `farthest`: the largest coordinate that takes part, in the world's unit.
+/// Bound, in the tree's unit, on the rounding difference between Bullet's triangle tests and our node tests.
+/// `farthest`: the largest coordinate involved, in the world's unit.
 double roundingSlack(const SphereTreeShape& shape, double farthest);
 
-/// How far outside a triangle, in the tree's unit, Bullet may say that a ray hits it: 1e-4 in each barycentric
+/// How far outside a triangle, in the tree's unit, Bullet may report a hit of a ray. It allows 1e-4 in each barycentric
 /// coordinate, which moves a point by at most twice that times the longest edge.
 double edgeTolerance(const SphereTreeShape& shape);
 
-/// The ray (body's frame) in the tree's frame and unit. `slack`, in that unit, is what nodes are to be grown by besides
+/// The ray (body's frame) in the tree's frame and unit. `slack`, in the tree's unit, grows nodes in addition to
 /// rounding.
 Segment segmentOf(const SphereTreeShape& shape, const btTriangleRaycastCallback& ray, double slack);
 
-/// What moves (the world's frame) in the tree's frame and unit: a box that holds it all the way, grown by the distance
-/// at which Bullet ends a cast, by rounding and by `margin` (the world's unit).
+/// The moving body (world frame) as a box in the tree's frame and unit that holds it all the way. It is grown by the
+/// distance at which Bullet ends a cast, by rounding and by `margin` (the world's unit).
 SweptBox sweptBox(const SphereTreeShape& shape, const btTriangleConvexcastCallback& callback, btScalar margin);
 
 }  // namespace cairn::bullet

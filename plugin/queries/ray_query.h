@@ -8,8 +8,8 @@
 
 namespace cairn::bullet {
 
-/// Gives the callback every source triangle it could accept, near ones first, and stops where its `m_hitFraction` says
-/// so. What a hit is, remains the callback's own business: culling, normals, reports. Each triangle once.
+/// Gives the callback every source triangle that it could accept, near ones first, each once. Stops where the
+/// callback's `m_hitFraction` says so. The callback itself decides hits: culling, normals, reports.
 void castRay(const SphereTreeShape& shape, const RegionBalls& regions, btTriangleRaycastCallback& callback);
 
 }  // namespace cairn::bullet

@@ -55,8 +55,7 @@ std::uint32_t RegionBalls::addFamily(Part whole) {
   return family;
 }
 
-// Each part along its longest axis; equal places in the order of the triangles, so that the same mesh gives the same
-// balls.
+// Cuts each part along its longest axis, into equal numbers of triangles, so that the same mesh gives the same balls.
 std::uint32_t RegionBalls::halve(Part* parts, std::uint32_t count) {
   for (std::uint32_t i = count; i-- > 0;) {
     const Part part = parts[i];

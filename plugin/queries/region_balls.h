@@ -11,24 +11,27 @@
 
 namespace cairn::bullet {
 
-/// The tree goes on below its leaves: balls around ever fewer of a leaf's source triangles, eight to a family, so that
-/// a cast does not ask all triangles of a leaf it meets. A leaf of few triangles has none.
+/// Extends the tree below its leaves: balls around ever fewer of a leaf's source triangles, eight to a family. So a
+/// cast does not test all triangles of a leaf it meets. A leaf of few triangles has no balls.
+///
+///     regions.visitTriangles(leaf, entries, end, [&](std::uint32_t triangle) { test(triangle); });
 class RegionBalls {
  public:
-  /// n log n in the triangles of all leaves; about 16 bytes for each of them in leaves of more than `kAtOnce`.
+  /// The tree must outlive this object. Cost: n log n in the triangles of all leaves. Memory: about 16 bytes for each
+  /// triangle in leaves of more than `kAtOnce`.
   explicit RegionBalls(const SphereTree& tree);
 
-  /// Bytes it holds.
+  /// Bytes this object holds.
   std::size_t memoryBytes() const {
     return sizeof *this + families_.capacity() * sizeof(Family) + parts_.capacity() * sizeof(Part) +
            (firstFamily_.capacity() + living_.capacity() + order_.capacity()) * sizeof(std::uint32_t);
   }
 
-  /// Triangles that are asked without further ado.
+  /// Up to so many triangles are tested without balls.
   static constexpr std::uint32_t kAtOnce = 8;
 
-  /// Calls `visit(triangle)` for the triangles of a leaf whose balls a cast meets; `entries` and `end` as in
-  /// `walkLeaves`, but with a family and the bits of its living lanes.
+  /// Calls `visit(triangle)` for the triangles of a leaf whose balls a cast meets. `entries` and `end` are as in
+  /// `walkLeaves`, but `entries` gets a family and the bits of its living lanes.
   template <class EntriesOf, class End, class Visit>
   void visitTriangles(NodeId leaf, const EntriesOf& entries, const End& end, const Visit& visit) const {
     if (firstFamily_[leaf] == kNone) {
@@ -40,7 +43,7 @@ class RegionBalls {
 
  private:
   static constexpr std::uint32_t kNone = ~0U;
-  // Of one ball: triangles, or a family of smaller balls when `count` is 0.
+  // The content of one ball: triangles, or a family of smaller balls when `count` is 0.
   struct Part {
     std::uint32_t first = 0, count = 0;
   };

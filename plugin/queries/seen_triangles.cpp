@@ -14,7 +14,7 @@ struct SeenTriangles::Marks {
 
 namespace {
 
-// One for each query that is under way inside another.
+// One for each query that runs inside another.
 template <class Marks>
 std::vector<std::unique_ptr<Marks>>& idleMarks() {
   thread_local std::vector<std::unique_ptr<Marks>> idle;

@@ -7,10 +7,13 @@
 
 namespace cairn::bullet {
 
-/// Which triangles a query has looked at: a triangle is in every leaf that holds a piece of it.
+/// Records which triangles a query has tested, because every leaf with a piece of a triangle lists it.
 ///
-/// The marks are this thread's and used again, so that a query neither allocates nor clears in the long run; a thread
-/// keeps four bytes for each triangle of the largest mesh it has asked about. Queries may be begun inside others.
+///     SeenTriangles seen(tree.triangles().size());
+///     if (seen.insert(triangle)) test(triangle);
+///
+/// The marks belong to the thread and are reused, so that a query neither allocates nor clears in the long run. A
+/// thread keeps four bytes for each triangle of the largest mesh it has queried. Queries may run inside others.
 class SeenTriangles {
  public:
   explicit SeenTriangles(std::size_t triangles);

@@ -20,7 +20,7 @@ Segment::Segment(const Vec3d& from, const Vec3d& to, double slack) : slack_(stat
 
 namespace {
 
-// Dead lanes are at infinity, where arithmetic would raise exceptions: they are moved to where squares are still
+// Dead lanes are at infinity, where arithmetic would raise exceptions, so they move to a place where squares stay
 // finite.
 constexpr float kDeadLane = 1e18F;
 

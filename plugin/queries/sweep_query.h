@@ -8,10 +8,10 @@
 
 namespace cairn::bullet {
 
-/// Casts the callback's convex shape at the source triangles it can meet on its way, near ones first, by Bullet's own
-/// test of a triangle, and reports to the callback. What `reportHit` returns counts only where it is the fraction just
-/// reported, which is how a callback says that it wants nothing farther; Bullet does not look at it at all. False, and
-/// nothing is done, where the shape turns without moving.
+/// Casts the callback's convex shape at the source triangles on its path, near ones first, and reports hits to the
+/// callback. Triangles are tested by Bullet's own test. A return value of `reportHit` that equals the reported fraction
+/// ends the search beyond it; Bullet itself ignores that value. Returns false, and does nothing, for a shape that
+/// rotates without moving.
 bool castConvex(const SphereTreeShape& shape, const RegionBalls& regions, btTriangleConvexcastCallback& callback);
 
 }  // namespace cairn::bullet

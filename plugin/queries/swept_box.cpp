@@ -10,8 +10,8 @@ namespace cairn::bullet {
 
 namespace {
 
-// Slower along an axis than this fraction of its way, a box is taken to move so fast along it: the division stays
-// finite, and what it changes is far below the slack.
+// Least slope of the path along an axis. Slower boxes count as this fast, so that the division stays finite; the error
+// is far below the slack.
 constexpr float kMinSlope = 1e-7F;
 
 float inverseOf(float slope) {

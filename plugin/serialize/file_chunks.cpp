@@ -59,7 +59,7 @@ Result<std::vector<FileChunk>> chunksOf(Bytes file) {
     const int length = take<int>(rest);
     chunk.name = wide ? take<std::uint64_t>(rest) : take<std::uint32_t>(rest);
     chunk.structure = take<int>(rest);
-    take<int>(rest);  // how many
+    take<int>(rest);  // number of structures
     if (length < 0 || static_cast<std::size_t>(length) > rest.size()) return cut();
     if (chunk.code == BT_DNA_CODE || chunk.code == kOldDictionary) break;
     chunk.data = rest.first(static_cast<std::size_t>(length));

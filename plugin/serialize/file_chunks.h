@@ -13,14 +13,19 @@ namespace cairn::bullet {
 /// One chunk of a `.bullet` file.
 struct FileChunk {
   int code = 0;
-  int structure = -1;      ///< which of the dictionary's structures it holds; -1: none
-  std::uint64_t name = 0;  ///< the pointer other chunks know it by
+  int structure = -1;      ///< index of its structure in the file's dictionary; -1: none
+  std::uint64_t name = 0;  ///< the pointer by which other chunks refer to it
   std::span<const std::byte> data;
 };
 
-/// The chunks of a `.bullet` file in their order, without the dictionary at its end. Written by a program of 32 or 64
-/// bits, in single or double precision. Every length is checked against the file's. Fails for what is no such file, was
-/// cut short, or was written in the other byte order. The chunks point into `file`.
+/// Splits a `.bullet` file into its chunks, in order, without the dictionary at its end.
+///
+///     const auto chunks = chunksOf(file);
+///     if (!chunks) return chunks.error();
+///
+/// Reads files of 32-bit and 64-bit programs, in single and double precision. Every length is checked against the
+/// file's. Fails for other files, and for files that are cut short or have the other byte order. The chunks point into
+/// `file`. Cost: linear in the number of chunks.
 Result<std::vector<FileChunk>> chunksOf(std::span<const std::byte> file);
 
 }  // namespace cairn::bullet

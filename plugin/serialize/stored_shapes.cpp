@@ -15,7 +15,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// What the chunks of a file are known by, and where.
+// The chunks of a file by their names: shapes as indices, trees as bytes, records in file order.
 struct Contents {
   std::multimap<std::uint64_t, std::size_t> shapes;
   std::map<std::uint64_t, std::span<const std::byte>> trees;
@@ -26,7 +26,7 @@ Contents contentsOf(const std::vector<FileChunk>& chunks) {
   Contents contents;
   std::size_t shapes = 0;
   for (const FileChunk& chunk : chunks) {
-    // Bullet's importer counts as shapes only what has a structure.
+    // Bullet's importer counts as shapes only chunks with a structure.
     if (chunk.code == BT_SHAPE_CODE && chunk.structure >= 0) contents.shapes.emplace(chunk.name, shapes++);
     if (chunk.code == kTreeChunk) contents.trees.emplace(chunk.name, chunk.data);
     if (chunk.code == kTreeShapeChunk) contents.records.push_back(chunk.data);

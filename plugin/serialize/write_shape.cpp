@@ -16,8 +16,8 @@ namespace cairn::bullet {
 
 namespace {
 
-// The memory of a chunk is what it is known by while a file is written, as in btCompoundShape: it lives until the file
-// is finished, and nobody else has it.
+// While a file is written, a chunk is named by its memory, as in btCompoundShape. The memory is unique and lives until
+// the file is finished.
 struct NewChunk {
   btChunk* chunk;
   void* memory;
@@ -32,7 +32,7 @@ std::uint64_t nameInFile(btSerializer& serializer, const void* what) {
   return reinterpret_cast<std::uintptr_t>(serializer.getUniquePointer(const_cast<void*>(what)));
 }
 
-// Not as a shape chunk: Bullet's importer would make a shape of each beside the one it makes for the compound.
+// Not written as a shape chunk: Bullet's importer would make a second shape of each, beside the compound's child.
 btCollisionShapeData* writeSphere(btSerializer& serializer, float radius) {
   const NewChunk chunk = allocate(serializer, sizeof(btConvexInternalShapeData), 1);
   auto* sphere = new (chunk.memory) btConvexInternalShapeData{};
@@ -75,8 +75,9 @@ void writeTree(btSerializer& serializer, const SphereTree& tree) {
   writeBytes(serializer, bytes.data(), bytes.size(), kTreeChunk, &tree);
 }
 
-// Bullet writes a shape twice that it finds first as a compound's child and then as a body's own, under one name. Its
-// importer links only the last of these to its parts and would follow the file's pointers in the first: it is emptied.
+// Bullet writes a shape twice under one name if it finds the shape first as a compound's child and then as a body's
+// own. Its importer links only the last of the two to its parts. In the first it would follow the file's pointers, so
+// that one is emptied.
 void emptyEarlier(btSerializer& serializer, const SphereTreeShape& shape) {
   const auto* name = serializer.findPointer(const_cast<SphereTreeShape*>(&shape));
   for (int i = 0; name != nullptr && i < serializer.getNumChunks(); ++i) {

@@ -11,7 +11,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// btConvexHullComputer's grid has 10,216 cells along an axis; one cell of margin for its rounding and ours.
+// btConvexHullComputer's grid has 10,216 cells along an axis. The rest covers its rounding and ours.
 constexpr float kHullGridCell = 1.0F / 10000;
 
 std::vector<std::uint32_t> hullVertices(std::span<const Vec3> points) {

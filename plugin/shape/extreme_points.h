@@ -15,20 +15,24 @@ float boxDiagonal(std::span<const Vec3> points);
 
 /// The points of a mesh that can be extreme in some direction, packed for tight boxes at any rotation.
 ///
+///     const ExtremePoints extremes(vertices);
+///     const ExtremePoints::Interval interval = extremes.along(axis);
+///
 /// They are the vertices of a convex hull that Bullet computes on a grid of about 10,000 cells along each axis of the
-/// box (btConvexHullComputer), so a vertex can be missed by at most one cell's diagonal: that is `slack()`.
+/// box (btConvexHullComputer). A vertex can be missed by at most one cell's diagonal: that is `slack()`.
 class ExtremePoints {
  public:
-  /// Cost: a convex hull, O(n log n). Precondition: `points` not empty, finite.
+  /// Precondition: `points` not empty, finite. Cost: a convex hull, O(n log n).
   explicit ExtremePoints(std::span<const Vec3> points);
 
   struct Interval {
     float lower, upper;
   };
-  /// Holds `dot(direction, p)` of every point p. `direction` must be a unit vector. Linear in the hull's vertices.
+  /// Bounds `dot(direction, p)` over all points p. Precondition: `direction` is a unit vector. Cost: linear in the
+  /// hull's vertices.
   Interval along(const Vec3& direction) const;
 
-  /// Largest distance of any point from `from`.
+  /// Upper bound on the distance of any point from `from`, at most `slack()` too large.
   float radiusAround(const Vec3& from) const;
   /// Diagonal of the points' axis-aligned box.
   float diagonal() const { return diagonal_; }
@@ -41,7 +45,7 @@ class ExtremePoints {
     std::array<float, kLanes> x, y, z;
   };
 
-  std::vector<Block> blocks_;  // the last one filled up with copies
+  std::vector<Block> blocks_;  // the last one is filled up with copies
   float diagonal_ = 0;
   float slack_ = 0;
 };

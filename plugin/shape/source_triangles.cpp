@@ -53,8 +53,8 @@ std::vector<std::uint32_t> trianglesNear(const SphereTree& tree, const TriangleB
   return found;
 }
 
-// The box of the body's frame, seen from the tree's frame and in its unit. It is cut to more than the body can fill
-// first, because turning an infinite box (debug drawing) makes NaN of it, and grown by what its lengths round by.
+// The box (body's frame) as a box in the tree's frame and unit. First it is cut to more than the body can fill, because
+// rotating an infinite box (debug drawing) gives NaN. Then it is grown by the rounding of its lengths.
 TriangleBounds toTreeFrame(const SphereTreeShape& shape, const btVector3& aabbMin, const btVector3& aabbMax) {
   const btScalar limit =
       2 * (btScalar(shape.tree().extent()) * shape.scale() + shape.bodyFromTree().getOrigin().length());

@@ -31,12 +31,12 @@ Status checkScale(const btVector3& scaling) {
   return {};
 }
 
-// Everything the narrow phase tolerates is a fraction of this, in float whatever Bullet's precision is: beyond, squares
-// of such lengths are none or endless.
-constexpr float kMinSize = 1e-21F, kLargestSize = 1e19F;
+// All tolerances of the narrow phase are fractions of the size, in float whatever Bullet's precision is. Beyond these
+// limits, squares of such lengths underflow or become infinite.
+constexpr float kMinSize = 1e-21F, kMaxSize = 1e19F;
 
-// In units of the shape's size. A float's unit of a larger margin is the whole mesh, and contacts at its surface have
-// nothing to do with it any more; far beyond that, Bullet's solver makes what touches it no number.
+// In units of the shape's size. The unit in the last place of a larger margin is the whole mesh, so contacts at its
+// surface are meaningless. Far beyond that, Bullet's solver gives touching bodies NaN.
 constexpr float kMaxMargin = 1 / FLT_EPSILON;
 
 Status checkMargin(btScalar margin, btScalar size) {
@@ -51,7 +51,7 @@ Status checkMargin(btScalar margin, btScalar size) {
 
 Status checkSize(float diagonal, btScalar scale) {
   const float size = diagonal * static_cast<float>(scale);
-  if (size >= kMinSize && size <= kLargestSize) return {};
+  if (size >= kMinSize && size <= kMaxSize) return {};
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%g", double(size));
   return Error{std::string("a sphere-tree shape's mesh has a box with a diagonal of ") + text.data() +
@@ -122,7 +122,7 @@ void SphereTreeShape::setMargin(btScalar margin) {
 void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {
   const btTransform worldFromTree = t * bodyFromTree_;
   const btScalar grow = getMargin() + kSpeculativeFraction * size_;
-  // Bullet computes with the fourth floats as well.
+  // Bullet also computes with the fourth floats.
   aabbMin.setW(0);
   aabbMax.setW(0);
   for (int axis = 0; axis < 3; ++axis) {

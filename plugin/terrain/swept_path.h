@@ -8,7 +8,7 @@
 
 namespace cairn::bullet {
 
-/// Fractions of a way, none where from > to.
+/// A range of fractions of a path; empty where from > to.
 struct PathPart {
   double from = 0, to = 1;
 
@@ -16,19 +16,23 @@ struct PathPart {
   PathPart cutTo(const PathPart& other) const { return {std::max(from, other.from), std::min(to, other.to)}; }
 };
 
-/// A box that keeps its axes while its centre moves from one point to another; a ray where it has no extent.
+/// A box that keeps its axes while its centre moves from one point to another; a ray where `half` is zero. In the
+/// terrain's frame.
+///
+///     const PathPart part = path.within(axis, lower, upper);
+///     if (!part.isEmpty()) use(path.least(2, part), path.greatest(2, part));
 struct SweptPath {
   Vec3d from, path, half;
 
   double at(int axis, double fraction) const { return from[axis] + fraction * path[axis]; }
-  /// When it shares a coordinate with [lower, upper].
+  /// The fractions at which it shares a coordinate with [lower, upper].
   PathPart within(int axis, double lower, double upper) const {
     const double toLower = lower - half[axis] - from[axis], toUpper = upper + half[axis] - from[axis];
     if (path[axis] == 0) return toLower <= 0 && toUpper >= 0 ? PathPart{} : PathPart{1, 0};
     const double a = toLower / path[axis], b = toUpper / path[axis];
     return {std::max(std::min(a, b), 0.0), std::min(std::max(a, b), 1.0)};
   }
-  /// The least and the greatest coordinate it has during a part of the way.
+  /// The least and the greatest coordinate it has during a part of the path.
   double least(int axis, const PathPart& part) const {
     return std::min(at(axis, part.from), at(axis, part.to)) - half[axis];
   }

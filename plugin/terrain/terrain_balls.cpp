@@ -15,8 +15,8 @@ bool isNear(const TerrainLattice::Corners& t, const Vec3d& center, float radius)
 
 }  // namespace
 
-// Ground that rises by no more than `steepest` is no nearer to a point than its height over it, divided by the root of
-// 1 + steepest^2.
+// Ground with slopes up to `steepest` is at least as far from a point as the point's height divided by the root of 1 +
+// steepest^2.
 GroundBelow groundBelow(const TerrainLattice& lattice, const Vec3d& point, double radius) {
   GroundBelow ground;
   ground.height = point.z - lattice.heightOver(point.x, point.y);

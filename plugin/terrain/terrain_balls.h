@@ -9,22 +9,22 @@ namespace cairn::bullet {
 
 /// The ground around a point of the shape's frame.
 struct GroundBelow {
-  double height = 0;  ///< of the point over it, negative inside; NaN where there is none
-  /// Ground within the radius asked about is no nearer than this times the height; 0 where some is missing there, or
-  /// beyond the border.
+  double height = 0;  ///< of the point over the ground, negative inside; NaN without ground
+  /// Ground within the queried radius is at least this factor times the height away. It is 0 where ground is missing
+  /// within the radius, or beyond the border.
   double factor = 0;
 
   bool isInside() const { return height < 0; }
-  /// Distance of the ground at least, where it is within that radius; minus infinity where nothing is known.
+  /// Lower bound on the distance of ground that lies within the queried radius; minus infinity if unknown.
   double leastDistance() const {
     return height > 0 && factor > 0 ? height * factor : -std::numeric_limits<double>::infinity();
   }
 };
-/// Constant time.
+/// The ground around `point`; `radius` limits where the bound holds. Constant time.
 GroundBelow groundBelow(const TerrainLattice& lattice, const Vec3d& point, double radius);
 
-/// Whether a ball of the shape's frame has points inside the ground or on it. Cost: one cell where the ground below its
-/// centre is so near or so far that its steepness decides, else the cells below the ball.
+/// Whether a ball (shape's frame) has points inside the ground or on it. Cost: one cell where the height over the
+/// ground and the slopes decide, else the cells below the ball.
 bool touchesGround(const TerrainLattice& lattice, const Vec3d& center, double radius);
 
 namespace detail {
@@ -35,9 +35,9 @@ inline bool isPlaneWithin(const TerrainLattice::Corners& t, const Vec3d& center,
 }
 }  // namespace detail
 
-/// Calls `visit(corners, index)` for the triangles below a ball of the shape's frame whose planes it meets: all
-/// that come within its radius are among them. `isBelow`: the centre is below ground, and what is above it counts as
-/// well, however far.
+/// Calls `visit(corners, index)` for the triangles below a ball (shape's frame) whose planes meet it. These include all
+/// triangles within its radius. `isBelow`: the centre is below ground, and all triangles above it count too, at any
+/// distance.
 template <class Visit>
 void forEachTriangleNear(const TerrainLattice& lattice, const Vec3d& center, double radius, bool isBelow,
                          const Visit& visit) {
@@ -45,7 +45,7 @@ void forEachTriangleNear(const TerrainLattice& lattice, const Vec3d& center, dou
   const btVector3 lower = at(-1);
   btVector3 upper = at(1);
   if (isBelow) upper.setZ(std::numeric_limits<btScalar>::infinity());
-  // Beside a diagonal by more than its radius, and what coordinates are rounded by, a ball has only one of the cell's
+  // A ball farther beside a diagonal than its radius, plus rounding of coordinates, has only one of the cell's
   // triangles below it.
   const double rounding = 4 * double(SIMD_EPSILON) * double(std::max(lattice.xs().back(), lattice.ys().back()));
   const double beside = (radius + rounding) * std::numbers::sqrt2;

@@ -13,8 +13,8 @@ namespace cairn::bullet {
 
 namespace {
 
-// Bullet says that a ray hits a triangle if it passes it by no more than 1e-4 in each barycentric coordinate, which
-// moves a point by at most twice that times what the triangle extends along an axis.
+// Bullet reports a hit for a ray that misses a triangle by up to 1e-4 in each barycentric coordinate. This moves a
+// point by at most twice that times the triangle's extent along an axis.
 constexpr double kEdgeTolerance = 2e-4;
 
 double roundingSlack(const TerrainLattice& lattice, double farthest) {
@@ -22,12 +22,13 @@ double roundingSlack(const TerrainLattice& lattice, double farthest) {
   return kQueryRoundings * double(SIMD_EPSILON) * (farthest + reach);
 }
 
-// Goes along a way over blocks and then their cells, rows by rows, those it meets first coming first: in a row all
-// cells are met before the next row is, but for the way's own width.
+// Walks along a path over blocks and then their cells, row by row, in the order of the path. In a row all cells are
+// visited before the next row, so the order is exact but for the path's own width.
 template <class End, class Ask>
 class CellWalk {
  public:
-  // `end()` is the fraction beyond which nothing is wanted, `ask(column, row)` is called for cells the way can meet.
+  // `end()`: the fraction beyond which nothing is wanted. `ask(column, row)` is called for each cell that the path can
+  // meet.
   CellWalk(const TerrainLattice& lattice, const SweptPath& path, const End& end, const Ask& ask)
       : lattice_(lattice), path_(path), end_(end), ask_(ask) {}
 
@@ -72,7 +73,7 @@ class CellWalk {
       for (std::int64_t i = range.first; i <= range.last; ++i) visit(i);
   }
 
-  // The squares' columns (axis 0) or rows (axis 1) that are met during a part of the way.
+  // The columns (axis 0) or rows (axis 1) of squares that a part of the path meets.
   IndexRange squares(int axis, const PathPart& part, std::int64_t size) const {
     const double slack = double(SIMD_EPSILON) * (std::abs(path_.from[axis]) + std::abs(path_.path[axis]));
     const auto from = btScalar(path_.least(axis, part) - slack), to = btScalar(path_.greatest(axis, part) + slack);
@@ -114,7 +115,7 @@ void castRay(const TerrainLattice& lattice, btTriangleRaycastCallback& ray) {
   const double farthest = double(std::max(ray.m_from.length(), ray.m_to.length()));
   const double slack = roundingSlack(lattice, farthest), beside = slack + kEdgeTolerance * lattice.grid().cell;
   const SweptPath path{toVec3d(ray.m_from), toVec3d(ray.m_to) - toVec3d(ray.m_from), {beside, beside, slack}};
-  // A fraction is rounded as well.
+  // The hit fraction is rounded as well.
   castAlong(lattice, path, ray, [&] { return double(ray.m_hitFraction) * (1 + 8 * double(SIMD_EPSILON)); });
 }
 

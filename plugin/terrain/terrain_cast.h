@@ -7,10 +7,9 @@ namespace cairn::bullet {
 
 class TerrainLattice;
 
-/// If the callback is one of Bullet's rays or convex sweeps, serves it along its way: the triangles it could accept,
-/// near cells first, until its hit fraction says that nothing farther is wanted. What a hit is, remains the callback's
-/// own business. False, and nothing is done, for all other callbacks.
-/// Cost: the blocks below the way, and the cells below it of those blocks whose heights it passes.
+/// Serves one of Bullet's rays or convex sweeps along its path; returns false, and does nothing, for other callbacks.
+/// The callback gets the triangles it could accept, near cells first, until its hit fraction excludes the rest. The
+/// callback itself decides hits. Cost: the blocks below the path, and the cells of those blocks whose heights it meets.
 bool answerCast(const TerrainLattice& lattice, btTriangleCallback& callback);
 
 }  // namespace cairn::bullet

@@ -7,7 +7,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// About the middle, so that what is symmetric stays so to the bit.
+// Coordinates about the middle, so that symmetric terrain stays symmetric to the bit.
 std::vector<btScalar> coordinates(std::uint32_t count, double cell) {
   std::vector<btScalar> all;
   all.reserve(count);
@@ -25,7 +25,7 @@ TerrainLattice::TerrainLattice(TerrainGrid grid)
   boundBlocks();
 }
 
-// Of triangles, not of points: a height that no triangle has is no ground.
+// Bounds triangles, not points: a height that no triangle uses is no ground.
 void TerrainLattice::boundBlocks() {
   blockColumns_ = (cellColumns() + kBlock - 1) / kBlock;
   blocks_.assign(static_cast<std::size_t>(blockColumns_ * ((cellRows() + kBlock - 1) / kBlock)), {});
@@ -69,7 +69,7 @@ std::size_t TerrainLattice::memoryBytes() const {
          steepest_.capacity() * sizeof(float);
 }
 
-// The place is guessed from the spacing and corrected by the coordinates themselves, which are rounded.
+// Guesses the index from the spacing and corrects it by the coordinates, because these are rounded.
 IndexRange TerrainLattice::touching(std::span<const btScalar> points, btScalar from, btScalar to) const {
   if (!(from <= to) || to < points.front() || from > points.back()) return {};
   const auto cells = static_cast<std::int64_t>(points.size()) - 1;

@@ -15,7 +15,7 @@
 
 namespace cairn::bullet {
 
-/// Cells or blocks from `first` to `last`, both included; none where first > last.
+/// Cells or blocks from `first` to `last`, both included; empty where first > last.
 struct IndexRange {
   std::int64_t first = 0, last = -1;
 
@@ -23,7 +23,7 @@ struct IndexRange {
   IndexRange cutTo(const IndexRange& other) const { return {std::max(first, other.first), std::min(last, other.last)}; }
 };
 
-/// Between the lowest and the highest height; empty where there is no ground.
+/// The lowest and the highest height; empty without ground.
 struct HeightBounds {
   float lower = std::numeric_limits<float>::infinity(), upper = -std::numeric_limits<float>::infinity();
 
@@ -38,19 +38,22 @@ struct HeightBounds {
   bool touches(btScalar from, btScalar to) const { return btScalar(lower) <= to && btScalar(upper) >= from; }
 };
 
-/// A grid's points in the shape's frame, its triangles, and the bounds of its blocks of cells.
+/// A grid's points in the shape's frame, its triangles, and the height bounds of its blocks of cells.
+///
+///     TerrainLattice::Corners triangle;
+///     if (lattice.cornersOver(x, y, triangle)) use(triangle.heightAt(x, y));
 class TerrainLattice {
  public:
-  /// Cells along a block's side. A rock of some cells then meets one to four blocks; whatever is looked at above that
-  /// is bounded by 1/256 of the cells.
+  /// Cells along a block's side. A rock that covers some cells meets one to four blocks. The number of blocks is 1/256
+  /// of the number of cells.
   static constexpr std::int64_t kBlock = 16;
 
   struct Corners {
     btVector3 at[3];
 
-    /// Not normalised; upwards.
+    /// Upwards, not normalised.
     Vec3d normal() const { return cross(toVec3d(at[1]) - toVec3d(at[0]), toVec3d(at[2]) - toVec3d(at[0])); }
-    /// Of the triangle's plane.
+    /// Height of the triangle's plane over (x, y).
     double heightAt(double x, double y) const {
       const Vec3d n = normal();
       return double(at[0].z()) - (n.x * (x - double(at[0].x())) + n.y * (y - double(at[0].y()))) / n.z;
@@ -66,7 +69,7 @@ class TerrainLattice {
   /// Coordinates of the points' columns and rows.
   std::span<const btScalar> xs() const { return xs_; }
   std::span<const btScalar> ys() const { return ys_; }
-  /// Of all triangles.
+  /// The bounds of all triangles.
   HeightBounds bounds() const;
   std::size_t memoryBytes() const;
 
@@ -78,23 +81,23 @@ class TerrainLattice {
     return blocks_[static_cast<std::size_t>(blockRow * blockColumns_ + blockColumn)];
   }
   HeightBounds cellBounds(std::int64_t column, std::int64_t row) const;
-  /// The corners of one of a cell's triangles, counter-clockwise from above. False where it is missing.
+  /// The corners of one of a cell's triangles, counter-clockwise from above. Returns false where it is missing.
   bool corners(std::int64_t column, std::int64_t row, bool isUpper, Corners& corners) const;
-  /// Height of the triangle over (x, y); NaN where there is none. The fastest question there is.
+  /// Height of the triangle over (x, y); NaN where there is none. This is the fastest query.
   double heightOver(double x, double y) const;
-  /// The most that ground rises, metres a metre, in the blocks below a square; infinite where ground is missing there
-  /// or beside it. Precondition: cells of this lattice.
+  /// The greatest slope, metres a metre, in the blocks that hold these cells. It is infinite where ground is missing in
+  /// them. Precondition: cells of this lattice.
   float steepest(const IndexRange& columns, const IndexRange& rows) const;
-  /// A triangle's place: its cell, and where in it.
+  /// A point over the grid: its cell, and where it is in the cell.
   struct Over {
     std::int64_t column, row;
     double u, v;  ///< from 0 to 1 across the cell
     bool isUpper;
   };
-  /// The place over (x, y), whether or not it has a triangle; on a border the one at greater x and y. False outside the
-  /// grid.
+  /// The cell over (x, y), whether or not it has a triangle; on a border the cell at greater x and y. Returns false
+  /// outside the grid.
   bool locate(double x, double y, Over& over) const;
-  /// The triangle over (x, y), likewise. False where there is none.
+  /// The triangle over (x, y). Returns false where there is none.
   bool cornersOver(double x, double y, Corners& corners, int& index) const;
   bool cornersOver(double x, double y, Corners& corners) const {
     int index = 0;
@@ -120,7 +123,7 @@ class TerrainLattice {
     return {xs_[static_cast<std::size_t>(column)], ys_[static_cast<std::size_t>(row)], btScalar(height(column, row))};
   }
   IndexRange touching(std::span<const btScalar> points, btScalar from, btScalar to) const;
-  /// The last cell that begins at `at` or before; -1 where there is none.
+  /// The last cell that begins at `at` or before; -1 outside the grid.
   std::int64_t cellAt(std::span<const btScalar> points, double at) const;
   float steepestOfCell(std::int64_t column, std::int64_t row) const;
   void boundBlocks();
@@ -130,7 +133,7 @@ class TerrainLattice {
   std::int64_t blockColumns_ = 0;
   double perCell_ = 1;
   std::vector<HeightBounds> blocks_;  // of their triangles, row by row
-  std::vector<float> steepest_;       // of the same
+  std::vector<float> steepest_;       // greatest slope in each block
 };
 
 inline std::int64_t TerrainLattice::cellAt(std::span<const btScalar> points, double at) const {

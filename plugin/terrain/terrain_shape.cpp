@@ -18,10 +18,10 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr std::uint32_t kMaxPoints = 1U << 20;  // a side
+constexpr std::uint32_t kMaxPoints = 1U << 20;  // points a side
 constexpr std::uint64_t kMaxCells = 1ULL << 30;
-// Units in the last place of the farthest coordinate that a cell must have: neighbouring cells then differ in width by
-// an eighth at most.
+// Least cell size in units in the last place of the farthest coordinate. Then neighbouring cells differ in width by at
+// most an eighth.
 constexpr double kMinUnits = 16;
 
 Status checkSides(const TerrainGrid& grid) {
@@ -127,7 +127,7 @@ void TerrainShape::setLocalScaling(const btVector3& scaling) {
                double(scaling.x()), double(scaling.y()), double(scaling.z()));
 }
 
-// Without a chunk of its own: importers count what they cannot read.
+// Writes no chunk, because importers count chunks that they cannot read.
 void TerrainShape::serializeSingleShape(btSerializer* /*serializer*/) const {
   std::fprintf(stderr, "a terrain's heights are not written to .bullet files: make it again from its grid\n");
 }
