@@ -38,7 +38,7 @@ struct MeshQuestion {
 ///
 ///     collider.place(placement);
 ///     if (!collider.resume()) collider.start(known, skin);
-///     runTraversal(collider.traversal(), budget);
+///     collider.traversal().refine(budget);
 ///     collider.appendContacts(collider.traversal().leafPairs(), contacts);
 class Collider {
  public:

@@ -16,7 +16,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// Fraction of the contact distance by which a plane must separate better to be preferred.
+// Fraction of `maxSeparation_` by which a plane must separate better to be preferred.
 constexpr float kPlaneGain = 0.1F;
 // Steps by which a contact point that hangs over the shape's edge moves towards the place of touch; each halves the
 // way.
@@ -251,7 +251,7 @@ std::optional<NearestPoint> ConvexCollider::nearestToLeaf(NodeId leaf) {
   return surface_.nearestToHull(std::span(inShape).first(count));
 }
 
-// Planes that are better by less than a tenth of the contact distance would only make the choice flicker.
+// Planes that are better by less than a tenth of `maxSeparation_` would only make the choice flicker.
 void ConvexCollider::offer(NodeId leaf, const Plane& plane, Touch& touch) const {
   const Touch other = touchAlong(leaf, plane);
   if (other.height > touch.height + kPlaneGain * maxSeparation_) touch = other;
@@ -301,8 +301,8 @@ bool ConvexCollider::appendCommon(NodeId leaf, const Touch& touch, std::vector<C
       appendContact(leaf, touch, onTree, index, contacts);
     ++index;
   }
-  // Corners that are not support points may lie lower. Within a tenth of the contact distance the lowest would flicker,
-  // so such corners are ignored. Only corners count, not the leaf's ball: surface that the ball certifies beyond them
+  // Corners that are not support points may lie lower. Within a tenth of `maxSeparation_` the lowest would flicker, so
+  // such corners are ignored. Only corners count, not the leaf's ball: surface that the ball certifies beyond them
   // belongs to other leaves. It may be the wall of a slot in which the shape stands.
   const Vec3 lowest = tree_.farthestCorner(leaf, -normal);
   const float height = dot(normal, lowest) - touch.plane.offset;

@@ -205,7 +205,7 @@ Contact TerrainCollider::boundingContact(const NodePair& pair) {
   forgetFrom(0);
   gather(pair.a);
   if (const std::span<TriangleTouch> touches = measure(); !touches.empty()) return contactOfBall(touches.front());
-  // No ground within reach.
+  // No ground is near.
   Contact contact;
   contact.ofSpheres = true;
   contact.pair = pair;

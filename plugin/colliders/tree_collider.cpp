@@ -90,8 +90,8 @@ float TreeCollider::separation(const NodePair& pair, const Vec3& along) const {
   return dot(along, a_.support(pair.a, -along) - b_.support(pair.b, along)) - margins_;
 }
 
-// A direction that separates the two regions by the contact distance proves that they do not touch. If they are about
-// as near as possible along a normal, and not beside each other, no other direction is needed.
+// A direction that separates the two regions by `maxSeparation_` proves that they do not touch. If they are about as
+// near as possible along a normal, and not beside each other, no other direction is needed.
 TreeCollider::Expected TreeCollider::touchAsExpected(Contact& contact, const Sphere& a, const Sphere& b) const {
   if (!areFaceted(contact.pair)) return Expected::nothing;
   for (const Vec3& normal : std::span(expected_).first(expectedCount_)) {

@@ -23,7 +23,7 @@ struct RelativeMotion {
     return length(treeLinear - otherLinear) + 0.5F * smallerSize * length(treeAngular - otherAngular);
   }
 
-  /// Whether no point moves farther in a step than a tenth of the contact distance: bodies that rest or creep.
+  /// Whether no point moves farther in a step than a tenth of `maxSeparation`: bodies that rest or creep.
   bool isSlow() const { return greatestSpeed() * timeStep < 0.1F * maxSeparation; }
 
   /// Speed at which the surfaces approach each other at a contact; negative when they separate.

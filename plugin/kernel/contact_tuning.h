@@ -59,9 +59,9 @@ inline constexpr float kDeepPart = 0.3F;
 inline constexpr float kNoArea = 1e-3F;
 /// Contact distances. Narrower regions get no contacts of their own, because ordinary contacts overlap by that much.
 inline constexpr float kMinWidth = 0.5F;
-/// Sizes. Nearby patches are searched this much beyond the contact distance, and again once bodies have moved by it.
-/// Features are listed for about `kListSteps` steps like the last one. Both affect time alone. With larger values each
-/// step tests more; with smaller ones lists are made more often (`ContactKernel.ListsLastForSomeSteps`).
+/// Sizes. Nearby patches are searched this much farther than contacts are wanted, and again once bodies have moved by
+/// it. Features are listed for about `kListSteps` steps like the last one. Both affect time alone. With larger values
+/// each step tests more; with smaller ones lists are made more often (`ContactKernel.ListsLastForSomeSteps`).
 inline constexpr float kPatchSkin = 0.01F;
 inline constexpr float kListSteps = 3;
 

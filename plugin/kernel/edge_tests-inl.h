@@ -64,7 +64,7 @@ HWY_INLINE Lanes beyondEnds(const Points& between, const Points& way, const Poin
   return hn::Div(hn::Max(ofA, ofB), det);
 }
 
-// Tests an edge of A against B's convex edges in `nearEdges`. Adds those within the contact distance that may face each
+// Tests an edge of A against B's convex edges in `nearEdges`. Adds those near enough for a contact that may face each
 // other once the bodies have turned by `turn`.
 template <class Add>
 HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwardOfA, const SurfacePatch& edges,

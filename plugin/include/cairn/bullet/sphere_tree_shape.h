@@ -32,8 +32,8 @@ enum class CastTarget : std::uint8_t {
   spheres,
 };
 
-/// The meaning of a contact point's index on a tree, told by its part. A part below `vertex` is a leaf's level, and the
-/// index is its `NodeId`. With `Finest::triangles`, contacts against a tree, a convex shape or a solid mesh name
+/// The meaning of a contact point's index on a tree, given by its part. A part below `vertex` is a leaf's level, and
+/// the index is its `NodeId`. With `Finest::triangles`, contacts against a tree, a convex shape or a solid mesh name
 /// features of the source mesh.
 enum class ContactPart : std::uint8_t {
   vertex = kMaxDepth + 1,  ///< the index is that of `SphereTree::vertices()`
@@ -55,6 +55,7 @@ inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
 /// A certified sphere-tree as a Bullet collision shape, for moving and static concave bodies.
 ///
 ///     auto tree = cairn::loadTree("bunny.cairn");
+///     if (!tree) return fail(tree.error().message);
 ///     auto shape = cairn::bullet::SphereTreeShape::create(std::move(tree).value());
 ///     if (!shape) return fail(shape.error().message);
 ///

@@ -23,7 +23,7 @@ inline int stepsOf(const btDiscreteDynamicsWorld& world, btScalar timeStep, int 
 
 /// `world.stepSimulation` with one budget for all its steps together:
 ///
-///     dispatcher.setFrameBudget({.microseconds = 2000});  // once
+///     if (!dispatcher.setFrameBudget({.microseconds = 2000})) return 1;  // once
 ///     stepFrame(world, dispatcher, timeStep, maxSubSteps);  // instead of world.stepSimulation
 ///
 /// `frontEnd` is the `Dispatcher` or the installed `NarrowPhase` of that world. Returns the number of steps made.
