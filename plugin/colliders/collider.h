@@ -60,6 +60,7 @@ class Collider {
   /// Continues the last traversal at these poses. Returns false if the collider's data does not cover the tree's new
   /// place; the caller must then start anew.
   virtual bool resume() = 0;
+  /// The traversal of the pair; it lives as long as the collider.
   virtual Traversal& traversal() = 0;
   const Traversal& traversal() const { return const_cast<Collider*>(this)->traversal(); }
   /// Frees unused memory of a pair at rest; nothing else changes.
@@ -130,6 +131,7 @@ inline constexpr int kColliderKinds = 6;
 /// no distance field and show no triangles.
 std::optional<ColliderKind> kindOf(const btCollisionShape& shape);
 
+/// Makes a collider of this kind; it must be placed before use.
 std::unique_ptr<Collider> makeCollider(ColliderKind kind);
 
 }  // namespace cairn::bullet

@@ -27,6 +27,7 @@ class MeshGround {
     std::span<const Triangle> inPair;  ///< triangles of the soup, in the pair frame
   };
 
+  /// Forgets the mesh, and where the body was.
   void reset();
   /// Whether `append` can find the contacts. Must be called in each step: it records when the body comes near, and
   /// whether it is inside then. False for a mesh that is not a solid, and once triangles change. False for bodies

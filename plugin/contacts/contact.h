@@ -56,10 +56,12 @@ struct Contact {
 
   /// World length from the collider's point to the tree's, along the normal.
   float distance() const { return isSpeculative ? dot(normal, separationVector) : separation; }
+  /// The point on the tree's surface, pair frame.
   Vec3 onTree() const {
     if (isSpeculative) return treeIsLarger ? onCollider() + separationVector : position + normal * distance();
     return position + normal * (0.5F * separation);
   }
+  /// The point on the collider's surface, pair frame.
   Vec3 onCollider() const {
     if (isSpeculative) return treeIsLarger ? position - normal * distance() : onTree() - separationVector;
     return position - normal * (0.5F * separation);

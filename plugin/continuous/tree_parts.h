@@ -40,7 +40,9 @@ class TreeParts {
   /// Empty for a triangle, and for a leaf that is within `crude` (world length, certified) of its surface or names its
   /// faces.
   Children children(Part part, float crude) const;
+  /// The triangle of a triangle part. The frame of this and all below is that of the `PlacedTree`, world unit.
   Triangle triangle(Part part) const;
+  /// A ball around the part.
   Sphere sphere(Part part) const;
   /// The part's point that lies farthest along `direction`.
   Vec3 support(Part part, const Vec3& direction) const;

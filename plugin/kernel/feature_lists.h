@@ -71,6 +71,7 @@ struct FeatureSpans {
 /// Lists kept from step to step, in one block hardly larger than their contents.
 class CachedFeatures {
  public:
+  /// Copies the lists. Cost: linear in them; allocates only when they are longer than all before.
   void keep(FeatureSpans lists) {
     std::size_t size = 0;
     for (const auto* list : lists.all()) size += list->size();
@@ -82,6 +83,7 @@ class CachedFeatures {
       ends_[i++] = static_cast<std::uint32_t>(pairs_.size());
     }
   }
+  /// The lists kept last. Valid until the next `keep`.
   FeatureSpans spans() const {
     FeatureSpans lists;
     std::uint32_t from = 0;

@@ -35,6 +35,7 @@ class PlacedPatches {
   void begin(const PlacedSurface& side, const ContactLimits& limits);
   /// Precondition: `place` was called for this patch since `begin`.
   const PlacedPatch& operator[](std::uint32_t index) const { return placed_[slots_[index].slot]; }
+  /// Places a patch, unless this was done since `begin`. Cost: linear in its vertices.
   void place(std::uint32_t index);
   /// Sets the skin, a world length. Placed patches stay valid for any skin.
   void setSkin(float skin) { limits_.setSkin(skin / scale()); }

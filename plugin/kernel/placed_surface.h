@@ -24,7 +24,9 @@ struct PlacedSurface {
   const SurfacePatches& patches() const { return mesh.patches(); }
   const SurfaceFeatures& features() const { return mesh.features(); }
   const Vec3& vertex(std::uint32_t index) const { return mesh.vertices[index]; }
+  /// A point of the pair frame in the surface's own frame and unit.
   Vec3 fromPair(const Vec3& p) const { return axesFromPair * (p - toPair.translation) * (1 / scale); }
+  /// A unit vector of the surface's own frame in the pair frame.
   Vec3 directionToPair(const Vec3& unit) const { return toPair.linear * unit * (1 / scale); }
 };
 
@@ -32,6 +34,7 @@ struct PlacedSurface {
 struct SurfacePair {
   PlacedSurface a, b;
 
+  /// Places two meshes by their poses in the pair frame.
   static SurfacePair of(const SurfaceView& a, const Pose& poseOfA, const SurfaceView& b, const Pose& poseOfB);
   static SurfacePair of(const PlacedTree& a, const PlacedTree& b) {
     return of(a.tree().surfaceView(), a.pose(), b.tree().surfaceView(), b.pose());

@@ -27,6 +27,7 @@ class PlacedTree {
   const Mat3& axesFromPair() const { return axesFromPair_; }
   float scale() const { return toPair_.scale; }
 
+  /// A point of the pair frame in the tree's frame and unit.
   Vec3 toTree(const Vec3& p) const { return axesFromPair_ * (p - toPair_.translation) * (1 / toPair_.scale); }
 
   PlacedRegions regions() const { return {*tree_, toPair_, axesFromPair_}; }

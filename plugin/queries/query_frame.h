@@ -14,6 +14,7 @@ namespace cairn::bullet {
 struct Mover {
   btVector3 center, halfExtent;
 };
+/// The callback's moving body. `worldFromFrame`: maps the query's frame to the world.
 Mover moverOf(const btTriangleConvexcastCallback& callback, const btTransform& worldFromFrame);
 
 /// A point of the body's frame in the tree's frame and unit.

@@ -28,6 +28,7 @@ GroundBelow groundBelow(const TerrainLattice& lattice, const Vec3d& point, doubl
 bool touchesGround(const TerrainLattice& lattice, const Vec3d& center, double radius);
 
 namespace detail {
+/// Whether the plane of a triangle is within `radius` of the centre.
 inline bool isPlaneWithin(const TerrainLattice::Corners& t, const Vec3d& center, double radius) {
   const Vec3d normal = t.normal();
   const double distance = dot(normal, center - toVec3d(t.at[0]));

@@ -80,6 +80,7 @@ class TerrainLattice {
   const HeightBounds& blockBounds(std::int64_t blockColumn, std::int64_t blockRow) const {
     return blocks_[static_cast<std::size_t>(blockRow * blockColumns_ + blockColumn)];
   }
+  /// The bounds of the cell's triangles. Precondition: a cell of this lattice.
   HeightBounds cellBounds(std::int64_t column, std::int64_t row) const;
   /// The corners of one of a cell's triangles, counter-clockwise from above. Returns false where it is missing.
   bool corners(std::int64_t column, std::int64_t row, bool isUpper, Corners& corners) const;
@@ -103,10 +104,12 @@ class TerrainLattice {
     int index = 0;
     return cornersOver(x, y, corners, index);
   }
+  /// Whether the cell's diagonal rises from the lower left to the upper right, seen from above.
   bool isRising(std::int64_t column, std::int64_t row) const {
     if (grid_.diagonals != TerrainDiagonals::alternating) return grid_.diagonals == TerrainDiagonals::rising;
     return (column + row) % 2 == 0;
   }
+  /// The index of one of a cell's triangles in contacts and hits, as in `TerrainTriangle`.
   int indexOf(std::int64_t column, std::int64_t row, bool isUpper) const {
     return static_cast<int>(2 * (row * cellColumns() + column) + (isUpper ? 1 : 0));
   }

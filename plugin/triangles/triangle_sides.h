@@ -33,6 +33,7 @@ namespace cairn::bullet {
 ///     const std::span<const int> known = sides.settle(tree, triangles, touches, isComplete);
 class TriangleSides {
  public:
+  /// Forgets all sides and the last poses.
   void reset();
   /// Takes the poses of this step; call it before all else in a step. A body that moved farther than its speed explains
   /// was set down elsewhere, and its history is dropped.

@@ -40,6 +40,7 @@ class TriangleSoup {
 /// Triangles as the traversal of a tree tests them, in its frame and unit: one element each.
 class SoupObstacle final : public Obstacle {
  public:
+  /// Removes all triangles. `margin` (the tree's unit) is added to every sphere in tests.
   void clear(float margin);
   void add(const Triangle& triangle);
 

@@ -21,6 +21,7 @@ struct TriangleTouch {
   bool isOver() const;
 };
 
+/// Measures the sphere of the pair's node a against `triangle`, its b, in the pair frame. Constant time.
 TriangleTouch touchOf(const PlacedTree& tree, const Triangle& triangle, const NodePair& pair);
 
 }  // namespace cairn::bullet

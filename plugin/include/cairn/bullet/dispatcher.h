@@ -40,8 +40,11 @@ class Dispatcher : public Base {
   Status setFrameBudget(const StepBudget& budget) { return narrowPhase_.setFrameBudget(budget); }
   /// See `NarrowPhase::expectPairs`.
   void expectPairs(const ExpectedPairs& pairs) { narrowPhase_.expectPairs(pairs); }
+  /// See `NarrowPhase::beginFrame`.
   void beginFrame(int steps) { narrowPhase_.beginFrame(steps); }
+  /// See `NarrowPhase::setUnresolved`.
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
+  /// See `NarrowPhase::setFinest`.
   void setFinest(Finest finest) { narrowPhase_.setFinest(finest); }
   /// From the next step on; see `NarrowPhase::setPriority`. Precondition: not null.
   void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }

@@ -84,7 +84,9 @@ class SphereTreeShape final : public btConcaveShape {
 
   const SphereTree& tree() const { return *tree_; }
   const std::shared_ptr<const SphereTree>& sharedTree() const { return tree_; }
+  /// The frame that `create` was given.
   BodyFrame bodyFrame() const { return frame_; }
+  /// World length of the mesh's unit.
   btScalar scale() const { return scale_; }
 
   /// Maps the source mesh (times `scale`) to the body's frame.

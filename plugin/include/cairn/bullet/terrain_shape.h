@@ -64,6 +64,7 @@ class TerrainShape final : public btConcaveShape {
   static Result<std::unique_ptr<TerrainShape>> create(TerrainGrid grid);
   ~TerrainShape() override;
 
+  /// The grid that `create` was given.
   const TerrainGrid& grid() const;
   /// The origin of the shape's frame in the user's coordinates.
   const Vec3d& origin() const { return origin_; }
@@ -115,6 +116,7 @@ struct TerrainTriangle {
   std::uint32_t column = 0, row = 0;  ///< the cell from point (column, row) to (column + 1, row + 1)
   bool isUpper = false;               ///< the cell's triangle at greater y
 
+  /// The index in contacts and hits. Precondition: a cell of `grid`.
   int index(const TerrainGrid& grid) const {
     return static_cast<int>(2 * (row * (grid.columns - 1) + column) + (isUpper ? 1 : 0));
   }
