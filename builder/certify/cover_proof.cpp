@@ -18,7 +18,7 @@ double largestCoordinate(const Vec3d& v) {
 }  // namespace
 
 CoverProof::CoverProof(const SphereTree& tree, const TriangleMesh& mesh) : tree_(tree), mesh_(mesh) {
-  smallestPiece_ = kSmallestPiece * boundsOf(mesh).diagonal();
+  smallestPiece_ = kMinPiece * boundsOf(mesh).diagonal();
   double reach = 0;
   for (const Vec3d& v : mesh.vertices) reach = std::max(reach, largestCoordinate(toTree(v)));
   for (const NodeData& node : tree.data().nodes)

@@ -21,7 +21,7 @@ std::string text(const Vec3d& p) {
 
 // A tree keeps lengths as float: their squares must not overflow, nor those of a thousandth of it, small leaves, lose
 // digits.
-constexpr double kLargestDiagonal = 1e14, kMinDiagonal = 1e-15;
+constexpr double kMaxDiagonal = 1e14, kMinDiagonal = 1e-15;
 // Of its diagonals a mesh may lie from the origin: beyond, the sixteen digits of a coordinate leave less than six.
 constexpr double kFarthest = 1e10;
 
@@ -78,9 +78,9 @@ class Checker {
   Status checkExtent() const {
     const Bounds bounds = boundsOf(mesh_);
     const double diagonal = bounds.diagonal(), away = length(0.5 * (bounds.lower + bounds.upper));
-    if (!(diagonal <= kLargestDiagonal && diagonal >= kMinDiagonal))
+    if (!(diagonal <= kMaxDiagonal && diagonal >= kMinDiagonal))
       return refused("the mesh is {:.3g} across, trees are between {:g} and {:g}; give it in another unit", diagonal,
-                     kMinDiagonal, kLargestDiagonal);
+                     kMinDiagonal, kMaxDiagonal);
     if (away > kFarthest * diagonal)
       return refused(
           "the mesh lies {:.3g} of its diagonals from the origin, where coordinates have few digits left; "

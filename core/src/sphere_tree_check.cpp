@@ -15,7 +15,7 @@ namespace {
 constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
 // Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
-constexpr float kLargestLength = 1e15F;
+constexpr float kMaxLength = 1e15F;
 // Coordinates beyond this many radii from the centre of the root's ball cannot come from a mesh in that ball. `certify`
 // proves a tree against its mesh; this check only excludes overflow.
 constexpr double kProportion = 16;
@@ -41,8 +41,8 @@ Status checkNumbers(const NodeData& n, const std::string& name) {
   if (!isFinite(n.center) || !std::isfinite(n.radius) || !std::isfinite(n.error) || !std::isfinite(n.innerRadius))
     return bad(name + " has a number that is not finite");
   if (!(n.radius > 0)) return bad(name + " has no positive radius");
-  if (n.radius > kLargestLength ||
-      std::max({std::abs(n.center.x), std::abs(n.center.y), std::abs(n.center.z)}) > kLargestLength)
+  if (n.radius > kMaxLength ||
+      std::max({std::abs(n.center.x), std::abs(n.center.y), std::abs(n.center.z)}) > kMaxLength)
     return bad(name + " lies outside the range of lengths that can be tested");
   if (n.error < 0) return bad(name + " has a negative error");
   if (n.innerRadius < 0 || n.innerRadius > n.radius) return bad(name + " has an inner radius outside 0 to its radius");

@@ -17,9 +17,9 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 // FlatBuffers refuses buffers of 2 GiB; a file is verified in time linear in its size.
-constexpr std::size_t kLargestFile = FLATBUFFERS_MAX_BUFFER_SIZE;
+constexpr std::size_t kMaxFile = FLATBUFFERS_MAX_BUFFER_SIZE;
 // Bytes 0-3 are the root offset, 4-7 the identifier; nothing shorter can hold a tree.
-constexpr std::size_t kSmallestFile = 16;
+constexpr std::size_t kMinFile = 16;
 
 file::Vec3f pack(const Vec3& v) {
   return {v.x, v.y, v.z};
@@ -210,8 +210,8 @@ std::vector<std::byte> encodeTree(const SphereTree& tree) {
 }
 
 Result<SphereTree> decodeTree(std::span<const std::byte> bytes) {
-  if (bytes.size() < kSmallestFile) return Error{"is not a Cairn tree (too short); make one with `cairn build`"};
-  if (bytes.size() >= kLargestFile) return Error{"is not a Cairn tree (too large); make one with `cairn build`"};
+  if (bytes.size() < kMinFile) return Error{"is not a Cairn tree (too short); make one with `cairn build`"};
+  if (bytes.size() >= kMaxFile) return Error{"is not a Cairn tree (too large); make one with `cairn build`"};
   // FlatBuffers reads in place and needs the alignment that new storage has.
   const std::vector<std::byte> aligned(bytes.begin(), bytes.end());
   return decodeAligned(aligned);

@@ -24,7 +24,7 @@ Vec3 Collider::alignNormals(std::span<Contact> /*cluster*/, std::span<const Vec3
   return {};
 }
 
-std::optional<float> Collider::appendOfMesh(const MeshQuestion& /*question*/, std::vector<Contact>& /*contacts*/) {
+std::optional<float> Collider::appendOfMesh(const MeshQuery& /*question*/, std::vector<Contact>& /*contacts*/) {
   return std::nullopt;
 }
 

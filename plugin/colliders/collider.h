@@ -25,7 +25,7 @@ inline constexpr std::uint32_t kContactCost = 2 * kSphereUpdateCost + kOverlapTe
 inline constexpr float kMaxSizeRatio = 2;
 
 /// The arguments of a query to the source meshes.
-struct MeshQuestion {
+struct MeshQuery {
   Finest finest;
   ContactKernel& kernel;
   const RelativePlacement& placement;  ///< relative pose of the bodies
@@ -91,7 +91,7 @@ class Collider {
   }
   /// Whether both are trees with root spheres of similar size. A contact of such roots is coarser than that of any
   /// front.
-  virtual bool isOfLikeSize() const { return false; }
+  virtual bool hasSimilarSize() const { return false; }
   /// Appends contacts of a few points of the body while no newer contact is known. Each contact is true by itself; in
   /// contrast, spheres stand for the whole body and let it turn freely inside. Returns the number of nodes tested.
   /// Default: none.
@@ -113,7 +113,7 @@ class Collider {
   /// the contacts and returns a lower bound on the separation of the surfaces (world length), minus infinity where
   /// unknown. Returns nothing, and appends nothing, when the leaf pairs must answer or the budget does not suffice.
   /// Default: nothing.
-  virtual std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts);
+  virtual std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts);
   /// Operations that the source meshes are expected to cost in a step that may be interrupted. It is 0
   /// where meshes are not used or answer at any budget; it is empty where the cost is unknown. Default: 0.
   virtual std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& /*placement*/) const { return 0; }

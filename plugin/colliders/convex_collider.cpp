@@ -107,7 +107,7 @@ Vec3 ConvexCollider::support(const Vec3& direction) const {
   return pairFromShapeAxes_ * surface_.support(transpose(pairFromShapeAxes_) * direction) + shapeOrigin_;
 }
 
-std::optional<float> ConvexCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> ConvexCollider::appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) {
   if (question.finest != Finest::triangles || question.mayBeInterrupted || traversal_.leafPairs().empty()) return {};
   const float thickness = tree_.tree().surface().thickness * tree_.scale();
   const ContactLimits limits =

@@ -44,7 +44,7 @@ class ConvexCollider final : public Collider, private ConvexBody {
   Contact boundingContact(const NodePair& pair) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
-  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
   NodePair leavesOf(const Contact& contact) const override;
 
  private:

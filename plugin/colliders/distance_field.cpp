@@ -16,7 +16,7 @@ namespace {
 
 // Fraction of the greatest coordinate by which the box is drawn in. Bullet splits the box into middle and extents and
 // joins them again, which loses a few units in the last place.
-constexpr float kDrawnIn = 1.0F / (1 << 20);
+constexpr float kInsetFraction = 1.0F / (1 << 20);
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void DistanceField::take(const btSdfCollisionShape& shape) {
   isEmpty_ = !isFinite(lower_) || !isFinite(upper_) || !isFinite(upper_ - lower_);
   if (isEmpty_) return;
   for (int axis = 0; axis < 3; ++axis) extent_ = std::max({extent_, std::abs(lower_[axis]), std::abs(upper_[axis])});
-  const Vec3 in = Vec3(1, 1, 1) * (kDrawnIn * extent_);
+  const Vec3 in = Vec3(1, 1, 1) * (kInsetFraction * extent_);
   lower_ = lower_ + in;
   upper_ = upper_ - in;
   isEmpty_ = !(lower_.x < upper_.x && lower_.y < upper_.y && lower_.z < upper_.z);

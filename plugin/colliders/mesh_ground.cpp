@@ -54,7 +54,7 @@ SurfacePair MeshGround::surfacesOf(const PairPlacement& placement) const {
 bool MeshGround::isInside(const PairPlacement& placement) {
   const SurfacePair surfaces = surfacesOf(placement);
   const std::span<const Vec3> vertices = surfaces.a.mesh.vertices;
-  const std::size_t stride = (vertices.size() + tuning::kAskedVertices - 1) / tuning::kAskedVertices;
+  const std::size_t stride = (vertices.size() + tuning::kSampledVertices - 1) / tuning::kSampledVertices;
   std::size_t asked = 0, inside = 0;
   for (std::size_t i = 0; i < vertices.size(); i += stride, ++asked)
     inside += ray_.isInside(surfaces.b.mesh, surfaces.a.toOther * vertices[i]) ? 1 : 0;
@@ -67,7 +67,7 @@ bool MeshGround::isStillTheShapes(const TriangleSoup& soup) const {
   });
 }
 
-std::optional<float> MeshGround::append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
+std::optional<float> MeshGround::append(const MeshQuery& question, const PairPlacement& placement, const Near& near,
                                         std::vector<Contact>& contacts) {
   const SurfacePair surfaces = surfacesOf(placement);
   const float thinner =

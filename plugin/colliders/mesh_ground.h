@@ -34,7 +34,7 @@ class MeshGround {
   /// inside: rooms, and bodies so fast that most of them has passed the surface.
   bool watch(const PairPlacement& placement, const Near& near);
   /// See `Collider::appendOfMesh`. Precondition: `watch` returned true in this step.
-  std::optional<float> append(const MeshQuestion& question, const PairPlacement& placement, const Near& near,
+  std::optional<float> append(const MeshQuery& question, const PairPlacement& placement, const Near& near,
                               std::vector<Contact>& contacts);
   /// The index in the soup of a contact's triangle. The contact must belong to the last answer.
   static std::uint32_t inSoup(const TriangleSoup& soup, const Contact& contact);

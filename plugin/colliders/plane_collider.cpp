@@ -121,7 +121,7 @@ void PlaneCollider::findVertices() {
 
 // A mesh's lowest points are vertices, in whatever leaf, and a query that looks beyond the contact distance needs them.
 // Meshes of many vertices keep their leaves otherwise: a round body rolls on balls, and its facets would brake it.
-std::optional<float> PlaneCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> PlaneCollider::appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) {
   if (traversal_.leafPairs().empty()) return std::nullopt;
   const bool isDistanceWanted = question.finest == Finest::triangles && isQuery_;
   if (!hasFewVertices() && !isDistanceWanted) return std::nullopt;

@@ -37,7 +37,7 @@ class PlaneCollider final : public Collider {
   bool isCacheable() const override { return true; }
   using Collider::appendContacts;
   void appendContacts(std::span<const NodePair> pairs, std::vector<Contact>& contacts) override;
-  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
   Contact boundingContact(const NodePair& pair) override;
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& /*shape*/) const override { return std::numeric_limits<float>::infinity(); }

@@ -232,7 +232,7 @@ std::uint32_t TerrainCollider::appendRootContacts(std::vector<Contact>& contacts
     contacts.push_back(nearest);
     std::erase_if(rootContacts_, [&](const Contact& c) {
       const bool isCovered = dot(nearest.normal, onGround(c) - onGround(nearest)) <= covered;
-      return isCovered || dot(nearest.normal, c.normal) > kSameWayCosine;
+      return isCovered || dot(nearest.normal, c.normal) > kSameMotionCosine;
     });
   }
   return found;

@@ -231,7 +231,7 @@ std::uint32_t TreeCollider::appendRootContacts(std::vector<Contact>& contacts) {
   return tests;
 }
 
-std::optional<float> TreeCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> TreeCollider::appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) {
   if (question.finest != Finest::triangles || traversal_.leafPairs().empty()) return {};
   return appendOfKernel(question, contacts);
 }
@@ -248,7 +248,7 @@ NodePair TreeCollider::leavesOf(const Contact& contact) const {
   return {a_.leafAt(contact.position), b_.leafAt(contact.position)};
 }
 
-std::optional<float> TreeCollider::appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> TreeCollider::appendOfKernel(const MeshQuery& question, std::vector<Contact>& contacts) {
   const float thinner =
       std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
   const ContactLimits limits = ContactLimits::of(contactDistance_, maxSeparation_, thinner, margins_);

@@ -27,16 +27,16 @@ class TreeCollider final : public Collider {
   /// Where one tree is much larger, its root says little. So the larger tree is opened down to spheres about as large
   /// as the smaller root, by at most eight families.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
-  bool isOfLikeSize() const override { return isOfLikeSize_; }
+  bool hasSimilarSize() const override { return isOfLikeSize_; }
   void expect(std::span<const Vec3> normals) override;
   Vec3 alignNormals(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& outliers) override;
   NodePair leavesOf(const Contact& contact) const override;
-  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
   std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& placement) const override;
   float size(const btCollisionShape& shape) const override;
 
  private:
-  std::optional<float> appendOfKernel(const MeshQuestion& question, std::vector<Contact>& contacts);
+  std::optional<float> appendOfKernel(const MeshQuery& question, std::vector<Contact>& contacts);
   bool isMuchLarger(const Sphere& large, const Sphere& small) const;
   Vec3 centerLine(const Sphere& a, const Sphere& b) const;
   // Whether there is a contact. Sets its separation in either case, to a lower bound on the surfaces' separation. The

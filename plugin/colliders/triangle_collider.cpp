@@ -37,7 +37,7 @@ void TriangleCollider::reset() {
   ground_.reset();
 }
 
-std::optional<float> TriangleCollider::appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) {
+std::optional<float> TriangleCollider::appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) {
   // A leaf's side depends on where leaves were in earlier steps. So answers of leaves and of meshes must not alternate
   // from step to step.
   if (question.finest != Finest::triangles || question.mayBeInterrupted) return {};
@@ -199,7 +199,7 @@ std::uint32_t TriangleCollider::appendRootContacts(std::vector<Contact>& contact
     contacts.push_back(nearest);
     std::erase_if(rootContacts_, [&](const Contact& c) {
       const bool isCovered = dot(nearest.normal, onTriangle(c) - onTriangle(nearest)) <= kCoveredFraction * root.radius;
-      return isCovered || dot(nearest.normal, c.normal) > kSameWayCosine;
+      return isCovered || dot(nearest.normal, c.normal) > kSameMotionCosine;
     });
   }
   return found;

@@ -34,7 +34,7 @@ class TriangleCollider final : public Collider {
   /// Cost: linear in the triangles; only appended contacts are counted as work.
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
   /// Gives the contacts of two meshes, where the triangles are those of one solid and do not change.
-  std::optional<float> appendOfMesh(const MeshQuestion& question, std::vector<Contact>& contacts) override;
+  std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
   NodePair leavesOf(const Contact& contact) const override;
   float size(const btCollisionShape& shape) const override;
 

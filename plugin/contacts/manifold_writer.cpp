@@ -202,7 +202,7 @@ void ManifoldWriter::placeSpeculative(const btPersistentManifold& manifold, btMa
 void ManifoldWriter::setSolverDistance(btManifoldPoint& point, const Contact& contact) const {
   const bool mayBounce = contact.isSpeculative ? !contact.isSecondary : !contact.ofSpheres;
   const btScalar closing = mayBounce ? btScalar(motion_.closingSpeed(contact)) : btScalar(0);
-  point.m_distance1 = distanceToTell(point.m_distance1 + btScalar(contact.curvatureCorrection), closing,
+  point.m_distance1 = solverDistance(point.m_distance1 + btScalar(contact.curvatureCorrection), closing,
                                      point.m_combinedRestitution, btScalar(motion_.timeStep));
 }
 

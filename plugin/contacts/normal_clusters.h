@@ -15,7 +15,7 @@ inline constexpr int kMaxClusters = 4;
 inline constexpr float kClusterCosine = 0.642787610F;
 
 /// Cosine of the 45 degrees within which contacts of two bounding spheres resist the same motion.
-inline constexpr float kSameWayCosine = 0.707106781F;
+inline constexpr float kSameMotionCosine = 0.707106781F;
 
 /// Cosine of the 10 degrees within which normals belong to one surface and resist the same motion.
 inline constexpr float kSameNormalCosine = 0.984807753F;

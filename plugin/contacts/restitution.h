@@ -26,7 +26,7 @@ inline btScalar slowestBounce() {
 /// | slower than Bullet's threshold, or no restitution | unchanged |
 ///
 /// `closingSpeed`: at the contact, world length per second, positive where the surfaces approach. `timeStep`: seconds.
-inline btScalar distanceToTell(btScalar distance, btScalar closingSpeed, btScalar restitution, btScalar timeStep) {
+inline btScalar solverDistance(btScalar distance, btScalar closingSpeed, btScalar restitution, btScalar timeStep) {
   if (restitution <= 0 || closingSpeed <= slowestBounce()) return distance;
   const btScalar travel = closingSpeed * timeStep;
   return distance <= travel ? btScalar(0) : std::max(distance, (1 + restitution) * travel);

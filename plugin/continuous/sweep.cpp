@@ -119,7 +119,7 @@ void Sweep::deflect(SweptPair pair, Budget& budget) {
     pair.treeTrajectory = pair.treeTrajectory.along(toBullet(normal), pair.otherTrajectory);
     follow(pair, false, budget);
     for (const Meeting& m : meetings_)
-      if (m.isContact && dot(m.contact.normal, normal) < kSameWayCosine) addContactsOf(m);
+      if (m.isContact && dot(m.contact.normal, normal) < kSameMotionCosine) addContactsOf(m);
   }
 }
 

@@ -38,7 +38,7 @@ std::optional<float> SweptField::entry(const Sphere& ball, std::uint32_t /*eleme
 
 // Other directions are unknown.
 Vec3 SweptField::support(std::uint32_t /*element*/, const Vec3& direction) const {
-  return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kEndless;
+  return dot(normal_, direction) > 0.999F ? onPlane_ : direction * kInfiniteExtent;
 }
 
 void SweptField::appendNormals(std::uint32_t /*element*/, const Vec3& center, SeparatingNormals& normals) {

@@ -30,7 +30,7 @@ std::optional<float> SweptPlane::entry(const Sphere& ball, std::uint32_t /*eleme
 // Along any other direction the half-space is infinite, so nothing is apart from it.
 Vec3 SweptPlane::support(std::uint32_t /*element*/, const Vec3& direction) const {
   const float cosine = dot(normal_, direction);
-  return cosine > 0.999F ? normal_ * offset_ : direction * kEndless;
+  return cosine > 0.999F ? normal_ * offset_ : direction * kInfiniteExtent;
 }
 
 void SweptPlane::appendNormals(std::uint32_t /*element*/, const Vec3& /*center*/, SeparatingNormals& normals) {

@@ -11,7 +11,7 @@
 namespace cairn::bullet {
 
 /// The extent of infinite elements: larger than that of any finite one. Differences of two such lengths stay finite.
-inline constexpr float kEndless = 1e38F;
+inline constexpr float kInfiniteExtent = 1e38F;
 
 /// A shape that a moving sphere-tree may meet, as elements; elements of a tree have children. All lengths and points
 /// are in the frame of the target's body, world unit. Nothing here can fail; elements are those taken last.

@@ -11,11 +11,11 @@
 namespace cairn::bullet {
 
 double onErrorScale(double errorFraction) {
-  return std::log(errorFraction / kMinErrorShown) / std::log(kGreatestErrorShown / kMinErrorShown);
+  return std::log(errorFraction / kMinErrorShown) / std::log(kMaxErrorShown / kMinErrorShown);
 }
 
 btVector3 errorColor(double errorFraction) {
-  const double fraction = std::clamp(errorFraction, kMinErrorShown, kGreatestErrorShown);
+  const double fraction = std::clamp(errorFraction, kMinErrorShown, kMaxErrorShown);
   const double at = std::clamp(onErrorScale(fraction), 0.0, 1.0) * (kErrorColors.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at), kErrorColors.size() - 2);
   const double weight = at - static_cast<double>(i);

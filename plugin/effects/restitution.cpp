@@ -38,7 +38,7 @@ std::uint32_t Restitution::changeContacts(std::span<Contact> contacts, const Ste
     const btScalar value = values_.at(contact.sides[0].material, contact.sides[1].material);
     point.m_combinedRestitution = restitution::at(law_, value, contact.closingSpeed);
     point.m_distance1 =
-        bullet::distanceToTell(point.m_distance1, contact.closingSpeed, point.m_combinedRestitution, step.timeStep);
+        bullet::solverDistance(point.m_distance1, contact.closingSpeed, point.m_combinedRestitution, step.timeStep);
     if (point.m_combinedRestitution > 0) ++acted;
   }
   return acted;

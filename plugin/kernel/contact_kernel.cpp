@@ -39,8 +39,8 @@ bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const Feature
 // New lists are expected to be about as long as the last ones.
 std::optional<std::uint64_t> KernelMemory::expectedCost(const RelativePlacement& placement) const {
   if (!near_) return insufficient_ > 0 ? std::optional(insufficient_) : std::nullopt;
-  const bool areNear = near_->holdsAt(placement, near_->reach);
-  const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->reach);
+  const bool areNear = near_->holdsAt(placement, near_->maxSeparation);
+  const bool areListed = areNear && features_ && features_->holdsAt(placement, near_->maxSeparation);
   const std::uint64_t listed = kOverlapTestCost * (listed_ + (areListed ? 0 : patches_.size()));
   return std::max(listed + (areNear ? overlapCost_ : findingCost_), insufficient_);
 }
@@ -92,7 +92,7 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
                                  std::span<const OverlapRegion> regions, Budget& budget) {
   if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
   ContactLimits deeper = limits;
-  deeper.reach = -limits.margins - shallowDepth(limits);
+  deeper.maxSeparation = -limits.margins - shallowDepth(limits);
   deeper.skin = 0;
   const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
   lister_.begin(surfaces, deeper);
@@ -110,8 +110,9 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
                                                 Budget& budget) {
   const auto moved = static_cast<float>(placement.displacementSince(memory.lastPlacement_));
   memory.lastPlacement_ = placement;
-  const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.reach);
-  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.reach)) return memory.cached_.spans();
+  const bool areNear = memory.near_ && memory.near_->holdsAt(placement, limits.maxSeparation);
+  if (areNear && memory.features_ && memory.features_->holdsAt(placement, limits.maxSeparation))
+    return memory.cached_.spans();
   memory.features_.reset();
   lister_.begin(surfaces, limits);
   if (!areNear) {
@@ -122,7 +123,7 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
     if (!lister_.findNear(memory.patches_, budget)) return {};
     memory.findingCost_ = budget.used() - before;
     memory.minSeparation_ = lister_.minSeparation();
-    memory.near_ = {placement, limits.reach, skin};
+    memory.near_ = {placement, limits.maxSeparation, skin};
   }
   const float sincePatches = memory.near_->movedBy(placement), left = memory.near_->skin - sincePatches;
   const float leastSkin = tuning::kReused * limits.contactDistance;
@@ -131,7 +132,7 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
   if (!lister_.list(memory.patches_, sincePatches, Asked::all, lists_, budget)) return {};
   if (skin > 0) memory.cached_.keep(lists_);
   memory.listed_ = lists_.size();
-  memory.features_ = {placement, limits.reach, skin};
+  memory.features_ = {placement, limits.maxSeparation, skin};
   return lists_;
 }
 

@@ -47,13 +47,13 @@ class KernelMemory {
 
   struct Listed {
     RelativePlacement at;
-    float reach, skin;  // world length; `reach`: the separation up to which the list is complete
+    float maxSeparation, skin;  // world length; `reach`: the separation up to which the list is complete
 
     float movedBy(const RelativePlacement& placement) const {
       return static_cast<float>(placement.displacementSince(at));
     }
     bool holdsAt(const RelativePlacement& placement, float wanted) const {
-      return skin > 0 && wanted <= reach && movedBy(placement) <= skin;
+      return skin > 0 && wanted <= maxSeparation && movedBy(placement) <= skin;
     }
   };
 

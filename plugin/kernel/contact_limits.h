@@ -6,7 +6,7 @@ namespace cairn::bullet {
 /// The world lengths that decide which features of a pair are contacts; contact_tuning.h has their fractions.
 struct ContactLimits {
   float contactDistance = 0;  ///< scale of all tolerances, even for queries that look farther
-  float reach = 0;            ///< contacts up to this separation are wanted; at least `contactDistance`
+  float maxSeparation = 0;    ///< contacts up to this separation are wanted; at least `contactDistance`
   float trustedDepth = 0;     ///< deeper overlap, without margins, is not a local minimum of the distance
   float margins = 0;          ///< sum of both surfaces' margins
   /// Lists stay complete until a point of one body has moved this far against the other.
@@ -15,7 +15,7 @@ struct ContactLimits {
 
   /// `thickness`: of the thinner body, see `TreeSurface`. Minima are trusted to half of it, and to at most
   /// `tuning::kTrustedDepth` of the size. All arguments in world lengths.
-  static ContactLimits of(float contactDistance, float reach, float thickness, float margins);
+  static ContactLimits of(float contactDistance, float maxSeparation, float thickness, float margins);
 
   /// Bound on the displacement between points of two bodies by rounding.
   float rounding() const { return 1e-6F * size; }
@@ -24,7 +24,7 @@ struct ContactLimits {
   /// suffices.
   float turn() const { return 1e-6F + (size > 0 ? 4 * skin / size : 0.0F); }
   /// Whether a separation may belong to a contact.
-  bool trusts(float separation) const { return separation <= reach && separation + margins >= -trustedDepth; }
+  bool trusts(float separation) const { return separation <= maxSeparation && separation + margins >= -trustedDepth; }
   /// How far beside a feature a point at this separation may be and still touch it.
   float besideAt(float separation) const;
   /// How far a neighbour at this distance may be on the wrong side of the contact's tangent plane.

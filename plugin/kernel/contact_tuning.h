@@ -42,7 +42,7 @@ inline constexpr float kParallelSine = 0.02F;
 /// first fraction of its depth. Their normals differ by more than 50 degrees (cosine below). Their distance is at most
 /// so many of its depths, plus so many contact distances.
 inline constexpr float kShallower = 0.9F;
-inline constexpr float kOtherWayCosine = 0.642787610F;
+inline constexpr float kOtherDirectionCosine = 0.642787610F;
 inline constexpr float kNearDepths = 2;
 inline constexpr float kNearDistances = 0.1F;
 
@@ -73,7 +73,7 @@ inline constexpr float kReused = 0.5F;
 /// Number of vertices, evenly spread over the list, that decide whether a body near one of Bullet's meshes is inside
 /// it. One point does not suffice: a ring's middle, or a few vertices, may be inside the mesh it hangs on
 /// (`MeshGround.HoldsFromBothSides`).
-inline constexpr std::size_t kAskedVertices = 24;
+inline constexpr std::size_t kSampledVertices = 24;
 /// Larger meshes of Bullet's are answered by leaves. The derived data takes about half a kilobyte and three
 /// microseconds a triangle, in the step in which a body first comes near (`GroundSurface.IsNotOfHugeMeshes`).
 inline constexpr std::size_t kMaxTriangles = 200000;
@@ -84,7 +84,7 @@ inline constexpr int kMaxHullVertices = 512;
 /// Iterations that search an edge for its nearest point to a convex body, or for the end of a face. Ten halvings reach
 /// a thousandth of the edge. With five, one nearest contact of seven is missing or wrong by more than rounding
 /// (`ConvexContacts.TellWhatIsNearest`).
-inline constexpr int kMaxLooks = 10;
+inline constexpr int kMaxIterations = 10;
 
 /// Cosine of the 25 degrees within which contacts share a manifold. At 50 degrees cups inside each other do not come to
 /// rest (`Mechanisms.CupsStandInEachOther`).

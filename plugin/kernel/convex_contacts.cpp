@@ -39,7 +39,7 @@ bool isConcave(const PlacedSurface& surface, std::uint32_t index, std::size_t si
 // Finds where a condition ends, between a place where it holds and one where it fails.
 template <class Holds>
 float endOf(float holds, float fails, const Holds& isHeld) {
-  for (int i = 0; i < tuning::kMaxLooks; ++i) {
+  for (int i = 0; i < tuning::kMaxIterations; ++i) {
     const float middle = 0.5F * (holds + fails);
     (isHeld(middle) ? holds : fails) = middle;
   }
@@ -86,8 +86,8 @@ const ConvexContacts::Seen& ConvexContacts::seen(std::uint32_t vertex) {
 
 bool ConvexContacts::listPatches(Budget& budget) {
   patches_.clear();
-  const float reach = (limits_.reach + surfaceMargin_ + limits_.rounding()) / surface_->scale;
-  const Box box = boxOf(*surface_, *body_).grown(reach);
+  const float maxSeparation = (limits_.maxSeparation + surfaceMargin_ + limits_.rounding()) / surface_->scale;
+  const Box box = boxOf(*surface_, *body_).grown(maxSeparation);
   const std::span<const PatchFamily> families = surface_->patches().families();
   waiting_.assign(1, 0);
   while (!waiting_.empty()) {
@@ -158,7 +158,8 @@ Vec3 ConvexContacts::nearestOnSurface(const Vec3& inMesh) {
 // Tests the ball around the box.
 bool ConvexContacts::isNear(const Box& box) {
   const float radius = 0.5F * length(box.upper - box.lower) * surface_->scale;
-  return separationOf(body_->apartFrom(surface_->toPair * box.middle())) <= radius + limits_.reach + limits_.rounding();
+  return separationOf(body_->apartFrom(surface_->toPair * box.middle())) <=
+         radius + limits_.maxSeparation + limits_.rounding();
 }
 
 void ConvexContacts::appendOf(const SurfacePatch& patch) {
@@ -174,7 +175,7 @@ bool ConvexContacts::isTrusted(float separation, float outside) const {
 }
 
 bool ConvexContacts::isOfContact(float separation, const NearestPoint& nearest) {
-  if (separation > limits_.reach) return false;
+  if (separation > limits_.maxSeparation) return false;
   const Vec3 middle = surface_->toPair * surface_->patches().box().middle();
   if (isTrusted(separation, dot(nearest.normal, middle - nearest.point))) return true;
   isDeep_ = true;
@@ -217,7 +218,7 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
     stretch = {1, to.nearest};
   } else if (slopeOf(from.nearest) < -flat) {
     Stretch falls{0, from.nearest}, rises{1, to.nearest};
-    for (int i = 0; i < tuning::kMaxLooks; ++i) {
+    for (int i = 0; i < tuning::kMaxIterations; ++i) {
       const float fall = slopeOf(falls.nearest), rise = slopeOf(rises.nearest);
       const float cut =
           (rises.nearest.distance - falls.nearest.distance + fall * falls.at - rise * rises.at) / (fall - rise);
@@ -234,7 +235,7 @@ ConvexContacts::Stretch ConvexContacts::nearestStretch(const Seen& from, const S
     }
   }
   stretch.first = stretch.last = stretch.at;
-  if (separationOf(stretch.nearest.distance) > limits_.reach) return stretch;
+  if (separationOf(stretch.nearest.distance) > limits_.maxSeparation) return stretch;
   const float maxDistance = stretch.nearest.distance + tuning::kBeside * limits_.contactDistance;
   const auto isOfFace = [&](const NearestPoint& nearest) {
     return nearest.distance <= maxDistance && isSameNormal(nearest.normal, stretch.nearest.normal);
@@ -263,7 +264,7 @@ void ConvexContacts::appendEdge(std::uint32_t index) {
   const Seen from = seen(edge.vertex[0]), to = seen(edge.vertex[1]);
   const Vec3 edgeVector = to.place - from.place;
   const float least = 0.5F * (from.nearest.distance + to.nearest.distance - length(edgeVector));
-  if (separationOf(least) > limits_.reach) return;
+  if (separationOf(least) > limits_.maxSeparation) return;
   const Stretch stretch = nearestStretch(from, to);
   if (!isOfContact(separationOf(stretch.nearest.distance), stretch.nearest)) return;
   // An edge's ends are vertices, and `appendVertex` reports those.
@@ -299,7 +300,7 @@ bool ConvexContacts::isFaceSeparated(std::uint32_t index) {
   const float nearest = std::min({at.nearest.distance, bt.nearest.distance, ct.nearest.distance});
   const float longestSq =
       std::max({lengthSq(bt.place - at.place), lengthSq(ct.place - bt.place), lengthSq(at.place - ct.place)});
-  return separationOf(nearest) > limits_.reach + limits_.rounding() + kFarthest * std::sqrt(longestSq);
+  return separationOf(nearest) > limits_.maxSeparation + limits_.rounding() + kFarthest * std::sqrt(longestSq);
 }
 
 void ConvexContacts::appendFace(std::uint32_t index) {
@@ -323,7 +324,7 @@ void ConvexContacts::appendOnFace(std::uint32_t index, const Vec3& onBody, const
   const Vec3 inMesh = surface_->fromPair(onBody);
   const float height = (dot(face.normal, inMesh) - face.offset) * surface_->scale;
   const float separation = separationOf(height);
-  if (separation > limits_.reach) return;
+  if (separation > limits_.maxSeparation) return;
   if (!isOverFace(index, inMesh, separation)) return;
   contacts_.push_back(
       {onBody - outward * (0.5F * separation), -outward, separation, FeatureKind::faceOnVertex, index, corner});

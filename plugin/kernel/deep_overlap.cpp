@@ -86,7 +86,7 @@ DeepOverlap::Width DeepOverlap::widthAlong(const Vec3& normal) const {
 // along its face's normal, however much of its sides is inside too.
 Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& way) const {
   Vec3 nearest = way;
-  float cosine = tuning::kOtherWayCosine;
+  float cosine = tuning::kOtherDirectionCosine;
   const auto consider = [&](bool isOfA, std::uint32_t face) {
     if (face == SurfaceEdge::kNone) return;
     const PlacedSurface& side = isOfA ? surfaces.a : surfaces.b;

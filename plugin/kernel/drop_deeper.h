@@ -21,7 +21,8 @@ void dropDeeper(std::vector<FeatureContact>& contacts, std::vector<FeatureContac
     if (c.separation + limits.margins >= 0) return false;
     const float near = -tuning::kNearDepths * c.separation + tuning::kNearDistances * limits.contactDistance;
     return std::ranges::any_of(contacts, [&](const FeatureContact& o) {
-      return o.separation > tuning::kShallower * c.separation && dot(o.normal, c.normal) < tuning::kOtherWayCosine &&
+      return o.separation > tuning::kShallower * c.separation &&
+             dot(o.normal, c.normal) < tuning::kOtherDirectionCosine &&
              lengthSq(o.position - c.position) <= near * near && !staysInside(c, o);
     });
   };

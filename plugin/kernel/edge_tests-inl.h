@@ -72,8 +72,8 @@ HWY_INLINE void edgeOnEdges(const Vec3& from, const Vec3& to, const Vec3& outwar
   const Tag d;
   const NearLimits& limits = side.limits();
   const std::uint32_t stride = SurfacePatch::padded(edges.convexEdges);
-  const float ahead = limits.reach + limits.besideDeep,
-              around = std::max(limits.reach, -limits.depth) + limits.besideDeep;
+  const float ahead = limits.maxSeparation + limits.besideDeep,
+              around = std::max(limits.maxSeparation, -limits.depth) + limits.besideDeep;
   const float grown = around + limits.skin;
   Box box{from, from};
   box.add(to);

@@ -21,7 +21,7 @@ using FamilyTag = hn::CappedTag<float, PatchFamily::kWidth>;
 // Each box grows as `NearLimits::around` grows a box; the margin is how far the other box is outside.
 void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits& limits, FamilyTest& result) {
   const FamilyTag d;
-  const auto zero = hn::Zero(d), reach = hn::Set(d, limits.reach), deep = hn::Set(d, limits.depth),
+  const auto zero = hn::Zero(d), maxSeparation = hn::Set(d, limits.maxSeparation), deep = hn::Set(d, limits.depth),
              beside = hn::Set(d, limits.besideDeep);
   result.near = 0;
   const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
@@ -33,8 +33,8 @@ void testBoxes(const PatchFamily& family, const PlacedBox& box, const NearLimits
       const auto lower = hn::LoadU(d, family.lower[axis] + at), upper = hn::LoadU(d, family.upper[axis] + at);
       const auto below = hn::Sub(lower, hn::Set(d, box.middle[axis] + box.half[axis])),
                  above = hn::Sub(hn::Set(d, box.middle[axis] - box.half[axis]), upper);
-      const auto downwards = hn::Min(zero, hn::Min(hn::Mul(reach, low), hn::Mul(deep, high)));
-      const auto upwards = hn::Max(zero, hn::Max(hn::Mul(reach, high), hn::Mul(deep, low)));
+      const auto downwards = hn::Min(zero, hn::Min(hn::Mul(maxSeparation, low), hn::Mul(deep, high)));
+      const auto upwards = hn::Max(zero, hn::Max(hn::Mul(maxSeparation, high), hn::Mul(deep, low)));
       margin = hn::Max(margin, hn::Max(hn::Add(below, downwards), hn::Sub(above, upwards)));
       minSeparation = hn::Max(minSeparation, hn::Max(below, above));
     }

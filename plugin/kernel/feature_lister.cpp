@@ -27,7 +27,7 @@ bool FeatureLister::findNear(std::vector<PatchPair>& near, Budget& budget) {
 bool FeatureLister::list(std::span<const PatchPair> near, float moved, Asked asked, FeatureLists& lists,
                          Budget& budget) {
   lists.clear();
-  const PatchQuestion question{*surfaces_, a_, b_, limits_.turn(), moved + limits_.skin + limits_.rounding(), asked};
+  const PatchQuery question{*surfaces_, a_, b_, limits_.turn(), moved + limits_.skin + limits_.rounding(), asked};
   const auto isAsked = [&](const PatchPair& pair) { return pair.margin <= question.mostMargin; };
   if (!budget.charge(kOverlapTestCost * static_cast<std::uint64_t>(std::ranges::count_if(near, isAsked)))) return false;
   for (const PatchPair& pair : near) {

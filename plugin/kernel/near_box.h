@@ -13,7 +13,7 @@ namespace cairn::bullet {
 /// The space around a piece of surface in which anything may touch it, in that surface's frame and unit, and the skin
 /// of lists.
 struct NearLimits {
-  float reach = 0, depth = 0;  ///< greatest and least height above a face of a contact; `depth` is negative
+  float maxSeparation = 0, depth = 0;  ///< greatest and least height above a face of a contact; `depth` is negative
   float margins = 0;
   /// Distance beside a face within which a point may touch it: the least value here, the greatest, for deep points, in
   /// `besideDeep`.
@@ -25,13 +25,13 @@ struct NearLimits {
   NearLimits(float scale, const ContactLimits& limits) {
     const float unit = kRoundings / scale;
     setSkin(limits.skin / scale);
-    const float reached = limits.reach + limits.margins;
-    reach = reached < 0 ? reached / (kRoundings * scale) : reached * unit;
+    const float reached = limits.maxSeparation + limits.margins;
+    maxSeparation = reached < 0 ? reached / (kRoundings * scale) : reached * unit;
     depth = -limits.trustedDepth * unit;
     margins = limits.margins / scale;
     beside = tuning::kBeside * limits.contactDistance * unit;
     // On an edge a contact may point anywhere between its faces' normals, so it reaches equally far in all directions.
-    besideDeep = std::max(limits.contactDistance, limits.reach + limits.margins) * unit;
+    besideDeep = std::max(limits.contactDistance, limits.maxSeparation + limits.margins) * unit;
   }
 
   void setSkin(float length) { skin = length * kRoundings; }
@@ -41,8 +41,8 @@ struct NearLimits {
     Box box = piece;
     for (int axis = 0; axis < 3; ++axis) {
       const float low = normals.lower[axis], high = normals.upper[axis];
-      box.lower[axis] += std::min({0.0F, reach * low, depth * high}) - besideDeep;
-      box.upper[axis] += std::max({0.0F, reach * high, depth * low}) + besideDeep;
+      box.lower[axis] += std::min({0.0F, maxSeparation * low, depth * high}) - besideDeep;
+      box.upper[axis] += std::max({0.0F, maxSeparation * high, depth * low}) + besideDeep;
     }
     return box;
   }

@@ -111,7 +111,7 @@ HWY_INLINE void vertexOnFaces(const Vec3& vertex, const SurfacePatch& faces, con
   const auto skin = hn::Set(d, limits.skin);
   for (std::uint32_t at = 0; at < rows.stride; at += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const auto height = hn::Sub(dotOf(rows.normal(at), p), rows.offset(at));
-    auto margin = hn::Max(hn::Sub(height, hn::Set(d, limits.reach)), hn::Sub(hn::Set(d, limits.depth), height));
+    auto margin = hn::Max(hn::Sub(height, hn::Set(d, limits.maxSeparation)), hn::Sub(hn::Set(d, limits.depth), height));
     if (hn::AllFalse(d, hn::Le(margin, skin))) continue;
     auto inside = rows.inside(0, p, at);
     for (int side = 1; side < 3; ++side) inside = hn::Min(inside, rows.inside(side, p, at));
@@ -176,7 +176,7 @@ struct TestedPair {
   Codes codesA, codesB;
 };
 
-HWY_INLINE void testTouching(const PatchQuestion& question, const TestedPair& pair, FeatureLists& lists) {
+HWY_INLINE void testTouching(const PatchQuery& question, const TestedPair& pair, FeatureLists& lists) {
   const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
   for (std::uint32_t i = 0; i < a.ownVertices; ++i)
     if ((pair.codesA.of[i] & kNear) == 0)
@@ -202,7 +202,7 @@ HWY_INLINE void testTouching(const PatchQuestion& question, const TestedPair& pa
   }
 }
 
-HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pair, FeatureLists& lists) {
+HWY_INLINE void testCrossing(const PatchQuery& question, const TestedPair& pair, FeatureLists& lists) {
   const SurfacePatch &a = pair.a.patch, &b = pair.b.patch;
   for (std::uint32_t e = 0; e < a.edges.size(); ++e)
     if (const auto& ends = a.edgeEnds[e]; mayBeNear(pair.codesA, ends, kExact))
@@ -217,7 +217,7 @@ HWY_INLINE void testCrossing(const PatchQuestion& question, const TestedPair& pa
 }
 
 // The boxes around placed vertices are tighter than placed boxes, and rule out most pairs.
-HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices, FeatureLists& lists) {
+HWY_INLINE void testPair(const PatchQuery& question, const PatchPair& indices, FeatureLists& lists) {
   const PlacedPatch &a = question.a[indices.a], &b = question.b[indices.b];
   const float skinA = question.a.limits().skin, skinB = question.b.limits().skin;
   if (a.placed.separationTo(b.near) > skinB || b.placed.separationTo(a.near) > skinA) return;
@@ -232,7 +232,7 @@ HWY_INLINE void testPair(const PatchQuestion& question, const PatchPair& indices
 
 }  // namespace
 
-void testPairs(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
+void testPairs(const PatchQuery& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
   for (const PatchPair& pair : pairs)
     if (pair.margin <= question.mostMargin) testPair(question, pair, lists);
 }
@@ -245,7 +245,7 @@ namespace cairn::bullet {
 
 HWY_EXPORT(testPairs);
 
-void testPatches(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
+void testPatches(const PatchQuery& question, std::span<const PatchPair> pairs, FeatureLists& lists) {
   HWY_DYNAMIC_DISPATCH(testPairs)(question, pairs, lists);
 }
 

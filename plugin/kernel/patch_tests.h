@@ -9,7 +9,7 @@
 namespace cairn::bullet {
 
 /// The question put to pairs of patches.
-struct PatchQuestion {
+struct PatchQuery {
   const SurfacePair& surfaces;
   const PlacedPatches &a, &b;
   float turn;        ///< bound, in radians, on how far directions turn while lists hold
@@ -19,6 +19,6 @@ struct PatchQuestion {
 
 /// Appends for each of these pairs its features that may touch. The result may hold a few pairs too many; the caller
 /// decides each one exactly. The same bits on every instruction set. Precondition: the patches are placed.
-void testPatches(const PatchQuestion& question, std::span<const PatchPair> pairs, FeatureLists& lists);
+void testPatches(const PatchQuery& question, std::span<const PatchPair> pairs, FeatureLists& lists);
 
 }  // namespace cairn::bullet

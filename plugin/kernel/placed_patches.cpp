@@ -30,7 +30,7 @@ void PlacedPatches::place(std::uint32_t index) {
   const SurfacePatch& patch = here.patch;
   here.near = limits_.around(patch.box, patch.normals);
   here.nearLowest = patch.lowest + limits_.depth - limits_.besideDeep;
-  here.nearHighest = patch.highest + std::max(limits_.reach, 0.0F) + limits_.besideDeep;
+  here.nearHighest = patch.highest + std::max(limits_.maxSeparation, 0.0F) + limits_.besideDeep;
 }
 
 }  // namespace cairn::bullet

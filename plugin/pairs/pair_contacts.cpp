@@ -124,7 +124,7 @@ void PairContacts::appendUnmeasured(Collider& collider, const RelativeMotion& mo
   seenLeafPairs_ = leafPairs;
 }
 
-bool PairContacts::appendOfMesh(Collider& collider, const RelativeMotion& motion, const MeshQuestion& question,
+bool PairContacts::appendOfMesh(Collider& collider, const RelativeMotion& motion, const MeshQuery& question,
                                 std::vector<Contact>& contacts) {
   const bool isTimed = question.finest == Finest::triangles && question.budget.hasDeadline();
   const auto began = isTimed ? Budget::Clock::now() : Budget::Clock::time_point();
@@ -150,13 +150,13 @@ std::uint64_t PairContacts::fallbackCost(const Collider& collider) const {
 
 float PairContacts::frontError(Collider& collider) {
   Traversal& traversal = collider.traversal();
-  const bool isOlder = collider.isOfLikeSize() && traversal.front().size() > Traversal::kCoarsePairs;
+  const bool isOlder = collider.hasSimilarSize() && traversal.front().size() > Traversal::kCoarsePairs;
   return isOlder ? traversal.worstOf(traversal.coarseFront()) : traversal.worstFrontError();
 }
 
 std::span<const NodePair> PairContacts::reportedFront(const Collider& collider) {
   const Traversal& traversal = collider.traversal();
-  if (collider.isOfLikeSize()) return traversal.coarseFront();
+  if (collider.hasSimilarSize()) return traversal.coarseFront();
   return traversal.front().first(std::min(traversal.front().size(), Traversal::kCoarsePairs));
 }
 
@@ -253,7 +253,7 @@ void PairContacts::appendGuards(Collider& collider, const RelativeMotion& motion
   budget.forceCharge(kSphereCost * collider.appendRootContacts(scratch.rootContacts));
   const bool needsAll = needsRootContacts(collider, motion.smallerSize, scratch.rootContacts);
   for (const Contact& whole : scratch.rootContacts) {
-    if (!needsAll && (collider.isOfLikeSize() || !guards_.had(whole))) continue;
+    if (!needsAll && (collider.hasSimilarSize() || !guards_.had(whole))) continue;
     const auto inFront = std::ranges::find(guards, whole.id, &Contact::id);
     if (inFront == guards.end())
       guards.push_back(whole);
@@ -275,7 +275,7 @@ bool PairContacts::needsRootContacts(Collider& collider, float smallerSize,
                                      std::span<const Contact> rootContacts) const {
   Traversal& traversal = collider.traversal();
   const bool isCut = traversal.front().size() > Traversal::kCoarsePairs;
-  if (!collider.isOfLikeSize()) return isCut || !age_.isTraversalRecent(smallerSize);
+  if (!collider.hasSimilarSize()) return isCut || !age_.isTraversalRecent(smallerSize);
   float error = 0;
   for (const Contact& whole : rootContacts) error = std::max(error, traversal.pairError(whole.pair));
   return error <= frontError(collider) + age_.sinceTraversal();

@@ -128,7 +128,7 @@ class PairContacts {
   static std::span<const NodePair> reportedFront(const Collider& collider);
   static void appendFront(Collider& collider, bool compensate, float maxSeparation, Budget& budget,
                           std::vector<Contact>& contacts);
-  bool appendOfMesh(Collider& collider, const RelativeMotion& motion, const MeshQuestion& question,
+  bool appendOfMesh(Collider& collider, const RelativeMotion& motion, const MeshQuery& question,
                     std::vector<Contact>& contacts);
   void appendGuards(Collider& collider, const RelativeMotion& motion, float maxSeparation, Budget& budget,
                     ContactScratch& scratch);

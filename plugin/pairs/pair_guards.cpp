@@ -37,7 +37,7 @@ std::size_t putChosenFirst(std::vector<Contact>& guards) {
   choose([](const Contact& c) { return c.isRootContact; });
   choose([&](const Contact& c) {
     return std::none_of(guards.begin(), guards.begin() + static_cast<std::ptrdiff_t>(count),
-                        [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameWayCosine; });
+                        [&](const Contact& chosen) { return dot(chosen.normal, c.normal) > kSameMotionCosine; });
   });
   choose([](const Contact&) { return true; });
   return count;
@@ -69,7 +69,7 @@ void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std
 // guard for the floor says nothing about a wall.
 const PairGuards::Guard* PairGuards::lastOf(const Contact& guard) const {
   const Guard* best = nullptr;
-  float cosine = kSameWayCosine;
+  float cosine = kSameMotionCosine;
   for (const Guard& g : guards_) {
     const float c = dot(g.normal, guard.normal);
     if (!guard.isRootContact || !g.isRootContact || c <= cosine) continue;
@@ -91,7 +91,7 @@ float PairGuards::allowedSeparation(const Contact& guard, float smallerSize) con
     return std::max(last->allowedSeparation, now - kUnfollowedFraction * smallerSize);
   float sunk = 0;
   for (const Guard& g : guards_) {
-    if (dot(g.normal, guard.normal) > kSameWayCosine) sunk = std::max(sunk, g.sunk);
+    if (dot(g.normal, guard.normal) > kSameMotionCosine) sunk = std::max(sunk, g.sunk);
   }
   return now + sunk;
 }

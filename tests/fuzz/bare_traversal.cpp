@@ -14,7 +14,7 @@ namespace cairn::fuzz {
 namespace {
 
 // Beyond this the squares of an overlap test leave float's range, and everything may be named.
-constexpr double kLargestLength = 1e15;
+constexpr double kMaxLength = 1e15;
 constexpr int kMaxStops = 64;
 constexpr std::size_t kMaxAsked = 64;
 
@@ -34,7 +34,7 @@ struct Scene {
   double reachA() const { return poseA.scale * double(a.tree->extent()); }
   double reachB() const { return poseB.scale * double(b.tree->extent()); }
   double lengths() const { return apart() + reachA() + reachB(); }
-  bool isTestable() const { return lengths() < kLargestLength * std::min({poseA.scale, poseB.scale, 1.0}); }
+  bool isTestable() const { return lengths() < kMaxLength * std::min({poseA.scale, poseB.scale, 1.0}); }
 
   void start(TreePairTraversal& traversal) const { traversal.start(*a.tree, *b.tree, poseA, poseB, margin); }
 };

@@ -39,7 +39,7 @@ Pose randomPose(std::mt19937_64& engine) {
 ContactLimits limitsOf(float skin = 0) {
   constexpr float kSize = 0.9F;
   ContactLimits limits;
-  limits.contactDistance = limits.reach = tuning::kContactDistance * kSize;
+  limits.contactDistance = limits.maxSeparation = tuning::kContactDistance * kSize;
   limits.trustedDepth = tuning::kTrustedDepth * kSize;
   limits.skin = skin;
   limits.size = kSize;
@@ -154,7 +154,7 @@ TEST(ContactKernel, ListsWhatAQueryAsksForFarAway) {
     const PlacedTree a(*crate,
                        Pose{turn * onEdge, {uniform(engine, -0.2, 0.2), uniform(engine, -0.2, 0.2), 2 * h + apart}, 1});
     ContactLimits limits = limitsOf();
-    limits.reach = 0.2F;
+    limits.maxSeparation = 0.2F;
     const SurfacePair surfaces = SurfacePair::of(a, b);
     const Found expected = found(surfaces, all, limits);
     contacts += expected.contacts.size();

@@ -188,7 +188,7 @@ TEST(ContactQueryThreshold, DoesNotChangeHowDeepATreeIsInAMesh) {
 }
 
 // Of the leaves of what lies below; between trees a point may be anywhere between the two leaves that touch.
-constexpr float kLargestOther = 0.307F;
+constexpr float kMaxOther = 0.307F;
 
 // Whether a point of the body's frame is on the feature of the mesh that a contact names, within the contact distance.
 bool isNearFeature(const bullet::SphereTreeShape& shape, int part, int index, const btVector3& point) {
@@ -239,7 +239,7 @@ TEST_P(ContactQuery, OfAWholeWorldFindsEveryNeighbourOnce) {
         const btVector3 center =
             shape.bodyFromTree() * btVector3(btScalar(leaf.center.x), btScalar(leaf.center.y), btScalar(leaf.center.z));
         wrong += shape.tree().isLeaf(node) && static_cast<int>(shape.tree().level(node)) == part &&
-                         (on - center).length() < btScalar(leaf.radius + kLargestOther)
+                         (on - center).length() < btScalar(leaf.radius + kMaxOther)
                      ? 0
                      : 1;
         return 0;

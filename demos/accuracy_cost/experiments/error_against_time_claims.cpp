@@ -13,7 +13,7 @@ namespace cairn::accuracy_cost {
 namespace {
 
 /// Errors that matter, of body size: below nobody sees it, above nobody wants it.
-constexpr double kMinError = 0.001, kGreatestError = 0.05;
+constexpr double kMinError = 0.001, kMaxError = 0.05;
 
 /// A row's time over the tree's, with its interval.
 struct Time {
@@ -50,7 +50,7 @@ struct Fronts {
 void compare(const Table& table, const Where& scene, const std::string& column, Fronts& fronts) {
   for (const std::size_t row : table.select(scene)) {
     const double error = table.number(row, column);
-    if (table.text(row, "side") == "ours" || !(error <= kGreatestError)) continue;
+    if (table.text(row, "side") == "ours" || !(error <= kMaxError)) continue;
     ++fronts.rivals;
     const Time rival = timeOf(table, row);
     const auto ours = fastestOfOurs(table, scene, column, error);
@@ -113,12 +113,12 @@ void addFront(const Table& table, const std::string& column, const char* which, 
   found += noiseText(table);
   claims.push_back(
       {fmt::format("no rival is below and left of ours for any {} error of a pair between {} and {} % of size", which,
-                   100 * kMinError, 100 * kGreatestError),
+                   100 * kMinError, 100 * kMaxError),
        fmt::format("each pair that meets or has contacts counts once, a missed one with its whole depth, a "
                    "reported one with its worst point and its gap; for each rival that errs at most {} %, "
                    "the fastest of ours that errs no more (or at most {} %) is not slower: the interval of "
                    "its time over the tree's does not lie above the rival's",
-                   100 * kGreatestError, 100 * kMinError),
+                   100 * kMaxError, 100 * kMinError),
        found,
        fronts.exceptions.empty(),
        {},

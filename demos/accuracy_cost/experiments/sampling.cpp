@@ -32,7 +32,7 @@ constexpr double kMuchTheSame = 1.1;
 /// Pearson's r squared from which a relation counts as "pretty much linear".
 constexpr double kLinear = 0.95;
 /// Powers of the samples that the spheres may grow with and still count as linear.
-constexpr double kMinPower = 0.8, kGreatestPower = 1.25;
+constexpr double kMinPower = 0.8, kMaxPower = 1.25;
 /// Volume that still counts as "nearly zero".
 constexpr double kNearlyNothing = 0.01;
 
@@ -171,12 +171,11 @@ Claim linearClaim(const Table& table) {
   return {"the number of spheres grows linearly with the samples for both",
           fmt::format("for each model and sampling it grows as a power from {} to {} of the samples (straight line "
                       "through the logarithms), and a straight line explains at least {} of its variance",
-                      kMinPower, kGreatestPower, kLinear),
+                      kMinPower, kMaxPower, kLinear),
           fmt::format("the number of spheres grows as the power {} to {} of the samples; a straight line explains at "
                       "least {} of its variance",
-                      ratioText(leastPower, kMinPower), ratioText(greatestPower, kGreatestPower),
-                      ratioText(least, kLinear)),
-          least >= kLinear && leastPower >= kMinPower && greatestPower <= kGreatestPower,
+                      ratioText(leastPower, kMinPower), ratioText(greatestPower, kMaxPower), ratioText(least, kLinear)),
+          least >= kLinear && leastPower >= kMinPower && greatestPower <= kMaxPower,
           {},
           {.reach = Reach::every},
           leastPower};

@@ -75,7 +75,7 @@ std::string labelText(const std::string& heading, const std::string& line, doubl
 std::string colorScaleText(double z) {
   constexpr double kLength = 3.0, kHeight = 0.07;
   constexpr int kCells = 240;
-  constexpr double kRange = bullet::kGreatestErrorShown / bullet::kMinErrorShown;
+  constexpr double kRange = bullet::kMaxErrorShown / bullet::kMinErrorShown;
   std::string text;
   for (int i = 0; i < kCells; ++i) {
     const double left = kLength * (static_cast<double>(i) / kCells - 0.5);

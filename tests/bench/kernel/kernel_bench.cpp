@@ -70,7 +70,7 @@ float sizeOf(const SphereTree& tree) {
 ContactLimits limitsOf(const SphereTree& tree) {
   ContactLimits limits;
   limits.size = sizeOf(tree);
-  limits.contactDistance = limits.reach = tuning::kContactDistance * limits.size;
+  limits.contactDistance = limits.maxSeparation = tuning::kContactDistance * limits.size;
   limits.trustedDepth =
       std::min(tuning::kTrustedDepth * limits.size, tuning::kTrustedThickness * tree.surface().thickness);
   return limits;
@@ -100,7 +100,7 @@ Meeting meet(const SphereTree& tree, std::mt19937_64& engine, ContactKernel& ker
     const auto answer = kernel.run(SurfacePair::of(at(middle), placedB), limits, memory, {}, budget);
     (answer && !answer->contacts.empty() ? near : far) = middle;
   }
-  return {at(near), placedB, leafPairsOf(at(near), placedB, limits.reach)};
+  return {at(near), placedB, leafPairsOf(at(near), placedB, limits.maxSeparation)};
 }
 
 // Microseconds a meeting, median of the runs.
@@ -209,7 +209,7 @@ void timeSpheres(const Options& options, const std::vector<Meeting>& meetings, c
   figures.traversal = timed(options, meetings.size(), [&] {
     for (const Meeting& m : meetings) {
       Budget budget = Budget::unlimited();
-      traversal.start(m.a.tree(), m.b.tree(), m.a.pose(), m.b.pose(), limits.reach);
+      traversal.start(m.a.tree(), m.b.tree(), m.a.pose(), m.b.pose(), limits.maxSeparation);
       traversal.refine(budget);
     }
   });
@@ -219,7 +219,8 @@ void timeSpheres(const Options& options, const std::vector<Meeting>& meetings, c
     for (const Meeting& m : meetings)
       for (std::span<const NodePair> pairs = m.leafPairs; !pairs.empty();) {
         const auto some = pairs.first(std::min<std::size_t>(pairs.size(), RegionSeparations::kSize));
-        measureSeparations(m.a.regions(), m.b.regions(), some, {0, limits.reach, limits.reach}, separations);
+        measureSeparations(m.a.regions(), m.b.regions(), some, {0, limits.maxSeparation, limits.maxSeparation},
+                           separations);
         pairs = pairs.subspan(some.size());
       }
   });

@@ -58,7 +58,7 @@ struct Certificate {
 /// anywhere; its spheres are taken as the exact reals their floats are, placed at the tree's origin.
 ///
 /// A triangle lies in a ball exactly when its corners do; one that lies in no single chain of balls is split until its
-/// pieces do, down to `kSmallestPiece` of the bounding box's diagonal. Protrusions are enclosed by branch and bound to
+/// pieces do, down to `kMinPiece` of the bounding box's diagonal. Protrusions are enclosed by branch and bound to
 /// 1 % or 1e-4 of the diagonal (certify/protrusion.h). All comparisons carry a guard for the rounding of double
 /// arithmetic.
 ///
@@ -75,6 +75,6 @@ Result<Certificate> certify(const SphereTree& tree, const TriangleMesh& mesh, co
 /// overlap by less cannot be proved. What `buildTree` makes always can: its balls hold the pieces of their regions with
 /// 2^-23 of the largest coordinate to spare (tree frame), which is at least 2^-1.8 of the diagonal, and a piece no
 /// longer than that is held wherever it touches.
-inline constexpr double kSmallestPiece = 0x1p-25;
+inline constexpr double kMinPiece = 0x1p-25;
 
 }  // namespace cairn::builder

@@ -22,7 +22,7 @@ namespace cairn::bullet {
 /// that does not draw spheres itself gets some 150 lines a sphere.
 
 /// The range of the logarithmic colour scale: certified errors as fractions of `SphereTreeShape::size`.
-inline constexpr double kMinErrorShown = 0.003, kGreatestErrorShown = 0.5;
+inline constexpr double kMinErrorShown = 0.003, kMaxErrorShown = 0.5;
 
 /// Red, green and blue at equal steps of the scale; each step is 2.8 times the error of the last. Blue is 0.3 %, sky
 /// 0.83 %, teal 2.3 %, green 6.5 %, lime 18 %, yellow 50 %. Lightness rises steadily, so that everyone can read the
