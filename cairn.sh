@@ -53,6 +53,13 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh report [--quick] [-o DIR]
                              all of this as one page to be sent to a sceptic, out/report/index.html: experiments, conclusions, figures,
                              tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
+  ./cairn.sh results [--quick] [--only SECTIONS]
+                             measure and write docs/results.md, the page of all tables, section by section (--help, --list)
+  ./cairn.sh figures heap|converge
+                             print a table of the README as measured now, as Markdown
+  ./cairn.sh check-figures [PAGE...]
+                             compare the tables between <!-- figures: COMMAND --> and <!-- /figures --> (default README.md)
+                             with what their commands print
   ./cairn.sh fuzz [TARGET] [SECONDS] fuzz tree_file, case_file, narrow_phase, builder or mesh_import (default: one after the
                              other) under address and undefined-behaviour sanitizers (default 600 seconds each)
   ./cairn.sh coverage        what the tests of core and plugin reach of their lines and branches, file by file; fails below
@@ -144,6 +151,11 @@ fetch_mesh() {
   fi
 }
 
+# The heap of the README, of the tree $1, into out/demo/heap.json.
+heap_of_demo() {
+  build/release/bin/frame_budget --scene heap --tree "$1" --bodies 100 --shape tree,tree+leaves,gimpact --json out/demo/heap.json "${@:2}"
+}
+
 demo() {
   need "${everything[@]}"
   local out=out/demo bin=build/release/bin mesh name
@@ -158,11 +170,12 @@ demo() {
   name=$(basename "${mesh%.*}")
   say "A certified sphere-tree of $mesh"
   "$bin/cairn" build "$mesh" -o "$out/$name.cairn" --json "$out/$name.json"
-  say "A hundred of them in Bullet, with the tree and with GImpact"
-  "$bin/frame_budget" --scene heap --tree "$out/$name.cairn" --bodies 100 --shape tree,gimpact \
-    --json "$out/heap.json" --csv "$out/heap.csv" --picture "$out/heap.png"
+  say "A hundred of them in Bullet, with the tree, with contacts at its leaves and with GImpact"
+  heap_of_demo "$out/$name.cairn" --csv "$out/heap.csv" --picture "$out/heap.png"
   say "The tree's levels"
   "$bin/tree_picture" "$out/$name.cairn" -o "$out/levels.png"
+  say "The README's table, as measured now"
+  python3 demos/report/figures.py heap "$out/heap.json"
   say "Done in $SECONDS s: look at $out/levels.png and $out/heap.png; figures in $out/heap.json, per step in $out/heap.csv"
 }
 
@@ -292,6 +305,34 @@ report() {
   "$python" demos/report/measure.py "$@"
 }
 
+results() {
+  case " $* " in *' --help '* | *' -h '*) python3 demos/report/results.py --help; return ;; esac
+  need "${everything[@]}" accuracy demo tables tests
+  say "Building"
+  configure_and_build release --target cairn accuracy_cost frame_budget hard_cases laws_bench textbook_bench > /dev/null
+  python3 demos/report/results.py "$@"
+}
+
+# A table of the README. Only the table goes to standard output.
+figures() {
+  local mesh name out=out/demo
+  [[ ${1:-} == heap || ${1:-} == converge ]] || { echo "cairn.sh: figures prints heap or converge; name one of them." >&2; return 2; }
+  {
+    need "${everything[@]}" demo
+    configure_and_build release --target cairn frame_budget make_rock
+    mkdir -p "$out"
+    fetch_mesh "$out"
+    name=$out/$(basename "${mesh%.*}").cairn
+    build/release/bin/cairn build "$mesh" -o "$name"
+    if [[ $1 == heap ]]; then
+      heap_of_demo "$name"
+    else
+      build/release/bin/frame_budget --scene converge --tree "$name" --shape tree,tree+leaves,gimpact,fcl --runs 3 --json "$out/converge.json"
+    fi
+  } >&2
+  python3 demos/report/figures.py "$1" "$out/$1.json"
+}
+
 fuzz() {
   local targets=(tree_file case_file narrow_phase builder mesh_import) target
   local -A longest=([tree_file]=65536 [case_file]=32768 [narrow_phase]=512 [builder]=64 [mesh_import]=4096)
@@ -364,6 +405,9 @@ case $command in
   hard-cases) hard_cases "$@" ;;
   report) report "$@" ;;
   scoreboard) scoreboard "$@" ;;
+  results) results "$@" ;;
+  figures) figures "$@" ;;
+  check-figures) python3 tests/figures/check.py "$@" ;;
   fuzz) fuzz "$@" ;;
   coverage) coverage "$@" ;;
   threads) threads "$@" ;;

@@ -56,7 +56,7 @@ def now():
 
 
 def describe(source, build):
-    """Label and value, in the order they are shown; what cannot be found out says so."""
+    """Of the checkout that the programs were built from. Label and value, in the order they are shown; what cannot be found out says so."""
     facts = {
         "CPU": _value_in("/proc/cpuinfo", "model name", ":") or platform.processor(),
         "Cores": str(os.cpu_count() or ""),
@@ -64,7 +64,7 @@ def describe(source, build):
         "System": ", ".join(t for t in (_value_in("/etc/os-release", "PRETTY_NAME", "="),
                                         f"{platform.system()} {platform.release()}") if t),
         "Compiler": _compiler(build),
-        "Commit": _commit(source),
+        "Commit": _commit(_value_in(build / "CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL", "=") or source),
         "Date": now(),
         "Load when it began": "%.1f %.1f %.1f (1, 5, 15 minutes)" % os.getloadavg(),
     }

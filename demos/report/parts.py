@@ -22,7 +22,7 @@ class Part:
     """One command of a report and the files it leaves in the folder of the data."""
     name: str
     title: str
-    kind: str  # experiment, textbook, heap, builder, hard-cases, sphere-sets, tree
+    kind: str  # experiment, textbook, laws, heap, converge, builder, printed (as tables), hard-cases, sphere-sets, tree, model
     command: list
     outputs: list
     seconds: float  # about, on two cores, for the time left
@@ -53,6 +53,11 @@ class Plan:
         result = [self._textbook(), *self._scans(), self._heap(), self._builder()]
         result += self._sets() + self._trees() + [self._hard_cases()] + self._experiments()
         return result
+
+    def results(self):
+        """The parts of the results page (results.py), which has tables and no pictures."""
+        result = [*self._scans(), self._textbook(), self._laws(), self._heap(), self._converge(), self._budgets(), self._builder()]
+        return result + [self._tables(), *self._hard_cases_twice(), *self._experiments()]
 
     def _textbook(self):
         return Part("textbook", "The textbook's experiments", "textbook",
@@ -116,6 +121,41 @@ class Plan:
         if not os.access(program, os.X_OK):
             part.absent = "this version has no program hard_cases"
         return part
+
+    def _hard_cases_twice(self):
+        """The short runs that the tests make, and, unless quick, the whole ones."""
+        program = self._program("hard_cases")
+        return [Part(name, title, "hard-cases", [program, *options, "--json", str(self.data / f"{name}.json")], [f"{name}.json"], seconds,
+                     programs=[program], absent="" if os.access(program, os.X_OK) else "this version has no program hard_cases")
+                for name, title, options, seconds in (("hard-cases", "Hard cases, short runs", ["--quick"], 90),
+                                                      ("hard-cases-whole", "Hard cases, whole runs", [], 900))
+                if options or not self.quick]
+
+    def _laws(self):
+        program = self._program("laws_bench")
+        return Part("laws", "The laws of rock-fall", "laws", [program, "--json", str(self.data / "laws.json")], ["laws.json"], 2, programs=[program])
+
+    def _converge(self):
+        program = self._program("frame_budget")
+        return Part("converge", "Bodies that fly to one point", "converge",
+                    [program, "--scene", "converge", "--mesh", self._model("bunny"), "--shape", "tree,tree+leaves,gimpact,fcl",
+                     "--runs", "1" if self.quick else "3", "--json", str(self.data / "converge.json")], ["converge.json"], 10 if self.quick else 30,
+                    programs=[program], inputs=[self._model("bunny")], needs=["model-bunny"])
+
+    def _budgets(self):
+        script, program = str(self.source / "tests/bench/budgets/run.py"), self._program("frame_budget")
+        return Part("budgets", "Budgets, deadlines and threads", "printed",
+                    ["python3", script, "--mesh", self._model("bunny"), "--program", program, "-o", str(self.data), *(["--quick"] if self.quick else [])],
+                    ["budgets.md"], 30 if self.quick else 420, stdout="budgets.md", programs=[script, program],
+                    inputs=[self._model("bunny")], needs=["model-bunny"])
+
+    def _tables(self):
+        script = self.source / "tests/tables"
+        models = [self._model(name) for name in self._scan_names()] if self.quick else []  # else its own five
+        return Part("trees", "Every method on every level", "printed",
+                    [str(script / "run.sh"), "--tool", self._program("cairn"), "--out", str(self.data / "tables"), "--archive", self.archive,
+                     "--markdown", str(self.data / "trees.md"), *models], ["trees.md"], 60 if self.quick else 300,
+                    programs=[str(script), self._program("cairn")], inputs=[self.archive], needs=["model-bunny"])
 
     def _experiments(self):
         """Those the program lists, so that a new one is in the report without a word here."""

@@ -124,14 +124,43 @@ def _at(document, path):
 def heap(document):
     """One column a shape, and how many times the tree's narrow phase its own takes."""
     first = document[0]
-    table = Table(f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles), {first['steps']} steps of 1/60 s",
-                  [Column("", numbers=False), Column("unit", numbers=False)] + [Column(run["shape"]) for run in document])
-    for label, unit, path, factor in HEAP_LINES:
+    table = shapes_beside(document, f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles), {first['steps']} steps of 1/60 s", HEAP_LINES)
+    medians = [_at(run, "narrow_phase_cpu_us.median") for run in document]
+    table.rows.insert(2, ["Narrow phase over the tree's, median", "ratio"] + [number(m / medians[0]) for m in medians])
+    return table
+
+
+def shapes_beside(document, caption, lines):
+    """A line a measure, a column a shape. `lines`: label, unit, path in the JSON, factor."""
+    table = Table(caption, [Column("", numbers=False), Column("unit", numbers=False)] + [Column(run["shape"]) for run in document])
+    for label, unit, path, factor in lines:
         values = [_at(run, path) for run in document]
         if any(v is not None for v in values):
             table.rows.append([label, unit] + [number(None if v is None else v * factor) for v in values])
-    medians = [_at(run, "narrow_phase_cpu_us.median") for run in document]
-    table.rows.insert(2, ["Narrow phase over the tree's, median", "ratio"] + [number(m / medians[0]) for m in medians])
+    return table
+
+
+CONVERGE_LINES = [
+    ("Narrow phase, median", "µs CPU a frame", "narrow_phase_cpu_us.median", 1), ("Narrow phase, 99 %", "µs CPU a frame", "narrow_phase_cpu_us.p99", 1),
+    ("Certified error, mean", "% of size", "certified_error_fraction.mean", 100), ("Certified error, max", "% of size", "certified_error_fraction.max", 100),
+    ("Contact error, mean", "% of size", "contact_error_fraction.mean", 100), ("Contact error, 99 %", "% of size", "contact_error_fraction.p99", 100),
+    ("Pairs that meet", "pairs", "true_pairs", 1), ("Pairs missed", "pairs", "missed_pairs", 1), ("Deepest pair missed", "% of size", "missed_depth_fraction.max", 100),
+    ("Missed deeper than the certified error", "pairs", "missed_beyond_certified_error", 1)]
+
+
+def converge(document):
+    first = document[0]
+    return shapes_beside(document, f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles) fly to one point, {first['runs']} runs; every shape sees the same poses", CONVERGE_LINES)
+
+
+def laws(document):
+    """One line a law: how far the measured value is from the exact one, over all masses and steps."""
+    ratios = {}
+    for line in document:
+        ratios.setdefault(line["law"], []).append(line["measured_over_exact"])
+    table = Table(f"Measured over exact, least and most over {len({line['mass_kg'] for line in document})} masses and {len({line['step_s'] for line in document})} steps",
+                  [Column("law", numbers=False), Column("least"), Column("most")])
+    table.rows = [[law, f"{min(values):.5f}", f"{max(values):.5f}"] for law, values in ratios.items()]
     return table
 
 

@@ -1,4 +1,4 @@
-# The tables of docs/tables.md: a line per method, its levels side by side.
+# The tables as Markdown: a line per method, its levels side by side.
 def rounded($digits): pow(10; $digits) as $unit | . * $unit | round / $unit;
 def levels($key; $scale; $digits): [.levels[] | .[$key] * $scale | rounded($digits) | tostring] | join(" / ");
 def fit_line:

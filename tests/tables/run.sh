@@ -17,7 +17,7 @@ run.sh [OPTIONS] [MESH...] [-- BUILD OPTIONS]
   --out FOLDER     where the finished builds' reports are kept (default out/tables)
   --json FILE      write everything there too; - is standard output, instead of the tables
   --csv FILE       write one line per mesh, method and level there too
-  --markdown FILE  write the tables of docs/tables.md there too
+  --markdown FILE  write the tables as Markdown there too, as on docs/results.md
 Meshes named bunny, dragon, s-shape and ellipsoid are compared with the thesis's tables. Without any, stand-ins for the
 thesis's five models are made by accuracy_cost, which stands beside the tool, of Debian's libcgal-demo (--archive FILE,
 its data.tar.gz).

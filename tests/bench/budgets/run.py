@@ -145,12 +145,15 @@ def draw(folder, of_flying, of_heap):
 
 
 def main():
+    global PROGRAM
     parser = argparse.ArgumentParser(prog="./cairn.sh bench budgets", description=__doc__)
     parser.add_argument("--tree", help="a .cairn file (default: made of the bunny)")
     parser.add_argument("--mesh", help="a mesh instead")
     parser.add_argument("--quick", action="store_true", help="less of everything, in half a minute")
     parser.add_argument("-o", "--output", default="out/bench", help="folder of the figure (default: %(default)s)")
+    parser.add_argument("--program", default=PROGRAM, help="frame_budget (default: %(default)s)")
     options = parser.parse_args()
+    PROGRAM = options.program
     tree = ["--tree", options.tree] if options.tree else ["--mesh", options.mesh]
     os.makedirs(options.output, exist_ok=True)
     try:
