@@ -105,8 +105,9 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "seconds instead of minutes: shorter and smaller, as the tests run them");
   app.add_flag("--list", options.list, "name the cases and what they ask, run nothing");
   app.add_option("--json", options.json, "write the table to this file");
-  app.add_flag("--strict", options.strict,
-               "end with 1 where something misses that docs/hard-cases.md does not tell of, or misses by more");
+  app.add_flag(
+      "--strict", options.strict,
+      "end with 1 where something misses that is not known to miss (table/known_misses.cpp), or misses by more");
   app.footer(
       "\nOf its measures '!' marks what misses or is only as good as a shape of Bullet's, '~' what holds though one "
       "does better."

@@ -86,8 +86,8 @@ Figures fall(const test::TriedBody& ball, const Drop& how, std::uint64_t seed) {
 }
 
 constexpr const char* kWhyDeep =
-    "At a blow: a step of 60 Hz takes a ball that fell a metre 30 % of its radius on. Bullet has a hull's points from "
-    "3.6 % of the radius before they touch, a tree's from 0.7 %; a hull's from there goes 31 % deep.";
+    "In a step of 60 Hz a ball that fell a metre moves by 30 % of its radius. Bullet sees a hull's points 3.6 % of the "
+    "radius before they touch, a tree's 0.7 %; a hull seen that late goes 31 % deep.";
 
 Outcome runBallPit(Effort effort) {
   const bool isWhole = effort == Effort::whole;

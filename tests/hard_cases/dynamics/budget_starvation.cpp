@@ -159,9 +159,10 @@ constexpr double kUnasked = 3;
 constexpr double kMaxSteps = 10;
 
 constexpr const char* kWhy =
-    "What leaves say deeper than 1 % can be there for a step; a slab sinks by 3 % of its size before it is asked "
-    "again, "
-    "and gains energy without a budget too; the mean error is of pairs that report something, and bodies in a wall do.";
+    "Leaves may report an overlap of more than 1 % for one step. A slab sinks by 3 % of its size before its pair is "
+    "refined again, and gains energy without a budget too. The mean error counts pairs with contacts alone, which "
+    "bodies "
+    "in a wall have.";
 
 // What falls, and how many of it.
 struct Scene {

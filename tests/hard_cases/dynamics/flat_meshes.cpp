@@ -155,8 +155,8 @@ Outcome runFlatMeshes(Effort effort) {
   }
   return {
       besideTheBest(asked, figures[0], {{"box, sphere", figures[1]}, {"hull", figures[2]}, {"gimpact", figures[3]}}),
-      "What rolls aside are the ball's own facets, which a mesh's contacts meet a little otherwise than a plane's: "
-      "much the same over every triangulation, and less than a hull or GImpact; Bullet's sphere has no facets."};
+      "The ball's own facets carry it aside, on a plane as on a mesh: much the same over every triangulation, and less "
+      "than a hull or GImpact. Bullet's sphere has no facets."};
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ Outcome runMassRatio(Effort effort) {
                               thousand = load(body.body, 1000, seconds);
                 return {ten[0], hundred[0], test::greatest(ten[2], hundred[2]), thousand[1]};
               }),
-      "The heavy cube falls on a corner of a light one and squeezes it out along the ground: how fast is chance, 1.1 "
-      "to 3.8 in runs that differ by a rounding or by how deep the solver is told they are."};
+      "The heavy cube falls on a corner of a light one and squeezes it out along the ground. Its speed is chance: 1.1 "
+      "to 3.8 in runs that differ by a rounding."};
 }
 
 }  // namespace

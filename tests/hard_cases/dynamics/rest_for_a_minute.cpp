@@ -38,8 +38,8 @@ Outcome runRestForAMinute(Effort effort) {
   };
   return {
       compareSeeds(asked, isWhole ? 40 : 3, rock, run),
-      "Bullet's solver resists along one direction, that of the sliding as the step begins: a rock that rocks slides "
-      "another way in the step itself, and goes on. Hulls too, but Bullet forgets their points once they have slid."};
+      "Bullet's solver resists along one direction, that of the sliding as the step begins. A rock that rocks slides "
+      "another way within the step and creeps on. Hulls creep too, but Bullet drops their points once they have slid."};
 }
 
 }  // namespace

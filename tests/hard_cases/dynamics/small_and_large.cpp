@@ -65,10 +65,10 @@ Outcome runSmallAndLarge(Effort effort) {
       {"a centimetre, friction in two directions", 2 * inTwo, Bound::atMost, "% of size"},
       {"a hundred metres, friction in two directions", 2 * inTwo, Bound::atMost, "% of size"},
       {"rolling, off that of a metre", 2, Bound::atMost, "%"}};
-  return {
-      besideTheBest(asked, all[0], {{"hull", all[1]}, {"gimpact", all[2]}}),
-      "Bullet's solver resists along one direction only, below 0.34 mm/s along one that does not follow the motion, "
-      "and that is fast for a centimetre: every shape creeps more there. In two directions both sizes hold."};
+  return {besideTheBest(asked, all[0], {{"hull", all[1]}, {"gimpact", all[2]}}),
+          "Bullet's solver resists sliding along one direction only, which below 0.34 mm/s does not follow the motion. "
+          "That "
+          "is fast for a centimetre: every shape creeps more there. With friction in two directions both sizes hold."};
 }
 
 }  // namespace

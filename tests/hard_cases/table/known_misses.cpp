@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kHolds = std::numeric_limits<double>::quiet_NaN();
 
-/// What docs/hard-cases.md says misses, and how bad it may become before that is news: about a third beyond what was
-/// measured, as worlds change their ways with every rounding; `kHolds` where it does not miss. Of at-least measures the
-/// least, of others the most.
+/// A measure that misses its limit, and how bad it may become before that is news: about a third beyond the measured
+/// value, as every rounding changes a world's course. `kHolds` where it does not miss. For at-least measures this is
+/// the least value, for others the most.
 struct KnownMiss {
   const char* id;
   const char* measure;

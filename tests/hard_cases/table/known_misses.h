@@ -8,7 +8,7 @@
 
 namespace cairn::hard {
 
-/// The measures of a case of which docs/hard-cases.md tells that they miss when so much of it is run.
+/// The measures of a case that are known to miss when so much of it is run.
 std::vector<std::string> knownMisses(const std::string& id, Effort effort);
 
 /// Whether the measure misses and is not known to, or by more than is known: something has become worse.
