@@ -66,6 +66,11 @@ Cairn: collision detection that keeps its deadline.
                              95 % of the lines or 85 % of the branches
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
+  ./cairn.sh docs            build the site of documents and public headers into out/docs; fails where a link leads nowhere,
+                             a page is not in the navigation or a public symbol is not documented
+  ./cairn.sh docs serve [PORT] build it and show it on http://localhost:8000 (or PORT) until Ctrl-C
+  ./cairn.sh docs check [PAGE...] words, sentences and numbers of each page, and what breaks the limits
+                             (tools/check_documents.py --help)
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting and include arrows
 
@@ -189,8 +194,9 @@ run_tests() {
 
 test_all() {
   [[ ${1:-} == sanitizers ]] && { run_tests asan; return; }
-  need "${everything[@]}" tests fuzz lint
+  need "${everything[@]}" tests fuzz lint docs
   lint
+  docs_site
   run_tests release
   [[ ${1:-} == fast ]] && { say "All fast tests passed in $SECONDS s"; return; }
   run_tests double
@@ -380,6 +386,41 @@ coverage() {
   echo "Line by line: out/coverage/index.html"
 }
 
+# The site. All of it is built and checked before this fails, so that it can be looked at all the same.
+docs_site() {
+  need docs
+  local site=out/docs log=out/docs.log failed=0
+  mkdir -p out
+  say "Building the site"
+  mkdocs build --strict --site-dir "$site" > "$log" 2>&1 || failed=1
+  sed 's/\x1b\[[0-9;]*m//g' "$log" | grep -E 'WARNING|ERROR|Error|Aborted' || true
+  say "Building the pages of the public headers"
+  doxygen tools/site/Doxyfile || failed=1
+  say "Following the site's links"
+  tools/site/check_site.py "$site" || failed=1
+  if ((failed)); then
+    echo "cairn.sh: the site has faults, listed above; $site/index.html shows it as it is." >&2
+    return 1
+  fi
+  say "Done: $site/index.html"
+}
+
+docs() {
+  case ${1:-} in
+    '') docs_site ;;
+    check) tools/check_documents.py --strict "${@:2}" ;;
+    serve)
+      docs_site || true
+      say "http://localhost:${2:-8000} (Ctrl-C ends it)"
+      python3 -m http.server --bind 127.0.0.1 --directory out/docs "${2:-8000}"
+      ;;
+    *)
+      echo "cairn.sh: docs knows 'serve' and 'check', not '$1'." >&2
+      return 2
+      ;;
+  esac
+}
+
 format() {
   need lint
   sources | xargs clang-format -i
@@ -410,6 +451,7 @@ case $command in
   check-figures) python3 tests/figures/check.py "$@" ;;
   fuzz) fuzz "$@" ;;
   coverage) coverage "$@" ;;
+  docs) docs "$@" ;;
   threads) threads "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
