@@ -22,6 +22,7 @@ struct Balance {
 inline constexpr Balance constantExcess(double excess) {
   return {.excess = excess};
 }
+/// Growth that has to be earned by work saved.
 inline constexpr Balance kBalanceByWork{.workShare = 0.2, .decay = 0.75};
 
 /// Factor on the worst error of `full` children that `kept` of them may reach: Eq. 6.2. Precondition: 1 <= kept < full.

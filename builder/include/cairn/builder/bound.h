@@ -12,7 +12,7 @@ namespace cairn::builder {
 
 /// A point of the surface (mesh frame, up to rounding) and its share in a proof.
 struct WeightedPoint {
-  Vec3d point;
+  Vec3d point;               ///< mesh frame
   std::uint64_t weight = 0;  ///< above 0
 };
 
@@ -22,12 +22,13 @@ struct WeightedPoint {
 /// The proof is `weights`: no ball that protrudes by `error` or less holds points of more than `mostInOneBall`
 /// together, and `spheres` times that is less than the weight of all.
 struct ErrorBound {
-  std::uint32_t spheres = 0;
+  std::uint32_t spheres = 0;           ///< the number of balls the bound is about
   double error = 0;                    ///< mesh unit; 0: nothing could be proved, and `weights` is empty
   std::vector<WeightedPoint> weights;  ///< sums stay below 2^64
-  std::uint64_t mostInOneBall = 0;
+  std::uint64_t mostInOneBall = 0;     ///< weight that one ball can hold at most
 };
 
+/// How hard `lowerErrorBound` tries.
 struct BoundOptions {
   std::uint32_t points = 0;  ///< of the surface, to be covered; 0: chosen by the number of spheres; else 8..20000
 };

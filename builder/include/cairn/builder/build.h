@@ -39,13 +39,14 @@ enum class Optimiser : std::uint8_t {
   cairn,   ///< ours: for the seams too, and divisions are chosen with their children in view
 };
 
+/// What kind of tree `buildTree` makes. Values out of range are refused by it.
 struct BuildOptions {
-  Method method = Method::combined;
-  std::uint32_t branching = 8;   ///< most children of a node, 2..8
-  std::uint32_t depth = 3;       ///< levels below the root, 1..8
-  std::uint32_t samples = 5000;  ///< surface pieces the sphere sets are fitted to, about; 100..1e6
-  std::uint64_t seed = 1;
-  std::uint32_t threads = 0;  ///< 0: one per core. The result does not depend on it.
+  Method method = Method::combined;  ///< how each region is covered
+  std::uint32_t branching = 8;       ///< most children of a node, 2..8
+  std::uint32_t depth = 3;           ///< levels below the root, 1..8
+  std::uint32_t samples = 5000;      ///< surface pieces the sphere sets are fitted to, about; 100..1e6
+  std::uint64_t seed = 1;            ///< of all that is drawn at random
+  std::uint32_t threads = 0;         ///< 0: one per core. The result does not depend on it.
   /// Nothing: `cairn` for the methods said to be improved further, `none` for the others. Only for methods that fit
   /// spheres region by region (`fitsRegions`).
   std::optional<Optimiser> optimiser;
@@ -60,12 +61,17 @@ struct BuildOptions {
 Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options,
                              const ProgressCallback& progress = {});
 
+/// The method of a name, as `cairn build --method` takes it. Fails for any other, with the names there are.
 Result<Method> parseMethod(const std::string& name);
+/// The name that `parseMethod` reads.
 const char* methodName(Method method);
 /// Of all methods, those for general use first.
 std::vector<std::string> methodNames();
+/// The optimiser of a name, as `cairn build --optimise` takes it. Fails for any other, with the names there are.
 Result<Optimiser> parseOptimiser(const std::string& name);
+/// The name that `parseOptimiser` reads.
 const char* optimiserName(Optimiser optimiser);
+/// Of all optimisers.
 std::vector<std::string> optimiserNames();
 /// True for methods that fit a set of spheres to one region after another: they can be optimised and balanced.
 bool fitsRegions(Method method);

@@ -15,15 +15,15 @@ namespace cairn::builder {
 
 /// A piece of a triangle for which no sphere could be found. Mesh frame and unit.
 struct UncoveredPiece {
-  std::uint32_t triangle = 0;
-  Vec3d point;     ///< the middle of the piece
+  std::uint32_t triangle = 0;  ///< of the mesh
+  Vec3d point;                 ///< the middle of the piece
   double gap = 0;  ///< how far the point lies outside the nearest sphere; <= 0: covered, but its surroundings unproved
 };
 
 /// What is proved about the cut a traversal stopped at one level sees: all nodes of the level and all leaves above it.
 struct LevelCertificate {
-  std::uint32_t level = 0;
-  std::uint32_t spheres = 0;
+  std::uint32_t level = 0;       ///< 0 is the root
+  std::uint32_t spheres = 0;     ///< in the cut
   bool coverageProven = false;   ///< every point of every triangle lies in a ball of the cut
   bool reachableProven = false;  ///< and in all ancestors of that ball
   double maxProtrusion = 0;  ///< upper bound of the farthest any ball of the cut reaches outside the solid, mesh unit
@@ -36,18 +36,18 @@ struct LevelCertificate {
 struct NodeCertificate {
   double protrusionUpper = 0;  ///< no point of the ball is farther from the solid
   double protrusionLower = 0;  ///< `witness`, a point of the ball, is at least this far
-  Vec3d witness;
-  double depth = 0;          ///< of the centre: positive inside
-  bool errorHolds = false;   ///< the stored error is not below `protrusionLower`
-  bool errorProven = false;  ///< the stored error is not below `protrusionUpper`
-  bool innerHolds = false;   ///< the stored inner radius is not above the depth, up to the rounding of a distance query
+  Vec3d witness;               ///< a point of the ball, see `protrusionLower`
+  double depth = 0;            ///< of the centre: positive inside
+  bool errorHolds = false;     ///< the stored error is not below `protrusionLower`
+  bool errorProven = false;    ///< the stored error is not below `protrusionUpper`
+  bool innerHolds = false;  ///< the stored inner radius is not above the depth, up to the rounding of a distance query
 };
 
 /// Everything `certify` found, by level (0 = the root) and by node in breadth-first order.
 struct Certificate {
-  std::vector<LevelCertificate> levels;
-  std::vector<NodeCertificate> nodes;
-  std::vector<std::string> records;  ///< what else the tree keeps and the mesh contradicts, one sentence each
+  std::vector<LevelCertificate> levels;  ///< by level, 0 is the root
+  std::vector<NodeCertificate> nodes;    ///< by node, breadth-first
+  std::vector<std::string> records;      ///< what else the tree keeps and the mesh contradicts, one sentence each
 
   /// Empty when all is proved: cover and reachability of every level, and no stored number contradicted. Otherwise one
   /// sentence per failure: what, where and by how much.

@@ -18,23 +18,35 @@ namespace cairn::builder {
 /// the mesh's bounding-box diagonal, volumes of the solid's volume. "Certified" is proved (certify.h); the rest are the
 /// thesis's measures (7.1.1), sampled. A sphere's error is how far it reaches outside the solid.
 struct LevelFit {
-  std::uint32_t level = 0;
-  std::uint32_t spheres = 0;
+  std::uint32_t level = 0;          ///< 0 is the root
+  std::uint32_t spheres = 0;        ///< in the cut
   double certifiedMaxFraction = 0;  ///< upper bound of the worst sphere's error
   double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1, see the errata)
+  ///@{
   /// Errors from points spread over each sphere; never above the certified ones. Largest, mean, root mean square and
   /// variance over the spheres, the variance as a fraction of the diagonal squared.
-  double sampledMaxFraction = 0, sampledMeanFraction = 0, sampledRmsFraction = 0, sampledVarianceFractionSquared = 0;
+  double sampledMaxFraction = 0;
+  double sampledMeanFraction = 0;
+  double sampledRmsFraction = 0;
+  double sampledVarianceFractionSquared = 0;
+  ///@}
   double uncoveredAreaFraction = 0;  ///< share of area samples outside all spheres
+  ///@{
   /// Volume of the solid outside all spheres, and the standard error of that estimate. Trees cover the surface: the
   /// inside may be hollow, and a body that gets there is felt by no sphere.
-  double uncoveredVolumeFraction = 0, uncoveredVolumeStandardErrorFraction = 0;
+  double uncoveredVolumeFraction = 0;
+  double uncoveredVolumeStandardErrorFraction = 0;
+  ///@{
   /// How deep below the surface that volume lies: the deepest sample, and root mean square over the volume.
-  double uncoveredDepthMaxFraction = 0, uncoveredDepthRmsFraction = 0;
+  double uncoveredDepthMaxFraction = 0;
+  double uncoveredDepthRmsFraction = 0;
+  ///@{
   /// Volume of the spheres' union outside the solid, and the standard error of that estimate.
-  double wastedVolumeFraction = 0, wastedVolumeStandardErrorFraction = 0;
-  bool coverageProven = false;
-  bool reachableProven = false;
+  double wastedVolumeFraction = 0;
+  double wastedVolumeStandardErrorFraction = 0;
+  ///@}
+  bool coverageProven = false;   ///< as `LevelCertificate::coverageProven`
+  bool reachableProven = false;  ///< as `LevelCertificate::reachableProven`
 };
 
 /// Whether the sampled measures are taken too; they cost far more than the proof.

@@ -23,7 +23,9 @@ class ExpandChoices {
   /// Precondition: neither is empty. A word of memory for each candidate and point.
   ExpandChoices(std::span<const Vec3d> points, std::span<const Ball> candidates, ExpandRank rank);
   ~ExpandChoices();
+  /// Moves; the other can only be destroyed or assigned to.
   ExpandChoices(ExpandChoices&&) noexcept;
+  /// Moves; the other can only be destroyed or assigned to.
   ExpandChoices& operator=(ExpandChoices&&) noexcept;
 
   /// Below this some point is in no candidate, whatever is chosen.

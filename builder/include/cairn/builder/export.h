@@ -18,8 +18,10 @@ std::string spheresText(const SphereTree& tree);
 /// of the complete tree, children of slot n at n * degree + 1 onwards, unused slots with a negative radius. Mesh frame
 /// and unit. Fails when the complete tree would have more than `kMaxSphSlots` slots.
 Result<std::string> sphText(const SphereTree& tree);
+/// Slots that `sphText` writes at most.
 inline constexpr std::uint64_t kMaxSphSlots = 1U << 24;
 
+/// Wavefront OBJ, as text, or binary glTF.
 enum class SurfaceFormat : std::uint8_t { obj, glb };
 
 /// The spheres of `levelCut(level)` as triangulated icospheres (whose corners lie on the spheres), for looking at; mesh

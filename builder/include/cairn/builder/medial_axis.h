@@ -31,14 +31,15 @@ struct MedialAxis {
   std::vector<Ball> balls() const;
 };
 
+/// How `medialAxis` samples the surface. Values out of range are refused by it.
 struct MedialAxisOptions {
-  MedialSampling sampling = MedialSampling::adaptive;
+  MedialSampling sampling = MedialSampling::adaptive;  ///< which construction
   /// Regular: this many besides those on the edges between planar parts and those of the repair. Adaptive: at most this
   /// many and at least about 95 % of them, the first 60 spread evenly. At least 8, at most 1e5.
   std::uint32_t samples = 2000;
   std::uint32_t spheres = 0;  ///< adaptive: ends once so many are inside, and those of `coverage` no worse; 0: goes on
   std::uint32_t surfacePieces = 5000;  ///< of the surface to be covered, about; 100..1e6
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;              ///< of all that is drawn at random
 };
 
 /// The medial axis of a solid as the two constructions of the thesis see it. Trees are built from the axes of regions

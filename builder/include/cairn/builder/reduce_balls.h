@@ -17,10 +17,11 @@ enum class Reduction : std::uint8_t {
   expandCover,  ///< the same by max-cover
 };
 
+/// To how many balls `reduceBalls` goes, and how. Values out of range are refused by it.
 struct ReduceOptions {
-  Reduction reduction = Reduction::merge;
-  std::uint32_t count = 8;             ///< balls at most, at least 1
-  std::uint32_t surfacePieces = 5000;  ///< of the surface to be covered, about; 100..1e6
+  Reduction reduction = Reduction::merge;  ///< which construction
+  std::uint32_t count = 8;                 ///< balls at most, at least 1
+  std::uint32_t surfacePieces = 5000;      ///< of the surface to be covered, about; 100..1e6
 };
 
 /// The medial balls of a whole solid reduced to `count` or fewer, as the thesis has it: centres are not moved

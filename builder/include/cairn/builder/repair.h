@@ -15,10 +15,11 @@ struct RepairCounts {
   std::size_t joinedVertices = 0;      ///< of borders, moved onto another border vertex closer than the tolerance
   std::size_t splitTriangles = 0;      ///< at a border vertex that lay on their edge
   std::size_t collapsedTriangles = 0;  ///< left without area by joining, and left out
-  std::size_t filledHoles = 0;
-  std::size_t addedTriangles = 0;   ///< in the holes
-  std::size_t turnedTriangles = 0;  ///< to face away from the solid
+  std::size_t filledHoles = 0;         ///< borders closed with new triangles
+  std::size_t addedTriangles = 0;      ///< in the holes
+  std::size_t turnedTriangles = 0;     ///< to face away from the solid
 
+  /// Whether anything was changed at all.
   bool any() const;
   /// "3 holes filled with 8 triangles, 12 triangles turned"; "nothing" when there was nothing to do.
   std::string text() const;

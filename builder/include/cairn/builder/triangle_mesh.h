@@ -10,16 +10,18 @@
 
 namespace cairn::builder {
 
+/// Three indices of vertices, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// An indexed triangle mesh in its own frame and unit; counter-clockwise seen from outside. What `importMesh` returns
 /// is closed, oriented outward, welded and free of degenerate triangles; a mesh made by hand is checked by `checkMesh`.
 struct TriangleMesh {
-  std::vector<Vec3d> vertices;
-  std::vector<Triangle> triangles;
-  std::string name;    ///< file name without folder, for reports
-  std::string sha256;  ///< of the file's bytes, hexadecimal; empty for a mesh made by hand
+  std::vector<Vec3d> vertices;      ///< in the mesh's frame and unit
+  std::vector<Triangle> triangles;  ///< indices into `vertices`
+  std::string name;                 ///< file name without folder, for reports
+  std::string sha256;               ///< of the file's bytes, hexadecimal; empty for a mesh made by hand
 
+  /// The corners of a triangle, by its number.
   std::array<Vec3d, 3> corners(std::uint32_t triangle) const {
     const Triangle& t = triangles[triangle];
     return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
@@ -28,10 +30,13 @@ struct TriangleMesh {
 
 /// Corners of the axis-aligned bounding box. Precondition: at least one vertex.
 struct Bounds {
-  Vec3d lower, upper;
+  Vec3d lower, upper;  ///< least and greatest coordinates
+  /// Length of the box's diagonal: the size that fractions refer to.
   double diagonal() const { return length(upper - lower); }
+  /// The middle of the box.
   Vec3d center() const { return (lower + upper) * 0.5; }
 };
+/// The box of a mesh's vertices. Linear. Precondition: at least one vertex.
 Bounds boundsOf(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

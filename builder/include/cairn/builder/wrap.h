@@ -14,12 +14,12 @@ struct WrapOptions {
   double offset =
       0.002;  ///< how far outside the surface the wrap keeps, about (a tenth less at times); kMinOffset..0.2
 };
-inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;
-inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;
+inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< the range of `WrapOptions::alpha`
+inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< the range of `WrapOptions::offset`
 
 /// A closed skin around a surface, and how far it is from it. Mesh frame and unit.
 struct Wrap {
-  TriangleMesh mesh;
+  TriangleMesh mesh;         ///< closed, and around the original
   double farthestUpper = 0;  ///< proved: no point of the wrap's surface is farther from the original surface
   double farthestLower = 0;  ///< proved: `witness` is at least this far
   Vec3d witness;             ///< a point of the wrap's surface, up to rounding

@@ -16,6 +16,7 @@ namespace cairn {
 /// failure `path` is as it was and the temporary file is gone (only a process that is killed outright leaves it). A
 /// symbolic link is followed; what is no regular file, a device or a pipe, is written to directly.
 Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// The same for text.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
 /// For writers that insist on a file name of their own: `write` gets a temporary path beside `path` with the same

@@ -11,8 +11,8 @@ namespace cairn {
 
 /// A closed ball.
 struct Sphere {
-  Vec3 center;
-  float radius = 0;
+  Vec3 center;       ///< in the frame of whoever holds the sphere
+  float radius = 0;  ///< in the same unit, >= 0
 
   friend constexpr bool operator==(const Sphere&, const Sphere&) = default;
 };
@@ -24,14 +24,20 @@ inline constexpr std::uint32_t kFamilyWidth = 8;
 /// with radius 0, so that no test against a ball of sane size passes there (`SphereTree::livingLanes` is for the
 /// others) and no arithmetic on them raises a floating-point exception.
 struct alignas(64) Family {
+  /// Coordinate of a lane that holds no sphere.
   static constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-  float x[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
-  float y[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
-  float z[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere, kNowhere};
-  float radius[kFamilyWidth] = {};
+  float x[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere,
+                           kNowhere, kNowhere, kNowhere, kNowhere};  ///< centres, by lane
+  float y[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere,
+                           kNowhere, kNowhere, kNowhere, kNowhere};  ///< centres, by lane
+  float z[kFamilyWidth] = {kNowhere, kNowhere, kNowhere, kNowhere,
+                           kNowhere, kNowhere, kNowhere, kNowhere};  ///< centres, by lane
+  float radius[kFamilyWidth] = {};                                   ///< by lane; 0 for one that holds no sphere
 
+  /// The sphere of a lane below `kFamilyWidth`.
   Sphere sphere(std::uint32_t lane) const { return {{x[lane], y[lane], z[lane]}, radius[lane]}; }
+  /// Puts a sphere into a lane below `kFamilyWidth`.
   void set(std::uint32_t lane, const Sphere& s) {
     x[lane] = s.center.x;
     y[lane] = s.center.y;
@@ -43,9 +49,11 @@ static_assert(sizeof(Family) == 128 && std::is_trivially_copyable_v<Family>);
 
 /// Sixteen extreme points of a region, structure of arrays; fewer are repeated.
 struct alignas(64) SupportBlock {
+  /// Points in a block.
   static constexpr std::uint32_t kWidth = 16;
-  float x[kWidth] = {}, y[kWidth] = {}, z[kWidth] = {};
+  float x[kWidth] = {}, y[kWidth] = {}, z[kWidth] = {};  ///< coordinates, by lane; tree frame
 
+  /// The point of a lane below `kWidth`.
   Vec3 point(std::uint32_t lane) const { return {x[lane], y[lane], z[lane]}; }
 };
 static_assert(sizeof(SupportBlock) == 192 && std::is_trivially_copyable_v<SupportBlock>);
@@ -60,6 +68,7 @@ std::uint32_t overlapScalar(const Family& family, const Sphere& s);
 
 /// The lane whose point is farthest along `direction`; the lowest such lane on a tie.
 std::uint32_t supportLane(const SupportBlock& block, const Vec3& direction);
+/// The scalar twin, for tests and as the definition of the result.
 std::uint32_t supportLaneScalar(const SupportBlock& block, const Vec3& direction);
 
 /// Name of the instruction set `overlap` uses on this machine ("AVX2", ...).

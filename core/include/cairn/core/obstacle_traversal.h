@@ -11,6 +11,7 @@ class Obstacle {
  public:
   virtual ~Obstacle() = default;
 
+  /// How many elements there are; they are numbered from 0.
   virtual std::uint32_t elementCount() const = 0;
   /// Bit i is set unless lane i of the family is certainly farther than the obstacle's margin from the element. The
   /// family is in the tree's frame and unit; the obstacle knows the pose. Dead lanes (infinite centre) must give 0.

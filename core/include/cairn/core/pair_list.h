@@ -11,8 +11,8 @@ namespace cairn {
 
 /// Two things a traversal found overlapping: a node of tree A, and a node of tree B or an element of an obstacle.
 struct NodePair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
+  std::uint32_t a = 0;  ///< a node of tree A
+  std::uint32_t b = 0;  ///< a node of tree B, or an element of an obstacle
 
   friend constexpr bool operator==(const NodePair&, const NodePair&) = default;
 };
@@ -22,9 +22,13 @@ static_assert(sizeof(NodePair) == 8 && std::is_trivially_copyable_v<NodePair>);
 /// the vector is long are stored behind the end, then the end moves over those that count.
 class PairList {
  public:
+  /// Pairs in the list.
   std::size_t size() const { return size_; }
+  /// Whether there are none.
   bool empty() const { return size_ == 0; }
+  /// All of them, the oldest first. Valid until the list grows.
   std::span<const NodePair> pairs() const { return std::span(storage_).first(size_); }
+  /// The first of them. Valid until the list grows.
   const NodePair* data() const { return storage_.data(); }
 
   /// Keeps the memory.
@@ -34,6 +38,7 @@ class PairList {
     storage_.resize(size_);
     storage_.shrink_to_fit();
   }
+  /// Appends one pair. Constant time, amortised.
   void push_back(const NodePair& pair) { *makeRoom(1) = pair, ++size_; }
 
   /// Where the next `count` pairs may be written; good until the next call. Allocates only when the list grows beyond

@@ -27,7 +27,9 @@ class PairMemory {
     }
   }
 
+  /// The record of a pair, by its place in the list last followed.
   Record& operator[](std::size_t pair) { return entries_[pair].record; }
+  /// The record of a pair, by its place in the list last followed.
   const Record& operator[](std::size_t pair) const { return entries_[pair].record; }
 
  private:

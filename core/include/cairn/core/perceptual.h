@@ -22,6 +22,7 @@ namespace cairn {
 /// Without a viewer the projected gap is the error alone, world length, and visibility and acuity are 1.
 class Perceptual final : public RankedPriority {
  public:
+  /// Visibility of a pair that is out of view.
   static constexpr double kOutOfView = 1.0 / 16;
 
   void setViewer(const std::optional<Viewer>& viewer) override { viewer_ = viewer; }

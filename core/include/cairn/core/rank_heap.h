@@ -11,10 +11,11 @@ namespace cairn {
 /// pair is, so that the rank of one can change. O(log n) a change.
 class RankHeap {
  public:
+  /// A pair with its rank.
   struct Entry {
-    double rank = 0;  ///< not NaN
-    std::uint64_t ticket = 0;
-    std::size_t pair = 0;
+    double rank = 0;           ///< not NaN
+    std::uint64_t ticket = 0;  ///< the smaller goes first where ranks are equal
+    std::size_t pair = 0;      ///< its place in the step's list
   };
 
   /// Empties the heap, for pairs numbered below `count`.
@@ -27,6 +28,7 @@ class RankHeap {
   void remove(std::size_t pair);
   /// Precondition: not empty.
   std::size_t top() const { return entries_.front().pair; }
+  /// Whether no pair is in the heap.
   bool empty() const { return entries_.empty(); }
 
  private:

@@ -12,10 +12,11 @@ namespace cairn {
 
 /// The regions of a sphere-tree's nodes seen from the pair frame. Everything referred to must outlive this.
 struct PlacedRegions {
-  const SphereTree& tree;
-  const Similarity& toPair;
+  const SphereTree& tree;    ///< whose regions these are
+  const Similarity& toPair;  ///< from the tree's frame to the pair frame
   const Mat3& axesFromPair;  ///< rotation from the pair frame's axes to the tree's
 
+  /// The node's ball in the pair frame.
   Sphere sphere(NodeId node) const {
     const Sphere s = tree.sphere(node);
     return {toPair * s.center, s.radius * toPair.scale};
@@ -48,18 +49,21 @@ RegionSeparation measureSeparation(const PlacedRegions& a, const PlacedRegions& 
 /// The gaps of up to sixteen pairs, each along the line of its spheres' centres, in the pair frame; structure of
 /// arrays.
 struct alignas(64) RegionSeparations {
+  /// Pairs at most.
   static constexpr std::uint32_t kSize = 16;
 
-  float normalX[kSize], normalY[kSize], normalZ[kSize];  // unit, from b to a
-  float separation[kSize];                               // as `RegionSeparation::separation`
-  float x[kSize], y[kSize], z[kSize];                    // as `RegionSeparation::position`
+  float normalX[kSize], normalY[kSize], normalZ[kSize];  ///< unit, from b to a
+  float separation[kSize];                               ///< as `RegionSeparation::separation`
+  float x[kSize], y[kSize], z[kSize];                    ///< as `RegionSeparation::position`
   /// A bit for each pair that `measureSeparation` would call near.
   std::uint32_t nearPairs = 0;
   /// Pairs whose centres are so near each other (less than 1e-19) that their line says too little in floats: their
   /// numbers mean nothing, and they are not near.
   std::uint32_t blurredPairs = 0;
 
+  /// The direction along which pair `i` was measured, unit, from b to a.
   Vec3 normal(std::uint32_t i) const { return {normalX[i], normalY[i], normalZ[i]}; }
+  /// Where the regions of pair `i` are nearest, in the pair frame.
   Vec3 position(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
 };
 

@@ -20,18 +20,22 @@ namespace cairn {
 /// Names a node: eight times its family plus its lane. The root is node 0; dead lanes have no name.
 using NodeId = std::uint32_t;
 
+/// The node that holds the whole surface.
 inline constexpr NodeId kRootNode = 0;
+/// Extreme points listed for a node at most.
 inline constexpr std::uint32_t kMaxSupportPoints = 16;
+/// Face directions listed for a node at most.
 inline constexpr std::uint32_t kMaxFaceNormals = 3;
 /// Of a region that has more, corners are not listed: see `SphereTree::regionCorners`.
 inline constexpr std::uint32_t kMaxRegionCorners = 256;
+/// Levels below the root at most.
 inline constexpr std::uint32_t kMaxDepth = 15;
 
 /// Directions within `halfAngle` of `axis`; holds every source normal of a region. `cosine` = cos(halfAngle),
 /// -1 when the region faces everywhere.
 struct NormalCone {
-  Vec3 axis{0, 0, 1};
-  float cosine = -1;
+  Vec3 axis{0, 0, 1};  ///< unit, tree frame
+  float cosine = -1;   ///< of the half-angle
 
   friend bool operator==(const NormalCone&, const NormalCone&) = default;
 };
@@ -39,58 +43,60 @@ struct NormalCone {
 /// One node as a builder or a file describes it. All lengths in mesh units; all positions in the *tree frame*: mesh
 /// axes, origin at `SphereTreeData::origin`.
 struct NodeData {
-  Vec3 center;
-  float radius = 0;       ///< the closed ball holds the node's region of the surface
-  float error = 0;        ///< certified protrusion: no point of the ball is farther from the solid
-  float innerRadius = 0;  ///< the concentric ball of this radius lies inside the solid; 0 when the centre does not
-  std::uint32_t parent = 0;
+  Vec3 center;               ///< of the node's ball
+  float radius = 0;          ///< the closed ball holds the node's region of the surface
+  float error = 0;           ///< certified protrusion: no point of the ball is farther from the solid
+  float innerRadius = 0;     ///< the concentric ball of this radius lies inside the solid; 0 when the centre does not
+  std::uint32_t parent = 0;  ///< breadth-first number of the parent; 0 for the root
   std::uint32_t firstSupport = 0, supportCount = 0;    ///< into supportPoints, 1..kMaxSupportPoints
   std::uint32_t firstNormal = 0, normalCount = 0;      ///< into faceNormals, 0..kMaxFaceNormals
   std::uint32_t firstTriangle = 0, triangleCount = 0;  ///< into regionTriangles; a child's range lies in its parent's
-  NormalCone normalCone;
+  NormalCone normalCone;                               ///< of the source normals of the region
 
   friend bool operator==(const NodeData&, const NodeData&) = default;
 };
 
 /// The data that a traversal reads of a node to split or move it: half a cache line.
 struct alignas(32) TraversalNode {
-  Vec3 center;
-  float radius = 0;
+  Vec3 center;                    ///< of the node's ball, tree frame
+  float radius = 0;               ///< of the node's ball
   std::uint32_t childFamily = 0;  ///< 0 for a leaf (family 0 is the root's own)
-  float error = 0;
-  std::uint32_t childLanes = 0;  ///< of the child family, packed: see the functions below
-  float innerRadius = 0;
+  float error = 0;                ///< as `NodeData::error`
+  std::uint32_t childLanes = 0;   ///< of the child family, packed: see the functions below
+  float innerRadius = 0;          ///< as `NodeData::innerRadius`
 
-  static constexpr std::uint32_t kLaneMask = 0xFF, kLeafShift = 8, kCountShift = 16;
-  /// One bit per child, and per child that is a leaf.
+  static constexpr std::uint32_t kLaneMask = 0xFF, kLeafShift = 8, kCountShift = 16;  ///< how `childLanes` is packed
+  /// One bit per child.
   static constexpr std::uint32_t living(std::uint32_t childLanes) { return childLanes & kLaneMask; }
+  /// One bit per child that is a leaf.
   static constexpr std::uint32_t leaves(std::uint32_t childLanes) { return childLanes >> kLeafShift & kLaneMask; }
+  /// How many children there are.
   static constexpr std::uint32_t count(std::uint32_t childLanes) { return childLanes >> kCountShift; }
 };
 static_assert(sizeof(TraversalNode) == 32 && std::is_trivially_copyable_v<TraversalNode>);
 
 /// How a tree came to be, for reports; nothing at run time depends on it.
 struct BuildInfo {
-  std::string meshName;    ///< file name without folder
-  std::string meshSha256;  ///< of the mesh file's bytes, hexadecimal
-  std::string method;
-  std::uint32_t branching = 0, depth = 0, samples = 0;
-  std::uint64_t seed = 0;
+  std::string meshName;                                 ///< file name without folder
+  std::string meshSha256;                               ///< of the mesh file's bytes, hexadecimal
+  std::string method;                                   ///< name of the method, as `cairn build --method` takes it
+  std::uint32_t branching = 0, depth = 0, samples = 0;  ///< as given to the builder
+  std::uint64_t seed = 0;                               ///< as given to the builder
 
   friend bool operator==(const BuildInfo&, const BuildInfo&) = default;
 };
 
 /// Everything a tree consists of, unpacked. Nodes are breadth-first, the children of a node contiguous, the root first.
 struct SphereTreeData {
-  std::vector<NodeData> nodes;
-  std::vector<Vec3> supportPoints;
-  std::vector<Vec3> faceNormals;
-  std::vector<std::uint32_t> regionTriangles;  ///< indices into triangles
-  std::vector<Vec3> vertices;                  ///< the source mesh, tree frame
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<NodeData> nodes;                          ///< at least the root
+  std::vector<Vec3> supportPoints;                      ///< tree frame
+  std::vector<Vec3> faceNormals;                        ///< unit, tree frame
+  std::vector<std::uint32_t> regionTriangles;           ///< indices into triangles
+  std::vector<Vec3> vertices;                           ///< the source mesh, tree frame
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the source mesh: indices into `vertices`
   Vec3d origin;         ///< of the tree frame, in the mesh's frame: the centre of mass rounded to float
   MassProperties mass;  ///< mesh frame
-  BuildInfo info;
+  BuildInfo info;       ///< how the tree came to be
 
   friend bool operator==(const SphereTreeData&, const SphereTreeData&) = default;
 };
@@ -106,33 +112,45 @@ class SphereTree {
   /// mesh: see the builder's `certify`. Fails with the first offending element. Linear.
   static Result<SphereTree> create(SphereTreeData data);
 
+  /// All nodes, the root and the leaves included.
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(data_.nodes.size()); }
   /// Levels below the root; 0 for a lone root.
   std::uint32_t depth() const { return depth_; }
+  /// Nodes without children.
   std::uint32_t leafCount() const { return leafCount_; }
 
+  /// All families, the root's own first.
   std::span<const Family> families() const { return families_; }
+  /// One family, by its number.
   const Family& family(std::uint32_t index) const { return families_[index]; }
   /// The family of the node's children, 0 for a leaf (family 0 is the root's own).
   std::uint32_t childFamily(NodeId node) const { return traversalNodes_[node].childFamily; }
+  /// Children of a node; 0 for a leaf.
   std::uint32_t childCount(NodeId node) const { return TraversalNode::count(traversalNodes_[node].childLanes); }
+  /// Siblings in a family, 1 to `kFamilyWidth`.
   std::uint32_t familySize(std::uint32_t family) const { return familySize_[family]; }
   /// One bit per living lane of a family: what overlap bits are masked with, because between bodies at absurd distances
   /// even the lanes at infinity overlap.
   std::uint32_t livingLanes(std::uint32_t family) const { return (1U << familySize_[family]) - 1; }
+  /// Whether a node has no children.
   bool isLeaf(NodeId node) const { return childFamily(node) == 0; }
 
   /// By NodeId; those of dead lanes are never to be read.
   std::span<const TraversalNode> traversalNodes() const { return traversalNodes_; }
+  /// The node's ball, tree frame.
   Sphere sphere(NodeId node) const { return {traversalNodes_[node].center, traversalNodes_[node].radius}; }
+  /// The node's certified error, tree unit: no point of its ball is farther from the solid.
   float error(NodeId node) const { return traversalNodes_[node].error; }
+  /// Radius of the concentric ball inside the solid, tree unit; 0 where the centre is outside.
   float innerRadius(NodeId node) const { return traversalNodes_[node].innerRadius; }
   /// The node's extreme points in structure-of-arrays form, repeated to fill all lanes.
   const SupportBlock& support(NodeId node) const { return support_[node]; }
 
   /// The unpacked record of a node. Cold.
   const NodeData& node(NodeId node) const { return data_.nodes[recordIndex_[node]]; }
+  /// Extreme points of the node's region, tree frame; one to `kMaxSupportPoints`.
   std::span<const Vec3> supportPoints(NodeId node) const;
+  /// Unit normals of the region's flat faces, tree frame; at most `kMaxFaceNormals`.
   std::span<const Vec3> faceNormals(NodeId node) const;
   /// True for a leaf whose region consists of flat faces, with sharp edges between them, that `faceNormals` names
   /// without exception: every source triangle of it faces within 3 degrees of one of them, and no two of them within 30
@@ -148,6 +166,7 @@ class SphereTree {
   std::span<const std::uint32_t> regionCorners(NodeId node) const {
     return std::span(corners_).subspan(firstCorner_[node], firstCorner_[node + 1] - firstCorner_[node]);
   }
+  /// Levels between the root and a node; 0 for the root.
   std::uint32_t level(NodeId node) const { return level_[node]; }
   /// The node's name for its breadth-first number in `data().nodes`.
   NodeId nodeAt(std::uint32_t recordIndex) const { return nodeAt_[recordIndex]; }
@@ -157,15 +176,21 @@ class SphereTree {
   /// Worst certified error over `levelCut(level)`.
   float levelError(std::uint32_t level) const;
 
+  /// Vertices of the source mesh, tree frame.
   std::span<const Vec3> vertices() const { return data_.vertices; }
+  /// Triangles of the source mesh: indices into `vertices()`, counter-clockwise seen from outside.
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return data_.triangles; }
   /// How the source mesh hangs together, leaf by leaf.
   const TreeSurface& surface() const { return surface_; }
   /// The source mesh with the former. Valid as long as the tree.
   SurfaceView surfaceView() const { return {data_.vertices, data_.triangles, &surface_}; }
+  /// Volume, centre of mass and inertia of the solid, mesh frame.
   const MassProperties& mass() const { return data_.mass; }
+  /// The tree frame's origin in the mesh's frame.
   const Vec3d& origin() const { return data_.origin; }
+  /// How the tree came to be.
   const BuildInfo& info() const { return data_.info; }
+  /// Everything the tree consists of, unpacked. Cold.
   const SphereTreeData& data() const { return data_; }
   /// How far a node's ball reaches from the tree frame's origin, in its unit, to some roundings: nothing of the tree is
   /// farther out.

@@ -13,9 +13,10 @@ namespace cairn {
 
 /// Two triangles of a surface that share two vertices. Indices are those of the mesh.
 struct SurfaceEdge {
+  /// Stands for a triangle or vertex that is not there.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  std::array<std::uint32_t, 2> vertex{};
+  std::array<std::uint32_t, 2> vertex{};                ///< its two ends
   std::array<std::uint32_t, 2> triangle{kNone, kNone};  ///< the second is `kNone` at a border of an open surface
   std::array<std::uint32_t, 2> opposite{kNone, kNone};  ///< of each triangle the vertex that is not on the edge
   Vec3 outward;           ///< unit, the mean of the triangles' normals; zero where these cancel
@@ -24,10 +25,10 @@ struct SurfaceEdge {
 
 /// A triangle's plane and the planes through its sides, each with its unit normal: `dot(normal, p) - offset`.
 struct SurfaceFace {
-  Vec3 normal;  ///< outward; zero for a triangle without area, which touches nothing
-  float offset = 0;
-  std::array<Vec3, 3> inward;  ///< in the triangle's plane, from side k (corners k, k + 1) to the triangle
-  std::array<float, 3> inwardOffset{};
+  Vec3 normal;                          ///< outward; zero for a triangle without area, which touches nothing
+  float offset = 0;                     ///< of the plane, along `normal`
+  std::array<Vec3, 3> inward;           ///< in the triangle's plane, from side k (corners k, k + 1) to the triangle
+  std::array<float, 3> inwardOffset{};  ///< of the planes through the sides, along `inward`
 };
 
 /// How the triangles of a mesh hang together: what a contact needs to know of the surface around a vertex or an edge.
@@ -39,7 +40,9 @@ class SurfaceFeatures {
   /// Precondition: indices are below `vertices.size()`. The mesh is not kept.
   SurfaceFeatures(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 
+  /// All edges; their numbers are places in this list.
   std::span<const SurfaceEdge> edges() const { return edges_; }
+  /// One for each triangle of the mesh, in its order.
   std::span<const SurfaceFace> faces() const { return faces_; }
   /// Of triangle t, the edge between its corners k and k + 1 in `edgesOf()[t][k]`.
   std::span<const std::array<std::uint32_t, 3>> edgesOf() const { return edgesOf_; }
@@ -52,6 +55,7 @@ class SurfaceFeatures {
     const SurfaceEdge& e = edges_[edge];
     return e.vertex[0] == vertex ? e.vertex[1] : e.vertex[0];
   }
+  /// Bytes of memory held.
   std::size_t memoryBytes() const;
 
  private:

@@ -14,11 +14,15 @@ namespace cairn {
 
 /// An axis-parallel box.
 struct Box {
-  Vec3 lower, upper;
+  Vec3 lower, upper;  ///< opposite corners, in the frame of whoever holds the box
 
+  /// Grows the box to hold a point.
   void add(const Vec3& p);
+  /// The box with each side moved out by a length.
   Box grown(float by) const { return {lower - Vec3(by, by, by), upper + Vec3(by, by, by)}; }
+  /// The centre.
   Vec3 middle() const { return (lower + upper) * 0.5F; }
+  /// Whether a point lies inside or on the border.
   bool holds(const Vec3& p) const;
   /// Of the axes along which the boxes are apart, how far along the one where they are farthest; negative where they
   /// overlap.
@@ -34,15 +38,17 @@ struct Box {
 /// patch's own: each of the surface is one patch's. Lists are indices of the mesh's features; rows of numbers hold one
 /// column after the other, each padded to whole batches.
 struct SurfacePatch {
+  /// Numbers that one SIMD step takes.
   static constexpr std::uint32_t kBatch = 8;
+  /// Triangles in a patch at most.
   static constexpr std::uint32_t kMaxTriangles = 8;
   static constexpr std::uint32_t kMaxFeatures = 3 * kMaxTriangles;  ///< vertices, and edges
 
-  std::span<const std::uint32_t> vertices;  ///< of all its triangles
-  std::span<const std::uint32_t> edges;     ///< its own
-  std::span<const std::uint32_t> triangles;
-  std::uint32_t ownVertices = 0;  ///< so many of `vertices` are its own, the first ones
-  std::uint32_t convexEdges = 0;  ///< so many of `edges` are convex, the first ones
+  std::span<const std::uint32_t> vertices;   ///< of all its triangles
+  std::span<const std::uint32_t> edges;      ///< its own
+  std::span<const std::uint32_t> triangles;  ///< all of the patch
+  std::uint32_t ownVertices = 0;             ///< so many of `vertices` are its own, the first ones
+  std::uint32_t convexEdges = 0;             ///< so many of `edges` are convex, the first ones
   /// Of each edge, its ends by their places in `vertices`.
   std::span<const std::array<std::uint8_t, 2>> edgeEnds;
   const float* vertexColumns = nullptr;  ///< x, y, z; the last vertex is repeated
@@ -54,6 +60,7 @@ struct SurfacePatch {
   Vec3 facing;                    ///< unit, the mean of these; zero where they do not lie on one side
   float lowest = 0, highest = 0;  ///< of the vertices, along `facing`
 
+  /// A count rounded up to whole batches.
   static constexpr std::uint32_t padded(std::size_t count) {
     return (static_cast<std::uint32_t>(count) + kBatch - 1) / kBatch * kBatch;
   }
@@ -62,14 +69,17 @@ struct SurfacePatch {
 /// Up to eight boxes side by side, each around a patch or around another such family; one number of each after the
 /// other. Lanes that hold nothing overlap nothing.
 struct alignas(32) PatchFamily {
+  /// Boxes in a family.
   static constexpr std::uint32_t kWidth = SurfacePatch::kBatch;
 
-  float lower[3][kWidth], upper[3][kWidth];
+  float lower[3][kWidth], upper[3][kWidth];              ///< corners of the boxes, by axis and lane
   float normalLower[3][kWidth], normalUpper[3][kWidth];  ///< as `SurfacePatch::normals`
   std::uint32_t child[kWidth];                           ///< the patch or the family
   std::uint32_t patches = 0;                             ///< a bit for each lane that is a patch
 
+  /// Whether a lane's child is a patch, not a family.
   bool isPatch(std::uint32_t lane) const { return (patches >> lane & 1U) != 0; }
+  /// The box of a lane.
   Box box(std::uint32_t lane) const {
     return {{lower[0][lane], lower[1][lane], lower[2][lane]}, {upper[0][lane], upper[1][lane], upper[2][lane]}};
   }
@@ -84,16 +94,21 @@ class SurfacePatches {
   SurfacePatches(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
                  const SurfaceFeatures& features);
 
+  /// How many patches there are.
   std::uint32_t count() const { return static_cast<std::uint32_t>(records_.size()); }
   /// Whose own the features of the mesh are, by index; a vertex of no triangle is nobody's (`SurfaceEdge::kNone`).
   std::span<const std::uint32_t> ownersOfVertices() const { return ofVertices_; }
+  /// The patch that owns each edge of the mesh.
   std::span<const std::uint32_t> ownersOfEdges() const { return ofEdges_; }
+  /// The patch that holds each triangle of the mesh.
   std::span<const std::uint32_t> ownersOfTriangles() const { return ofTriangles_; }
+  /// A patch by its number. Valid as long as this lives. Constant time.
   SurfacePatch patch(std::uint32_t index) const;
   /// The first is the root's: of all of the surface.
   std::span<const PatchFamily> families() const { return families_; }
   /// Around all of the surface.
   const Box& box() const { return box_; }
+  /// Bytes of memory held.
   std::size_t memoryBytes() const;
 
  private:

@@ -11,11 +11,12 @@ namespace cairn {
 
 /// Where a ray meets a mesh first. The mesh's frame and unit.
 struct SurfaceHit {
+  /// The triangle of a ray that meets nothing.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  std::uint32_t triangle = kNone;
-  float distance = std::numeric_limits<float>::infinity();
-  bool leaves = false;  ///< from inside the body
+  std::uint32_t triangle = kNone;                           ///< the triangle that is met
+  float distance = std::numeric_limits<float>::infinity();  ///< from the origin, along the direction
+  bool leaves = false;                                      ///< from inside the body
 };
 
 /// Casts rays; keeps its working memory from one to the next.

@@ -12,6 +12,7 @@
 
 namespace cairn {
 
+/// Why a traversal stopped: nothing is left to refine, or the budget refused a step.
 enum class Progress : std::uint8_t { done, budgetSpent };
 
 /// Factor on world length per tree unit that keeps certified errors upper bounds under rounding. This product, its
@@ -28,6 +29,7 @@ class Traversal {
  public:
   virtual ~Traversal() = default;
 
+  /// Goes on until it is done or the budget refuses a step.
   virtual Progress refine(Budget& budget) = 0;
 
   /// Forgets everything: done, with no pairs, and no tree or obstacle is looked at any more until the next start.
@@ -35,6 +37,7 @@ class Traversal {
   /// Frees memory that is not in use; nothing else changes. Going on allocates again.
   void shrinkToFit();
 
+  /// Whether nothing is left to refine.
   bool done() const { return head_ == queue_.size(); }
   /// Pairs found overlapping but not yet refined, oldest first.
   std::span<const NodePair> front() const { return queue_.pairs().subspan(head_); }
@@ -72,9 +75,9 @@ class Traversal {
   /// `pairError` may answer differently from now on.
   void forgetErrors();
 
-  PairList queue_;  // [0, head_) has been refined
-  std::size_t head_ = 0;
-  PairList leafPairs_;
+  PairList queue_;        ///< pairs found overlapping; those before `head_` have been refined
+  std::size_t head_ = 0;  ///< the first pair of `queue_` that is still to be refined
+  PairList leafPairs_;    ///< what `leafPairs` returns
 
  private:
   // The greatest error of a queue that only grows behind and shrinks in front: of the pairs seen, a few at a time,

@@ -13,8 +13,8 @@ namespace cairn {
 /// The data about a mesh that contacts need besides vertices and triangles. A tree derives it from its source mesh when
 /// it is made.
 struct TreeSurface {
-  SurfaceFeatures features;
-  SurfacePatches patches;
+  SurfaceFeatures features;  ///< its edges and faces
+  SurfacePatches patches;    ///< its triangles in small groups
   /// How thick the body is where it is thin, mesh units: a tenth of its surface has less of it behind. Infinite for a
   /// surface without an inside. See `surfaceThickness`.
   float thickness = 0;
@@ -22,11 +22,13 @@ struct TreeSurface {
 
 /// A mesh with what is derived from it; refers to both, which must outlive it.
 struct SurfaceView {
-  std::span<const Vec3> vertices;
-  std::span<const std::array<std::uint32_t, 3>> triangles;
-  const TreeSurface* derived = nullptr;
+  std::span<const Vec3> vertices;                           ///< of the mesh
+  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< of the mesh: indices into `vertices`
+  const TreeSurface* derived = nullptr;                     ///< not null when it is used
 
+  /// The mesh's edges and faces.
   const SurfaceFeatures& features() const { return derived->features; }
+  /// The mesh's triangles in small groups.
   const SurfacePatches& patches() const { return derived->patches; }
 };
 
@@ -34,6 +36,7 @@ struct SurfaceView {
 /// most `kThicknessSamples` faces. Some microseconds a sample.
 float surfaceThickness(const SurfaceView& surface);
 
+/// Faces that `surfaceThickness` looks through at most.
 inline constexpr std::uint32_t kThicknessSamples = 512;
 
 }  // namespace cairn

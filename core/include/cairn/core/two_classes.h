@@ -17,6 +17,7 @@ class TwoClasses final : public RankedPriority {
  public:
   static constexpr double kHighEccentricity = 2 * kHalfAcuityEccentricity;  ///< radians: acuity is a third of the best
   static constexpr double kHighRate = 1;                                    ///< per second
+  /// Weight of a low pair beside 1 for a high one.
   static constexpr double kLowWeight = 1.0 / 16;
 
   void setViewer(const std::optional<Viewer>& viewer) override { viewer_ = viewer; }

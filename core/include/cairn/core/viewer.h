@@ -8,7 +8,7 @@ namespace cairn {
 
 /// Who looks at a scene, and at what. World frame; lengths in world units, angles in radians.
 struct Viewer {
-  Vec3d eye;
+  Vec3d eye;                  ///< where the viewer stands
   Vec3d direction{0, 0, -1};  ///< of the middle of the view; any length but zero
   /// The point the gaze rests on. A viewer about whose gaze nothing is known looks straight ahead: any point along
   /// `direction`, or the eye itself, which stands for them.

@@ -19,6 +19,7 @@ class WaitingLine {
   /// O(n log n) for n pairs.
   void begin(std::span<const ScheduledPair> pairs);
 
+  /// Whether nobody is in line.
   bool empty() const { return next_.empty() || next_.back() == next_.size() - 1; }
   /// Index of the pair that has waited longest. Precondition: not empty.
   std::size_t first() const { return next_.back(); }

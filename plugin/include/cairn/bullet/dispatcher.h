@@ -28,6 +28,7 @@ namespace cairn::bullet {
 template <class Base = btCollisionDispatcher>
 class Dispatcher : public Base {
  public:
+  /// As `Base`'s, with the same arguments.
   template <class... Args>
   explicit Dispatcher(Args&&... args) : Base(std::forward<Args>(args)...), narrowPhase_(*this) {}
   Dispatcher(const Dispatcher&) = delete;
@@ -53,6 +54,7 @@ class Dispatcher : public Base {
   /// See `NarrowPhase::lastStep`.
   const StepStatistics& lastStep() const { return narrowPhase_.lastStep(); }
 
+  /// One step: Bullet calls this with all its pairs.
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override {
     narrowPhase_.beginStep(*pairs, info);

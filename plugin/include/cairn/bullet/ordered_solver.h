@@ -26,6 +26,7 @@ class OrderedSolver : public Solver {
  public:
   using Solver::Solver;
 
+  /// Bullet calls this once a step, or once an island: orders the manifolds, then solves as `Solver` does.
   btScalar solveGroup(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
                       btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
                       btIDebugDraw* drawer, btDispatcher* dispatcher) override {

@@ -15,10 +15,10 @@ struct StoredShape {
   /// Its indices among the file's shape chunks, from 0, in the order of `bParse::btBulletFile::m_collisionShapes`.
   /// There are several where Bullet wrote the shape more than once.
   std::vector<std::size_t> chunks;
-  std::shared_ptr<const SphereTree> tree;  ///< one object for all shapes that shared it when they were written
-  BodyFrame frame = BodyFrame::principalAxes;
-  double scale = 1;
-  double margin = 0;  ///< metres
+  std::shared_ptr<const SphereTree> tree;      ///< one object for all shapes that shared it when they were written
+  BodyFrame frame = BodyFrame::principalAxes;  ///< as at `SphereTreeShape::create`
+  double scale = 1;                            ///< metres per mesh unit
+  double margin = 0;                           ///< metres
 };
 
 /// Reads the sphere-tree shapes of a `.bullet` file with their trees, in the order they were written. The result is

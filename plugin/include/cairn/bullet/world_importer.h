@@ -62,6 +62,7 @@ class WorldImporter : public btBulletWorldImporter {
     return {};
   }
 
+  /// Bullet calls this while it loads; see `loadFile`.
   btCompoundShape* createCompoundShape() override {
     btCompoundShape* compound = btBulletWorldImporter::createCompoundShape();
     if (loading_.nextCompound < loading_.compounds.size()) {
@@ -71,6 +72,7 @@ class WorldImporter : public btBulletWorldImporter {
     return compound;
   }
 
+  /// Bullet calls this while it loads; see `loadFile`.
   btRigidBody* createRigidBody(bool isDynamic, btScalar mass, const btTransform& startTransform,
                                btCollisionShape* shape, const char* bodyName) override {
     exchangeChildren();
@@ -79,6 +81,7 @@ class WorldImporter : public btBulletWorldImporter {
                                                   own == loading_.standIns.end() ? shape : own->second, bodyName);
   }
 
+  /// Bullet calls this while it loads; see `loadFile`. False for a file whose shapes are not those it announced.
   bool convertAllObjects(bParse::btBulletFile* file) override {
     if (!claimShapes(*file)) return false;
     const bool converted = btBulletWorldImporter::convertAllObjects(file);

@@ -13,12 +13,14 @@ namespace cairn::effects {
 /// Criterion: has a volume, and is faster than `leastSpeed`. For a rock of 1 m at 30 m/s it is 1.4 % of its weight.
 class AirDrag final : public Effect, ForceHook {
  public:
+  /// The air, and the bodies' shape in it.
   struct Options {
     btScalar density = btScalar(1.2);      ///< kg/m^3, >= 0
     btScalar coefficient = btScalar(0.5);  ///< >= 0
     btScalar leastSpeed = 0;               ///< m/s
   };
 
+  /// Precondition: values in their ranges.
   explicit AirDrag(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "air_drag"; }

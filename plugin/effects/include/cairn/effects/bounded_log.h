@@ -12,8 +12,10 @@ namespace cairn::effects {
 template <class Entry>
 class BoundedLog {
  public:
+  /// Room for `capacity` entries; 0 keeps none and counts all.
   explicit BoundedLog(std::size_t capacity) : capacity_(capacity) { entries_.reserve(capacity); }
 
+  /// Appends an entry; when there is no room, the oldest one goes. Constant time.
   void add(const Entry& entry) {
     if (entries_.size() < capacity_) {
       entries_.push_back(entry);
@@ -34,6 +36,7 @@ class BoundedLog {
     oldest_ = 0;
   }
 
+  /// Entries that wait to be taken.
   std::size_t size() const { return entries_.size(); }
   /// Since it was made.
   std::uint64_t dropped() const { return dropped_; }

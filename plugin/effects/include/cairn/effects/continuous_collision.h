@@ -18,10 +18,12 @@ namespace cairn::effects {
 /// Concave shapes that are not sphere-trees (compounds, GImpact) have no continuous collision in Bullet.
 class ContinuousCollision final : public Effect, ForceHook {
  public:
+  /// Which bodies are looked ahead for.
   struct Options {
     btScalar radiiPerStep = btScalar(0.5);  ///< >= 0; zero switches nothing on
   };
 
+  /// Precondition: values in their ranges.
   explicit ContinuousCollision(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "ccd"; }

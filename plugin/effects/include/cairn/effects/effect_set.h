@@ -19,6 +19,7 @@ struct Work {
   double impulse = 0;        ///< size of what changed their momentum, N s
   double torqueImpulse = 0;  ///< and, without that, their angular momentum, N m s
 
+  /// Adds, number by number.
   Work& operator+=(const Work& more) {
     energyTaken += more.energyTaken;
     impulse += more.impulse;
@@ -31,11 +32,11 @@ struct Work {
 /// contacts get the work of these contacts: friction along the surface, restitution across it, rolling resistance by
 /// its torques.
 struct EffectReport {
-  std::string_view name;
+  std::string_view name;           ///< as `Effect::name`
   std::uint64_t acted = 0;         ///< bodies, contacts or impacts it acted on, summed over the steps
   std::uint64_t stepsActed = 0;    ///< steps in which it acted on any
   double elapsedMicroseconds = 0;  ///< in its hooks
-  Work work;
+  Work work;                       ///< what it did to bodies
 };
 
 /// The effects of a scene, and nothing else: what was not added is not there, and a set without effects leaves every

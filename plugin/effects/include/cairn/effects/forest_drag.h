@@ -14,10 +14,11 @@ namespace cairn::effects {
 /// Criterion: moves, is in the region, below the height, over known ground.
 class ForestDrag final : public Effect, ForceHook {
  public:
+  /// The forest.
   struct Options {
     btScalar height = 10;      ///< m above ground
     btScalar coefficient = 0;  ///< kg/s, >= 0; zero does nothing
-    Region region = {};
+    Region region = {};        ///< where it stands
   };
 
   /// `ground` must outlive the effect.

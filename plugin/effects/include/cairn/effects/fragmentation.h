@@ -14,8 +14,8 @@ namespace cairn::effects {
 
 /// A breakable body that was struck hard enough.
 struct Break {
-  btRigidBody* body = nullptr;
-  std::uint32_t bodyId = 0;
+  btRigidBody* body = nullptr;   ///< of the set when it was struck
+  std::uint32_t bodyId = 0;      ///< its number in the set
   std::uint32_t piece = 0;       ///< that breaks off: the one nearest to where it was struck
   std::uint32_t generation = 0;  ///< how many breaks the body comes from
   btScalar energyPerMass = 0;    ///< of the blow, J/kg
@@ -33,11 +33,13 @@ struct Break {
 /// them from coming closer. So energy never rises by breaking. A body breaks at most once a step.
 class Fragmentation final : public Effect, MaterialHook, ImpactHook {
  public:
+  /// When bodies break.
   struct Options {
     btScalar energyPerMass = 0;        ///< J/kg, >= 0
     std::uint32_t maxGenerations = 3;  ///< pieces of pieces: a body that comes from so many breaks stays whole
   };
 
+  /// Precondition: values in their ranges.
   explicit Fragmentation(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "fragmentation"; }

@@ -21,16 +21,16 @@ namespace cairn::effects {
 /// The pieces that a kind of body can break into (made by `cairn fracture`): their trees, all in the mesh frame of the
 /// whole, and the pairs of pieces that hang together. All bodies of the kind share it.
 struct Fragments {
-  std::vector<std::shared_ptr<const SphereTree>> pieces;
-  std::vector<std::array<std::uint32_t, 2>> bonds;
+  std::vector<std::shared_ptr<const SphereTree>> pieces;  ///< none is null
+  std::vector<std::array<std::uint32_t, 2>> bonds;        ///< two different pieces each
 };
 
 /// The pieces of the kind that one body consists of.
 struct FragmentPart {
-  std::shared_ptr<const Fragments> kind;
-  std::vector<std::uint32_t> pieces;  ///< ascending
-  btScalar scale = 1;                 ///< mesh unit to m
-  btScalar density = 0;               ///< kg/m^3
+  std::shared_ptr<const Fragments> kind;  ///< not null
+  std::vector<std::uint32_t> pieces;      ///< ascending
+  btScalar scale = 1;                     ///< mesh unit to m
+  btScalar density = 0;                   ///< kg/m^3
   btTransform bodyFromMesh =
       btTransform::getIdentity();  ///< places the whole's mesh frame (times scale) in the body's frame
 
@@ -46,13 +46,14 @@ struct FragmentBody {
   FragmentBody(FragmentBody&&) = default;
   FragmentBody& operator=(FragmentBody&&) = default;
 
-  FragmentPart part;
+  FragmentPart part;                                      ///< what it consists of
   std::vector<std::unique_ptr<btCollisionShape>> shapes;  ///< the last one is the body's; it refers to the others
-  btScalar mass = 0, volume = 0;
-  btVector3 inertia;
-  btTransform pose = btTransform::getIdentity();  ///< world frame
-  btVector3 linearVelocity, angularVelocity;
+  btScalar mass = 0, volume = 0;                          ///< kg, and m^3
+  btVector3 inertia;                                      ///< kg m^2, about the body's axes
+  btTransform pose = btTransform::getIdentity();          ///< world frame
+  btVector3 linearVelocity, angularVelocity;              ///< m/s and rad/s, world frame
 
+  /// The body's own shape. Valid as long as `shapes`.
   btCollisionShape& shape() const { return *shapes.back(); }
 };
 

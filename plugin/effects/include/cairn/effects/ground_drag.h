@@ -12,6 +12,7 @@ namespace cairn::effects {
 /// Criterion: the body moves slower than `below`, and the ball of its volume is less than `within` above the ground.
 class GroundDrag final : public Effect, ForceHook {
  public:
+  /// Where and how much rocks are braked.
   struct Options {
     btScalar below = 5;         ///< m/s
     btScalar within = 1;        ///< m, from the ball's underside

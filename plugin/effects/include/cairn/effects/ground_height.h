@@ -19,6 +19,7 @@ class GroundHeight {
 /// A ground of constant height.
 class LevelGround final : public GroundHeight {
  public:
+  /// Ground at this z everywhere, m.
   explicit LevelGround(btScalar height) : height_(height) {}
   std::optional<btScalar> at(btScalar /*x*/, btScalar /*y*/) const override { return height_; }
 

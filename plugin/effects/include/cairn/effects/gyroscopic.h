@@ -19,10 +19,12 @@ namespace cairn::effects {
 /// that cannot turn about some axis are left alone.
 class Gyroscopic final : public Effect, ForceHook {
  public:
+  /// Which bodies it is for.
   struct Options {
     btScalar minInertiaRatio = btScalar(1.05);  ///< >= 1
   };
 
+  /// Precondition: values in their ranges.
   explicit Gyroscopic(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "gyroscopic"; }

@@ -12,14 +12,17 @@ namespace cairn::effects {
 /// nothing.
 class ImpactEvents final : public Effect, EventHook {
  public:
+  /// Which blows are told.
   struct Options {
     btScalar dustImpulse = std::numeric_limits<btScalar>::infinity();   ///< N s; infinity: none
     btScalar soundImpulse = std::numeric_limits<btScalar>::infinity();  ///< N s; infinity: none
     std::size_t kept = 1024;  ///< events that wait to be taken; beyond it the oldest are dropped and counted
   };
+  /// What a game makes of a blow. One blow may be both.
   enum class Kind : std::uint8_t { dust, sound };
+  /// A blow above a threshold.
   struct Event {
-    Kind kind;
+    Kind kind;                            ///< dust or sound
     btVector3 place;                      ///< world frame
     btScalar impulse;                     ///< N s
     btScalar closingSpeed;                ///< m/s
@@ -28,6 +31,7 @@ class ImpactEvents final : public Effect, EventHook {
     std::uint64_t step;                   ///< its number
   };
 
+  /// Makes room for `kept` events at once.
   explicit ImpactEvents(const Options& options) : options_(options), events_(options.kept) {}
 
   std::string_view name() const override { return "events"; }

@@ -26,6 +26,7 @@ class MaterialMap {
 template <class Value>
 class PairTable {
  public:
+  /// A table in which every pair has this value.
   explicit PairTable(Value byDefault = {}) : default_(byDefault) {}
 
   /// Grows the table to hold both. Quadratic in the greatest number that was set.
@@ -40,6 +41,7 @@ class PairTable {
   bool holds(const Such& isSuch) const {
     return isSuch(default_) || std::any_of(values_.begin(), values_.end(), isSuch);
   }
+  /// The pair's value, in either order; the default where none was set. Constant time.
   Value at(MaterialId a, MaterialId b) const { return a < size_ && b < size_ ? values_[a * size_ + b] : default_; }
 
  private:

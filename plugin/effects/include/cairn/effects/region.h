@@ -10,8 +10,9 @@ namespace cairn::effects {
 /// A part of the map: everywhere, or the inside of a polygon in x and y (world frame, m; z is up).
 class Region {
  public:
+  /// A corner.
   struct Point {
-    btScalar x, y;
+    btScalar x, y;  ///< world frame, m
   };
 
   /// Everywhere.
@@ -19,6 +20,7 @@ class Region {
   /// The inside by the even-odd rule; the last corner is joined to the first. Precondition: three corners or more.
   explicit Region(std::vector<Point> corners);
 
+  /// Whether there is no border.
   bool isEverywhere() const { return corners_.empty(); }
   /// Linear in the corners, but for what is outside the polygon's box.
   bool contains(btScalar x, btScalar y) const;

@@ -20,6 +20,7 @@ struct Pfeiffer {
 /// halfSpeed / (v + halfSpeed), the table giving half speeds, m/s (Bourrier and Hungr 2011).
 struct Bourrier {};
 
+/// Which of the laws holds.
 using Law = std::variant<Constant, Pfeiffer, Bourrier>;
 
 /// The coefficient at a closing speed (m/s, >= 0). `value`: the table's.
@@ -34,6 +35,7 @@ btScalar at(const Law& law, btScalar value, btScalar closingSpeed);
 /// Bodies' own restitution is overridden. Bounces below `EffectSet::kImpactSpeed` end.
 class Restitution final : public Effect, MaterialHook {
  public:
+  /// `values` mean what `law` says of the table.
   Restitution(PairTable<btScalar> values, restitution::Law law) : values_(std::move(values)), law_(law) {}
 
   std::string_view name() const override { return "restitution"; }

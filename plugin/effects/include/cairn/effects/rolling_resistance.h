@@ -14,11 +14,13 @@ namespace cairn::effects {
 /// cannot do that beside every solver of a world (see `EffectSet::canAct`).
 class RollingResistance final : public Effect, MaterialHook {
  public:
+  /// Lever arms of one pair of materials.
   struct Lengths {
     btScalar rolling = 0;   ///< m, >= 0
     btScalar spinning = 0;  ///< m, >= 0; about the contact's normal
   };
 
+  /// Precondition: lengths >= 0.
   explicit RollingResistance(PairTable<Lengths> lengths) : lengths_(std::move(lengths)) {}
 
   std::string_view name() const override { return "rolling_resistance"; }

@@ -24,10 +24,12 @@ class StemGrid;
 /// Criterion: has a volume, moves, and touches a stem. Stems where the ground is unknown do not stand.
 class SingleTrees final : public Effect, ForceHook {
  public:
+  /// One tree.
   struct Stem {
     btScalar x, y;      ///< of the axis, world frame, m; z is up
     btScalar diameter;  ///< at breast height, m, > 0; that of the whole cylinder
   };
+  /// What all trees have in common.
   struct Options {
     btScalar height = 20;      ///< of all stems above their ground, m
     btScalar energyRatio = 1;  ///< >= 0, of the species' fracture energy to that of the stems measured; zero: nothing

@@ -19,12 +19,14 @@ namespace cairn::effects {
 /// Counts the bodies of the set that are asleep.
 class Sleeping final : public Effect, ForceHook {
  public:
+  /// When bodies fall asleep.
   struct Options {
     btScalar linear = btScalar(0.8);  ///< m/s, >= 0; Bullet's own
     btScalar angular = 1;             ///< rad/s, >= 0; with either at zero nothing sleeps
     btScalar after = 2;               ///< s, >= 0
   };
 
+  /// Precondition: values in their ranges.
   explicit Sleeping(const Options& options) : options_(options) {}
 
   std::string_view name() const override { return "sleeping"; }

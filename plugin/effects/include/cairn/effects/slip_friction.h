@@ -13,10 +13,12 @@ namespace cairn::effects {
 /// 241-271). It replaces `Friction`'s value for these pairs, unless `most` is zero, which is off.
 class SlipFriction final : public Effect, MaterialHook {
  public:
+  /// How friction grows.
   struct Options {
-    btScalar least = btScalar(0.2), most = 2;  ///< coefficients, 0 <= least <= most
-    btScalar kappa = btScalar(2.5);            ///< 1/m, >= 0
-    btScalar recovery = 1;                     ///< 1/s, >= 0
+    btScalar least = btScalar(0.2);  ///< coefficient before any slip, >= 0
+    btScalar most = 2;               ///< coefficient it grows towards, >= least; zero: off
+    btScalar kappa = btScalar(2.5);  ///< 1/m, >= 0
+    btScalar recovery = 1;           ///< 1/s, >= 0
   };
 
   /// `applies`: for which pairs.

@@ -19,16 +19,18 @@ namespace cairn::effects {
 /// solver, on top of restitution and friction.
 class SoilScarring final : public Effect, ImpactHook {
  public:
+  /// A material's softness.
   struct Soil {
     btScalar strength = 0;  ///< ME, kPa; zero: no soil
     btScalar density = 0;   ///< kg/m^3, >= 0
     btScalar drag = 0;      ///< coefficient, >= 0
   };
+  /// One mark that a blow left.
   struct Scar {
-    btVector3 place;  ///< of the contact, world frame
-    btScalar depth;   ///< m
-    btScalar energy;  ///< that it took, J
-    std::uint32_t bodyId;
+    btVector3 place;       ///< of the contact, world frame
+    btScalar depth;        ///< m
+    btScalar energy;       ///< that it took, J
+    std::uint32_t bodyId;  ///< in the set
   };
   /// The scar of a blow, whatever energy is left for it.
   struct Work {

@@ -16,13 +16,15 @@ namespace cairn::effects {
 /// Criterion: has a volume, its ball reaches below the level, and its centre is in the region.
 class Water final : public Effect, ForceHook {
  public:
+  /// The water, and the bodies' shape in it.
   struct Options {
     btScalar level = 0;                    ///< z of the surface, m
     btScalar density = 1000;               ///< kg/m^3, >= 0
     btScalar coefficient = btScalar(0.5);  ///< >= 0
-    Region region = {};
+    Region region = {};                    ///< where it is
   };
 
+  /// Precondition: values in their ranges.
   explicit Water(Options options) : options_(std::move(options)) {}
 
   std::string_view name() const override { return "water"; }
