@@ -126,4 +126,5 @@ def on_page_content(content, page, config, files):
             return found.group(0)
         return f'href="{posixpath.relpath(file.url, posixpath.dirname(page.file.url) or ".")}"'
 
-    return re.sub(r'href="([^"#:]+)"', mend, content)
+    content = re.sub(r'href="([^"#:]+)"', mend, content)
+    return re.sub(r"<code>([^<\s]{1,30})</code>", r'<code class="word">\1</code>', content)  # not to be broken at a hyphen

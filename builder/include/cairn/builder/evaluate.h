@@ -36,10 +36,12 @@ struct LevelFit {
   /// inside may be hollow, and a body that gets there is felt by no sphere.
   double uncoveredVolumeFraction = 0;
   double uncoveredVolumeStandardErrorFraction = 0;
+  ///@}
   ///@{
   /// How deep below the surface that volume lies: the deepest sample, and root mean square over the volume.
   double uncoveredDepthMaxFraction = 0;
   double uncoveredDepthRmsFraction = 0;
+  ///@}
   ///@{
   /// Volume of the spheres' union outside the solid, and the standard error of that estimate.
   double wastedVolumeFraction = 0;
