@@ -58,13 +58,12 @@ class Budget {
     sinceClock_ += cost;
   }
 
-  /// Holds back what `work` will take, until `release` gives it free for the work itself. Reservations may exceed what
-  /// is left; then nothing more is charged.
+  /// Reserves for later work, until `release`. Reservations may exceed the rest; then nothing more can be charged.
   void reserve(const Reservation& work) {
     reservedOperations_ += work.operations;
     reservedNanoseconds_ += work.nanoseconds;
   }
-  /// Gives a reservation back; never more than all reservations come to.
+  /// Releases a reservation; never more than all reservations together.
   void release(const Reservation& work) {
     reservedOperations_ -= std::min(reservedOperations_, work.operations);
     reservedNanoseconds_ = std::max(reservedNanoseconds_ - work.nanoseconds, 0.0);
@@ -76,11 +75,11 @@ class Budget {
 
   /// Operations charged so far, those that were forced included.
   std::uint64_t used() const { return used_; }
-  /// Operations that may still be charged, without those reserved.
+  /// Operations that may still be charged, reservations excluded.
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, reservedOperations_); }
-  /// Time until the deadline, reservations included; infinite without a deadline, negative after it.
+  /// Nanoseconds until the deadline, reservations included. Infinite without a deadline, negative after it.
   double nanosecondsLeft() const;
-  /// The same without reservations: may be negative.
+  /// Nanoseconds until the deadline, reservations excluded; may be negative.
   double nanosecondsFree() const { return nanosecondsLeft() - reservedNanoseconds_; }
   /// Whether work that was charged as a whole should stop: reads the clock, if there is a deadline.
   bool isLate() { return hasDeadline() && lookAtClock(); }

@@ -10,8 +10,8 @@
 
 namespace cairn {
 
-/// Is told of every turn, to do something with what it resolved while that is in the cache. What this costs it books on
-/// the budget itself, and may reserve what is still to come.
+/// Listens to every turn, to use its results while they are in the cache. It charges its own work to the budget, and
+/// may reserve for later work.
 class TurnListener {
  public:
   virtual ~TurnListener() = default;
