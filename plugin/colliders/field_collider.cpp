@@ -16,7 +16,8 @@ namespace {
 constexpr int kMaxDescents = 12;
 // Shortenings of a step that ends where the field rises again; each costs one query.
 constexpr int kMaxShortenings = 3;
-// What a step must promise to gain, as a fraction of the reach: on flat ground the corners stay what is lowest.
+// Least gain of a step that is worth taking, as a fraction of the reach: on flat ground the corners stay what is
+// lowest.
 constexpr float kDescentGain = 0.1F;
 
 }  // namespace

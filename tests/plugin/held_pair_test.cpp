@@ -310,7 +310,7 @@ TEST(HeldPairs_Statistics, BoundTheErrorByTheWholeWaySinceTheAnswer) {
   const double answer = w.dispatcher.lastStep().worstErrorFraction;
   ASSERT_TRUE(w.dispatcher.setBudget({1, {}}).ok());
   for (int step = 1; step <= 4; ++step) {
-    const double moved = 0.005 * (step + 1);  // beyond what kept answers allow
+    const double moved = 0.005 * (step + 1);  // beyond what cached contacts allow
     const btScalar aside = btScalar(moved) * tree->size();
     moving.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.99), aside, 0)));
     w.world.performDiscreteCollisionDetection();

@@ -60,9 +60,8 @@ struct StepStatistics {
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
-  /// Pairs with a non-finite body: its place, speed or force is NaN or infinite. They get no contacts, so that they
-  /// harm no other pair. Pairs of queries since the last step count too. The first such pair is reported on standard
-  /// error.
+  /// Pairs of a body whose place, speed or force is NaN or infinite, those included that queries asked about since the
+  /// last step. They have no contacts, so that the body harms no other. The first one is reported on standard error.
   std::uint32_t nonFinitePairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< those of `pairs` that got no budget, or stopped half-way
   std::uint32_t contacts = 0;         ///< points these pairs handed to the solver
