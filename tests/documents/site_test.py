@@ -2,6 +2,7 @@
 """What the site adds to MkDocs: lists as GitHub reads them, the navigation, and the check of the built pages' links."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,31 @@ class Site(unittest.TestCase):
         done = subprocess.run([sys.executable, str(ROOT / "tools/site/check_site.py"), "/nowhere"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertIn("give the folder of a built site", done.stderr)
+
+
+@unittest.skipUnless(shutil.which("doxygen"), "doxygen is not installed")
+class Headers(unittest.TestCase):
+    """The site's Doxyfile on a header of a few lines."""
+
+    def doxygen(self, body):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "sample.h").write_text(f"/// Room.\nnamespace room {{\n{body}\n}}\n")
+            settings = (ROOT / "tools/site/Doxyfile").read_text() + f"\nINPUT = {folder}\nOUTPUT_DIRECTORY = {folder}\nUSE_MDFILE_AS_MAINPAGE =\n"
+            done = subprocess.run(["doxygen", "-"], cwd=ROOT, input=settings, capture_output=True, text=True)
+        return done.returncode, done.stderr
+
+    def test_documented_symbols_pass(self):
+        code, lines = self.doxygen("/// A thing.\nstruct Thing {\n  Thing() = default;\n  Thing(const Thing&) = delete;\n"
+                                   "  int a = 0, b = 0;  ///< counts\n  float x[2] = {}, y[2] = {};  ///< lengths, m\n};")
+        self.assertEqual((code, lines), (0, ""))
+
+    def test_undocumented_symbols_fail(self):
+        for body, name in {"/// A thing.\nstruct Thing {\n  int a = 0;\n};": "Member a", "/// A thing.\nclass Thing {\n public:\n  void go();\n};": "go()",
+                           "struct Thing {\n  int a = 0;  ///< counts\n};": "Compound room::Thing", "int free();": "free()"}.items():
+            with self.subTest(body):
+                code, lines = self.doxygen(body)
+                self.assertNotEqual(code, 0)
+                self.assertIn(name, lines)
 
 
 if __name__ == "__main__":
