@@ -100,8 +100,8 @@ class Headers(unittest.TestCase):
         return done.returncode, done.stderr
 
     def test_documented_symbols_pass(self):
-        code, lines = self.doxygen("/// A thing.\nstruct Thing {\n  Thing() = default;\n  Thing(const Thing&) = delete;\n"
-                                   "  int a = 0, b = 0;  ///< counts\n  float x[2] = {}, y[2] = {};  ///< lengths, m\n};")
+        code, lines = self.doxygen("/// A thing.\nstruct CAIRN_CORE_EXPORT Thing {\n  Thing() = default;\n  Thing(const Thing&) = delete;\n"
+                                   "  int a = 0, b = 0;  ///< counts\n  float x[2] = {}, y[2] = {};  ///< lengths, m\n};\n/// Works.\nCAIRN_CORE_EXPORT void work(int count);")
         self.assertEqual((code, lines), (0, ""))
 
     def test_undocumented_symbols_fail(self):
