@@ -72,7 +72,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh docs check [PAGE...] words, sentences and numbers of each page, and what breaks the limits
                              (tools/check_documents.py --help)
   ./cairn.sh format          format the sources
-  ./cairn.sh lint            check formatting and include arrows
+  ./cairn.sh lint            check formatting, include arrows and the documents
 
 Every command first installs what it needs from Debian's packages (cmake/packages-debian.txt); that needs root or sudo.
 On other systems it prints the list and goes on.
@@ -431,6 +431,8 @@ lint() {
   say "Checking formatting and include arrows"
   sources | xargs clang-format --dry-run --Werror
   cmake -DROOT="$PWD" -P cmake/CheckArrows.cmake
+  say "Checking the documents"
+  tools/check_documents.py --strict > /dev/null
 }
 
 command=${1:-help}
