@@ -13,13 +13,13 @@ struct EnclosingBall {
   double radius = 0;
 };
 
-/// The smallest ball that holds the points (CGAL's Min_sphere_of_spheres_d; Fischer and Gaertner 2003). The centre is
-/// exact up to rounding; the radius is the largest distance measured from it. Expected linear time. Precondition: not
-/// empty.
+/// Returns the smallest ball that holds the points (CGAL's Min_sphere_of_spheres_d; Fischer and Gaertner 2003). The
+/// centre is exact up to rounding. The radius is the largest distance measured from that centre. Expected linear time.
+/// Precondition: `points` is not empty.
 EnclosingBall smallestEnclosingBall(std::span<const Vec3d> points);
 
-/// `smallestEnclosingBall` many times for few points, where memory taken anew each time would cost a part. The same
-/// bits. For one thread.
+/// `smallestEnclosingBall` for many small sets of points. It reuses its memory, because allocation would take a
+/// noticeable part of the time. Gives the same bits as `smallestEnclosingBall`. Not thread-safe.
 class EnclosingBallSearch {
  public:
   EnclosingBallSearch();

@@ -9,22 +9,22 @@
 
 namespace cairn::builder {
 
-/// Finds the ball nearest to a point, |p - c| - r, among many: a tree of boxes around centres, halved at the median.
-/// Safe to query from many threads.
+/// Finds the ball nearest to a point among many; the distance is |p - c| - r. A tree of boxes around the centres, split
+/// at the median. Safe to query from many threads.
 class NearestBall {
  public:
-  /// Precondition: `balls` not empty. O(n log n).
+  /// Precondition: `balls` is not empty. O(n log n).
   explicit NearestBall(std::vector<EnclosingBall> balls);
 
-  /// Index of the nearest ball, the lowest on a tie.
+  /// Returns the index of the nearest ball, the lowest on a tie.
   std::size_t to(const Vec3d& point) const;
 
  private:
   struct Node {
-    Vec3d lower, upper;                // of the centres
-    double radius = 0;                 // largest
-    std::uint32_t begin = 0, end = 0;  // in `order_`
-    std::uint32_t right = 0;           // second child, the first follows its parent; 0 for a leaf
+    Vec3d lower, upper;                // bounds of the centres
+    double radius = 0;                 // the largest
+    std::uint32_t begin = 0, end = 0;  // range in `order_`
+    std::uint32_t right = 0;           // second child; the first child follows its parent; 0 for a leaf
   };
   struct Best {
     double distance;

@@ -11,8 +11,9 @@
 
 namespace cairn::builder {
 
-/// A triangle that lies in one triangle of the mesh (mesh frame). The regions of a sphere-tree are sets of pieces, not
-/// of sample points: a ball is convex, so it holds a piece iff it holds the three corners, and cover needs no sampling.
+/// A triangle that lies in one triangle of the mesh (mesh frame). Regions of a sphere-tree are sets of pieces, not of
+/// sample points. A ball is convex, so it holds a piece exactly when it holds the three corners. Cover therefore needs
+/// no sampling.
 struct Piece {
   std::array<Vec3d, 3> corners;
   std::uint32_t source = 0;  ///< triangle of the mesh
@@ -26,22 +27,22 @@ double longestEdgeSq(const Piece& piece);
 double areaOf(const Piece& piece);
 Vec3d centroidOf(const Piece& piece);
 
-/// The first corner of the longest edge, the first such edge on a tie; the edge runs to the next corner.
+/// Returns the corner at which the longest edge begins; the first such edge on a tie. The edge runs to the next corner.
 std::size_t longestEdge(const Piece& piece);
-/// The two halves of a piece cut at the middle of the edge that begins at corner `first`: without the edge's end, and
-/// without its beginning. Both neighbours of an edge compute the same midpoint, bit for bit.
+/// Cuts a piece at the middle of the edge that begins at corner `first`. The first half lacks the edge's end, the
+/// second half its beginning. Both neighbours of an edge compute the same midpoint, bit for bit.
 std::array<Piece, 2> cutAt(const Piece& piece, std::size_t first);
-/// The two halves of a piece cut at its longest edge.
+/// Cuts a piece at the middle of its longest edge.
 std::array<Piece, 2> bisect(const Piece& piece);
 
-/// One piece for each triangle of the mesh.
+/// Returns one piece for each triangle of the mesh.
 Pieces piecesOf(const TriangleMesh& mesh);
 
-/// Bisects the piece with the longest edge until there are `count`; leaves larger sets alone. The result covers exactly
-/// what `pieces` covered. O(n log n).
+/// Bisects the piece with the longest edge until there are `count` pieces. Larger sets stay unchanged. The result
+/// covers exactly the area of the given pieces. O(n log n).
 void refinePieces(Pieces& pieces, std::size_t count);
 
-/// The corners of the pieces, each position once, in lexicographic order.
+/// Returns the corners of the pieces in lexicographic order, each position once.
 std::vector<Vec3d> cornersOf(std::span<const Piece> pieces);
 
 }  // namespace cairn::builder

@@ -10,7 +10,7 @@
 
 namespace cairn::builder {
 
-/// Points as structure of arrays, for the loops that measure many distances from one centre.
+/// Points as a structure of arrays, for loops that measure many distances from one centre.
 class PointSet {
  public:
   PointSet() = default;
@@ -21,20 +21,22 @@ class PointSet {
   Vec3d operator[](std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
   void clear();
   void push(const Vec3d& point);
-  /// Becomes the points of `from`, which may be this set itself, at the ascending indices `which`.
+  /// Replaces the set by the points of `from` at the indices `which`. `from` may be this set itself. Precondition:
+  /// `which` is ascending.
   void assign(const PointSet& from, std::span<const std::uint32_t> which);
 
   struct Farthest {
     double distance = 0;
     std::size_t index = 0;
   };
-  /// The point farthest from `center`, the lowest index on a tie. Precondition: not empty. Linear.
+  /// Returns the point farthest from `center`, the lowest index on a tie. Precondition: the set is not empty. Linear.
   Farthest farthest(const Vec3d& center) const;
-  /// The point farthest along `direction`, the lowest index on a tie. Precondition: not empty. Linear.
+  /// Returns the index of the point farthest along `direction`, the lowest on a tie. Precondition: the set is not
+  /// empty. Linear.
   std::size_t farthestAlong(const Vec3d& direction) const;
-  /// Whether some point is within `reach` of `center`. Linear, and ends at the first.
+  /// True when some point lies within `reach` of `center`. Linear; ends at the first such point.
   bool anyWithin(const Vec3d& center, double reach) const;
-  /// Distance of every point from `center`, minus `offset`. Precondition: `out.size() == size()`.
+  /// Writes the distance of every point from `center`, minus `offset`. Precondition: `out.size() == size()`.
   void distances(const Vec3d& center, double offset, std::span<double> out) const;
 
  private:

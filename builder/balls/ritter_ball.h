@@ -7,9 +7,9 @@
 
 namespace cairn::builder {
 
-/// A ball that holds the points, by Ritter's two passes (Graphics Gems, 1990): the widest of three axis-extreme pairs
-/// spans the first ball, which then grows towards every point outside. Typically 5 to 20 % wider than the smallest; it
-/// is here because Hubbard's construction is made of it. Linear. Precondition: not empty.
+/// Returns a ball that holds the points, by Ritter's two passes (Graphics Gems, 1990). The widest of three axis-extreme
+/// pairs spans the first ball. The ball then grows towards every point outside. It is typically 5 to 20 % wider than
+/// the smallest ball. Hubbard's construction is defined with it. Linear. Precondition: `points` is not empty.
 EnclosingBall ritterBall(std::span<const Vec3d> points);
 
 }  // namespace cairn::builder

@@ -10,19 +10,23 @@
 
 namespace cairn::builder {
 
-/// What a `StandOff` keeps near its centre. One after the other can use the same, which saves most of their
+/// Memory of a `StandOff` for its neighbourhood. Later `StandOff` objects can use the same memory, which saves most
 /// allocations.
 struct StandOffMemory {
   PointSet farPoints;
   std::vector<double> farDistances;  // from the centre
-  std::vector<std::uint32_t> kept;   // for `keepFar` alone
+  std::vector<std::uint32_t> kept;   // scratch of `keepFar`
   std::vector<DepthField::Part> parts;
 };
 
-/// The stand-off max |p - c| - s(c) of the ball around a centre c that just holds some points, as the descent needs it:
-/// many times close to one centre. Then only points nearly as far as the farthest and parts of the surface nearly as
-/// near as the nearest can decide, so those are kept and the others not looked at. The bits are those of looking at
-/// all. Mesh frame and unit. For one thread.
+/// The stand-off max |p - c| - s(c) of the smallest ball around a centre c that holds some points. The descent asks for
+/// it many times close to one centre. There only the farthest points and the nearest parts of the surface can decide
+/// the value. The class keeps these and skips the others. Its results have the same bits as a search through all. Mesh
+/// frame and unit. Not thread-safe.
+///
+///     StandOff standOff(points, field, memory);
+///     const StandOff::Value start = standOff.at(center, field.depth(center));
+///     const StandOff::Value next = standOff.near(start, step, center + step * direction);
 class StandOff {
  public:
   /// Keeps references. Precondition: `points` not empty.
@@ -33,18 +37,18 @@ class StandOff {
     Ball ball;
     Vec3d gradient;  ///< one subgradient of the stand-off
   };
-  /// One distance query and one pass over the points. Precondition: `depth` is that of `center`.
+  /// Cost: one distance query and one pass over the points. Precondition: `depth` is the depth of `center`.
   Value at(const Vec3d& center, double depth) const;
 
-  /// The value at `center`, of which it is known that it lies within `reach` of the centre of `around`, itself an
-  /// earlier value. The first call for one `around` costs about what `at` does, the later ones next to nothing,
-  /// typically. Precondition: `reach` > 0.
+  /// Returns the value at `center`. Preconditions: `around` is an earlier value, `center` lies within `reach` of its
+  /// centre, and `reach` > 0. The first call for one `around` costs about as much as `at`. Later calls typically cost
+  /// almost nothing.
   Value near(const Value& around, double reach, const Vec3d& center);
 
  private:
   void gather(const Value& around, double reach);
   void narrow(const Value& around, double reach);
-  /// Keeps those of `points`, which `farDistances` belongs to, that can be farthest within `reach`.
+  /// Keeps the points that can be farthest within `reach`. `farDistances` belongs to `points`.
   void keepFar(const PointSet& points, double reach);
   void gatherParts(double depth, double reach);
 
@@ -52,11 +56,11 @@ class StandOff {
   const DepthField& solid_;
   StandOffMemory& memory_;
   Vec3d around_;        // the centre of the last `near`
-  bool known_ = false;  // whether there was one
-  double reach_ = 0;    // what is kept holds for centres within this; 0 when nothing is kept
+  bool known_ = false;  // whether `near` was called before
+  double reach_ = 0;    // kept points and parts are valid for centres within this distance; 0: nothing is kept
   bool partsKept_ = false;
   double radius_ = 0;   // of the ball around `around_`
-  double decided_ = 0;  // farthest part that decides the depth at `around_` itself, with room for rounding
+  double decided_ = 0;  // distance of the farthest part that decides the depth at `around_`, with a margin for rounding
 };
 
 }  // namespace cairn::builder

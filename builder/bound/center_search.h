@@ -15,47 +15,51 @@ struct CenterCell {
   double half = 0;
 };
 
-/// What the balls with centres in one cell may hold together: the points no outside point keeps from them.
+/// An upper bound of the weight that balls with centres in one cell hold together.
 struct HeavyCell {
   CenterCell cell;
-  std::uint64_t load = 0;
+  std::uint64_t load = 0;  ///< weight of the points that no outside point excludes
 };
 
-/// Answers which sets of surface points one ball can hold without holding an outside point.
+/// Finds the sets of surface points that one ball can hold without an outside point.
 ///
-/// A ball around c that holds p but not q has |p - c| < |q - c|: c lies on p's side of the plane midway between p and
-/// q. So the balls with centres in a cube can hold p only if no q has the whole cube on its own side, and that is a
-/// linear function's sign at the corners of a cube. Every test carries a guard, so that what it excludes is excluded
-/// for the exact points too.
+/// A ball around c that holds p but not q has |p - c| < |q - c|. So c lies on p's side of the plane midway between p
+/// and q. A ball with its centre in a cube cannot hold p if some q has the whole cube on its own side. This test is the
+/// sign of a linear function at the corners of the cube. Every test carries a guard, so that an exclusion also holds
+/// for the exact points.
 ///
-/// All positions are relative to one origin; the cubes' corners are exact binary fractions.
+/// All positions are relative to one origin. The cubes' corners are exact binary fractions.
+///
+///     CenterSearch search(points, outside, half, displacement);
+///     bool proved = search.heavierThan(weights, most, finest).empty();
 class CenterSearch {
  public:
-  /// `half`: no centre that matters, and none of the points, is farther than this from the origin along an axis.
-  /// `displacement`: how far any point may be from the exact one it stands for.
+  /// `half`: no relevant centre and no point is farther than this from the origin along an axis. `displacement`: upper
+  /// bound of the distance from any point to the exact point it represents.
   CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement);
 
-  /// Another point no ball may hold; false when it is passed over because it lies beyond `half`. Cheap; sharpens all
-  /// later answers.
+  /// Adds a point that no ball may hold. False when the point lies beyond `half` and is ignored. Cheap; it makes all
+  /// later answers tighter.
   bool addOutside(const Vec3d& point);
 
-  /// All centres are searched for balls that may hold points of weights above `most`. None found is a proof that there
-  /// are none. What is found is the heaviest few of each part of space: single centres whose ball, as large as the
-  /// outside points allow, does hold as much, and cells of at most `finest` half an edge. Parallel, deterministic.
+  /// Searches all centres for balls that may hold points of a total weight above `most`. An empty result proves that
+  /// there are none. Otherwise the result has the heaviest few of each part of space. Some are single centres: the
+  /// largest ball that the outside points allow there does hold this weight. The others are cells with a half edge of
+  /// at most `finest`. Parallel, deterministic.
   std::vector<HeavyCell> heavierThan(std::span<const std::uint64_t> weights, std::uint64_t most, double finest) const;
 
-  /// The points of balls with centres in the cell, as `heavierThan` understands it; ascending. Precondition: the cell
-  /// is one `heavierThan` returned, or a single centre.
+  /// Returns the points that balls with centres in the cell may hold, by the same test as `heavierThan`; ascending.
+  /// Precondition: the cell comes from `heavierThan` or is a single centre.
   std::vector<std::uint32_t> pointsOf(const CenterCell& cell) const;
-  /// Moves a centre away from its nearest outside point until a second one is as near: its ball then holds all the
-  /// former one held.
+  /// Moves a centre away from its nearest outside point until a second one is equally near. The new ball holds all
+  /// points of the former one.
   Vec3d grown(const Vec3d& center) const;
 
   std::span<const Vec3d> points() const { return points_; }
   std::span<const Vec3d> outside() const { return outside_; }
 
  private:
-  /// A cell with the points its balls may hold and the outside points that may matter there.
+  /// A cell, the points its balls may hold, and the outside points that may exclude some of them.
   struct Node {
     CenterCell cell;
     std::vector<std::uint32_t> points, outside;
@@ -63,17 +67,18 @@ class CenterSearch {
   };
   struct Descent;
 
-  /// The node of `cell` within a larger one; `nearestSq` receives the squared distance of the nearest outside point.
+  /// Returns the node of `cell` within a larger one. `nearestSq` receives the squared distance of the nearest outside
+  /// point.
   Node narrowed(const CenterCell& cell, std::span<const std::uint32_t> points, std::span<const std::uint32_t> outside,
                 double* nearestSq = nullptr) const;
   void collect(const Node& node, int levels, std::vector<Node>& out) const;
-  /// The kept node that holds this centre; none when its balls hold no point.
+  /// Returns the kept node that holds this centre; null when its balls hold no point.
   const Node* nodeAt(const Vec3d& center) const;
 
   std::vector<Vec3d> points_, outside_;
   double half_;
-  double guard_;                            ///< on differences of squared lengths
-  std::vector<Node> kept_;                  ///< by the order of their octants
+  double guard_;                            ///< for differences of squared lengths
+  std::vector<Node> kept_;                  ///< in the order of their octants
   std::vector<std::uint32_t> keptOctants_;  ///< the path from the root, three bits a level
 };
 

@@ -7,9 +7,10 @@
 
 namespace cairn::builder {
 
-/// Points farther than `error` from the solid, by proof (distance less its rounding bound), yet hardly farther, about
-/// `spacing` apart all around it: a ball that protrudes by no more than `error` holds none of them. Mesh frame.
-/// Preconditions: both > 0. Cost: some 10 distance queries a point. Parallel; the result does not depend on threads.
+/// Returns points that are provably farther than `error` from the solid (distance less its rounding bound), but only
+/// just. They lie about `spacing` apart all around it. A ball that protrudes by at most `error` holds none of them.
+/// Mesh frame. Preconditions: both lengths > 0. Cost: about 10 distance queries for each point. Parallel; the result
+/// does not depend on the number of threads.
 std::vector<Vec3d> outsidePoints(const SignedDistance& solid, double error, double spacing);
 
 }  // namespace cairn::builder

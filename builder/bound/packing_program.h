@@ -8,9 +8,13 @@
 
 namespace cairn::builder {
 
-/// The linear program "as much weight as possible on `columns` points, at most 1 on each point and in each row's set".
-/// Rows are added as they are found; each solution starts from the last. The answers are those of a solver in floating
-/// point and prove nothing by themselves. Deterministic.
+/// A linear program: maximise the total weight of `columns` points, with at most 1 on each point and in each row's set.
+/// Rows can be added later; each solution starts from the last one. The solver works in floating point, so its answers
+/// prove nothing by themselves. Deterministic.
+///
+///     PackingProgram program(points.size());
+///     program.addRow(pointsOfOneBall);
+///     const std::vector<double> weights = program.solve();
 class PackingProgram {
  public:
   explicit PackingProgram(std::size_t columns);
@@ -18,10 +22,10 @@ class PackingProgram {
   PackingProgram(const PackingProgram&) = delete;
   PackingProgram& operator=(const PackingProgram&) = delete;
 
-  /// `points` are column numbers, each once.
+  /// `points` are column numbers without repetition.
   void addRow(std::span<const std::uint32_t> points);
 
-  /// The weights of an optimum, none negative; empty when the solver gave up.
+  /// Returns the weights of an optimum, none negative; empty when the solver failed.
   std::vector<double> solve();
 
  private:

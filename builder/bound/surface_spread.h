@@ -8,10 +8,10 @@
 
 namespace cairn::builder {
 
-/// Points of the mesh's surface, evenly spread: each next one is the farthest from all before it (Gonzalez 1985), so
-/// that corners and tips come first. Fewer than `count` only if there are fewer candidates. Mesh frame; within 64 units
-/// in the last place of the largest coordinate of the exact surface. With C candidates, about 8 `count` and three for
-/// each triangle, `count` * C distances.
+/// Returns points of the mesh's surface, evenly spread. Each next point is the farthest from all before it (Gonzalez
+/// 1985), so corners and tips come first. There are fewer than `count` only if there are fewer candidates. Mesh frame.
+/// Each point lies within 64 units in the last place of the largest coordinate of the exact surface. Cost: `count` * C
+/// distances, with C = about 8 `count` + 3 for each triangle.
 std::vector<Vec3d> spreadOverSurface(const TriangleMesh& mesh, std::size_t count);
 
 }  // namespace cairn::builder

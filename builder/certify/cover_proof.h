@@ -8,24 +8,29 @@
 
 namespace cairn::builder {
 
-/// Proves that a mesh's surface lies in the balls of a tree. Keeps references; tree and mesh must outlive it.
+/// Proves that a mesh's surface lies in the balls of a tree. Keeps references; tree and mesh must outlive this object.
+///
+///     const CoverProof proof(tree, mesh);
+///     const bool covers = !proof.unreachable(level);
 class CoverProof {
  public:
   CoverProof(const SphereTree& tree, const TriangleMesh& mesh);
 
-  /// Nothing when every point of every triangle lies in a ball of `levelCut(level)` and in all its ancestors; otherwise
-  /// a piece of the lowest triangle for which that could not be shown. Parallel, deterministic.
+  /// Returns nothing when every point of every triangle lies in a ball of `levelCut(level)` and in all ancestors of
+  /// that ball. Otherwise returns a piece, without such a proof, of the lowest-numbered failing triangle. Parallel,
+  /// deterministic.
   std::optional<UncoveredPiece> unreachable(std::uint32_t level) const;
 
-  /// The same without the ancestors.
+  /// Returns nothing when every point of every triangle lies in a ball of `levelCut(level)`. Otherwise returns a piece,
+  /// without such a proof, of the lowest-numbered failing triangle. Parallel, deterministic.
   std::optional<UncoveredPiece> uncovered(std::uint32_t level) const;
 
  private:
-  /// A ball in double, tree frame, shrunk and grown by the guard.
+  /// A ball in double precision and tree frame. The guard shrinks and grows it.
   struct GuardedBall {
     Vec3d center;
     double radius = 0;
-    double innerSq = -1;  ///< a point this near, as computed, is surely in the ball
+    double innerSq = -1;  ///< a point within this computed squared distance is certainly in the ball
   };
   using Piece = std::array<Vec3d, 3>;  // tree frame
   class Search;

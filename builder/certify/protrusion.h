@@ -8,18 +8,18 @@
 
 namespace cairn::builder {
 
-/// How far a ball sticks out of the solid: the largest distance from a point of the ball to the solid, enclosed from
-/// both sides. Mesh frame and unit.
+/// The protrusion of a ball: the largest distance from the solid to a point of the ball, enclosed from both sides. Mesh
+/// frame and unit.
 struct CertifiedProtrusion {
   double upper = 0;  ///< no point of the ball is farther from the solid, rounding included
-  double lower = 0;  ///< `witness` is at least this far, rounding included
+  double lower = 0;  ///< `witness` is at least this far from the solid, rounding included
   Vec3d witness;     ///< a point of the ball
   double depth = 0;  ///< s(center): positive inside
 };
 
-/// How closely `certifiedProtrusion` encloses the truth: it stops when upper <= lower * (1 + relative) + absolute,
-/// after `maxQueries` distance queries, or at a point farther from the solid than `ofInterest` (then the bounds are as
-/// valid, only farther apart; `upper` is more than `ofInterest`, as it would be in the end).
+/// The end conditions of `certifiedProtrusion`. It stops when upper <= lower * (1 + relative) + absolute, after
+/// `maxQueries` distance queries, or at a point farther from the solid than `ofInterest`. The bounds are then valid
+/// too, but less tight. In the last case `upper` exceeds `ofInterest`, as the final bound would.
 struct ProtrusionTolerance {
   double relative = 0.01;
   double absolute = 0;  ///< mesh unit
@@ -27,18 +27,24 @@ struct ProtrusionTolerance {
   double ofInterest = std::numeric_limits<double>::infinity();  ///< mesh unit
 };
 
-/// What `certify` and the construction ask for: 1 % of the error, but not below 1e-4 of the bounding box's diagonal.
+/// The tolerance of `certify` and of the construction: 1 % of the error, but not below 1e-4 of the bounding box's
+/// diagonal.
 ProtrusionTolerance defaultProtrusionTolerance(const SignedDistance& solid);
 
-/// Starts from max(0, R - s(c)), which one query proves (B(c, s) lies in the solid), and tightens it by best-first
-/// branch and bound over pieces of the ball. A piece is a patch of directions times an interval of radii; it lies in
-/// the convex hull of six points, so the distance to any one triangle, a convex function, is largest at one of the six,
-/// and the distance to the solid is no larger. Precondition: radius >= 0, all finite. Deterministic. Some hundred
-/// queries for a typical ball.
+/// Encloses the protrusion of one ball. It starts from max(0, R - s(c)), which one query proves, because B(c, s) lies
+/// in the solid. Best-first branch and bound over pieces of the ball then tightens it.
+///
+/// A piece is a patch of directions times an interval of radii; it lies in the convex hull of six points. The distance
+/// to one triangle is a convex function, so its largest value on the hull is at one of the six points. The distance to
+/// the solid is no larger.
+///
+/// Preconditions: radius >= 0, all numbers finite. Deterministic. Cost: some hundred queries for a typical ball.
+///
+///     double upper = certifiedProtrusion(distance, c, r, defaultProtrusionTolerance(distance)).upper;
 CertifiedProtrusion certifiedProtrusion(const SignedDistance& solid, const Vec3d& center, double radius,
                                         const ProtrusionTolerance& tolerance);
 
-/// `upper` of the above with an absolute tolerance in mesh units beside the relative 1 %.
+/// Returns `upper` of `certifiedProtrusion` for a relative tolerance of 1 % and an absolute `tolerance` in mesh units.
 double protrusionBound(const SignedDistance& solid, const Vec3d& center, double radius, double tolerance);
 
 }  // namespace cairn::builder

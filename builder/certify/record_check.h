@@ -9,9 +9,10 @@
 
 namespace cairn::builder {
 
-/// Compares what a tree keeps for contacts with the mesh it is said to come from: the stored mesh is the given one
-/// rounded to float, mass properties agree to 1e-9, normal cones hold the normals of their node's triangles, support
-/// points lie in their node's ball. One sentence per failed kind, or per node. O(depth * triangles).
+/// Compares the records that a tree keeps for contacts with the mesh of its origin. The stored mesh is the given one
+/// rounded to float. Mass properties agree to 1e-9. Normal cones hold the normals of their node's triangles, and
+/// support points lie in their node's ball. Returns one sentence for each failed kind of record, or for each failing
+/// node. O(depth * triangles).
 std::vector<std::string> recordFailures(const SphereTree& tree, const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

@@ -8,16 +8,16 @@
 
 namespace cairn::builder {
 
-/// Gives every part of a region to one ball (thesis 6.1): part i of the result is what ball i has to hold.
+/// Divides a region among balls (thesis 6.1): part i of the result must lie in ball i.
 ///
-/// A piece goes to the ball that holds it at the least stand-off. Where two balls meet that is the surface on which
-/// both would need the same stand-off, |p - c1| - s(c1) = |p - c2| - s(c2), which moves towards the larger ball as the
-/// refined dividing planes of the thesis do. A piece that would need more than `standOff` is bisected, so that seams
-/// cost almost nothing, down to a longest edge of `finest`; then the cheapest ball takes it and has to grow. The parts
-/// cover exactly what `pieces` covered.
+/// A piece goes to the ball that holds it at the least stand-off. Two balls meet on the surface where both would need
+/// the same stand-off, |p - c1| - s(c1) = |p - c2| - s(c2). This surface moves towards the larger ball, like the
+/// refined dividing planes of the thesis. A piece that would need more than `standOff` is bisected down to a longest
+/// edge of `finest`, so that seams cost almost nothing. Then the cheapest ball takes it and has to grow. The parts
+/// cover exactly the area of `pieces`.
 ///
-/// `bias` (as many as balls, lengths) moves the seams: among the balls that hold a piece within `standOff`, the one
-/// with the least stand-off plus bias takes it. Precondition: `balls` not empty, `finest` > 0.
+/// `bias` (one length for each ball) moves the seams. Of the balls that hold a piece within `standOff`, the one with
+/// the least stand-off plus bias takes it. Preconditions: `balls` is not empty, `finest` > 0.
 std::vector<Pieces> divide(Pieces pieces, std::span<const Ball> balls, std::span<const double> bias, double standOff,
                            double finest);
 

@@ -6,9 +6,9 @@
 
 namespace cairn::builder {
 
-/// Grows balls until each piece, or each part of one that is cut, lies in one of them: what no ball holds is bisected
-/// down to a longest edge of `finest`, then given to the ball that grows least by it. Centres stay. Balls times pieces,
-/// and as much for each cut. Precondition: `balls` not empty, `finest` > 0.
+/// Grows balls until each piece, or each part of a piece that was cut, lies in one of them. A piece in no ball is
+/// bisected down to a longest edge of `finest`. Then the ball that grows least takes it. Centres stay. Cost: balls
+/// times pieces, and as much for each cut. Preconditions: `balls` is not empty, `finest` > 0.
 void growToCover(SphereSet& balls, Pieces pieces, double finest);
 
 }  // namespace cairn::builder

@@ -9,14 +9,14 @@
 
 namespace cairn::builder {
 
-/// The two cheapest balls for a point, of those that may hold it.
+/// The two cheapest balls for a point, among those that may hold it.
 struct Holder {
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t ball = kNobody, second = kNobody;
   double cost = std::numeric_limits<double>::infinity(), secondCost = cost;
 
-  /// Without branches, of which half would be mispredicted.
+  /// Considers another ball. Written without branches, because half of them would be mispredicted.
   void offer(std::uint32_t other, double otherCost) {
     const bool first = otherCost < cost, next = otherCost < secondCost;
     second = first ? ball : next ? other : second;
@@ -24,8 +24,8 @@ struct Holder {
     ball = first ? other : ball;
     cost = first ? otherCost : cost;
   }
-  /// Ball `i` costs `changed` now. False when a third ball may be among the two cheapest, so that all have to be
-  /// offered to an empty one.
+  /// Sets the cost of ball `i` to `changed`. False when a third ball may now be among the two cheapest. All balls must
+  /// then be offered to an empty `Holder`.
   bool update(std::uint32_t i, double changed) {
     if (changed >= secondCost && (ball == i || second == i)) return false;
     if (ball == i)
@@ -34,13 +34,13 @@ struct Holder {
       offer(i, changed);  // to the second it was, that gives its new cost
     return true;
   }
-  /// What the cheapest ball but `i` costs.
+  /// Returns the cost of the cheapest ball other than `i`.
   double without(std::uint32_t i) const { return ball == i ? secondCost : cost; }
 };
 
-/// The holders of many points as structure of arrays: an optimisation looks at all of them for every ball it moves.
-/// Lists of points are ascending, each once; a list of as many as there are is all of them, and gone through several at
-/// a time with the fastest instruction set present, with the same result on every one.
+/// The holders of many points as a structure of arrays, because an optimisation reads all of them for every ball it
+/// moves. Lists of points are ascending, without repetition. A list of full length means all points. It is processed
+/// several points at a time with the fastest instruction set present; results do not depend on it.
 class Holders {
  public:
   explicit Holders(std::size_t points)
@@ -54,16 +54,16 @@ class Holders {
     cost_[point] = holder.cost;
     secondCost_[point] = holder.secondCost;
   }
-  /// By point: its cheapest ball, and what that costs.
+  /// By point: its cheapest ball, and the cost of that ball.
   std::span<const std::uint32_t> balls() const { return ball_; }
   std::span<const double> costs() const { return cost_; }
 
-  /// Ball `i` costs `costs[k]` for point `which[k]` now. Replaces `open` by those k whose point has to be set anew: see
-  /// `Holder::update`.
+  /// Sets the cost of ball `i` for each point `which[k]` to `costs[k]`. Replaces `open` by those k whose point must be
+  /// set anew: see `Holder::update`.
   void update(std::uint32_t i, std::span<const std::uint32_t> which, std::span<const double> costs,
               std::vector<std::uint32_t>& open);
-  /// Replaces `duties` by those k for which any ball but `i` costs point `which[k]` more than `goal` and no less than
-  /// `costs[k]`.
+  /// Replaces `duties` by those k for which every ball other than `i` costs point `which[k]` more than `goal` and no
+  /// less than `costs[k]`.
   void duties(std::uint32_t i, std::span<const std::uint32_t> which, std::span<const double> costs, double goal,
               std::vector<std::uint32_t>& duties) const;
 

@@ -9,9 +9,9 @@ namespace cairn::builder {
 /// Returns a set at least as good as `start`; rounds end when not even 2 % can be saved.
 SphereSet optimise(const CoverProblem& problem, SphereSet start);
 
-/// `optimise`, then tries to escape its local optimum: each ball in turn is taken away and set down again where the
-/// cover is worst, and the set optimised anew; the first improvement is kept and the search begins again, `rounds`
-/// times at most. About `problem.count` times the cost of `optimise` a round.
+/// Calls `optimise`, then tries to escape its local optimum. Each ball in turn is removed and placed where the cover is
+/// worst, and the set is optimised anew. The first improvement is kept and the search begins again, at most `rounds`
+/// times. A round costs about `problem.count` times as much as `optimise`.
 SphereSet optimiseBySwaps(const CoverProblem& problem, SphereSet start, int rounds);
 
 }  // namespace cairn::builder

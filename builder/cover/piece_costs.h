@@ -9,13 +9,13 @@
 
 namespace cairn::builder {
 
-/// What pieces cost some balls (`costOf`), several balls at a time with the fastest instruction set present; the same
-/// bits on every one.
+/// The costs of pieces for some balls (`costOf`), several balls at a time with the fastest instruction set present. The
+/// bits do not depend on the instruction set.
 class PieceCosts {
  public:
   explicit PieceCosts(std::span<const Ball> balls);
 
-  /// What the piece costs each of the balls, in their order; good until the next call.
+  /// Returns the cost of the piece for each ball, in their order. The span is valid until the next call.
   std::span<const double> of(const Piece& piece);
 
  private:

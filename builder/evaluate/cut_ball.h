@@ -5,7 +5,7 @@
 
 namespace cairn::builder {
 
-/// A ball of a level cut: mesh frame and unit.
+/// A ball of a level's cut. Mesh frame and unit.
 struct CutBall {
   Vec3d center;
   double radius = 0;

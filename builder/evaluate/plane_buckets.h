@@ -13,9 +13,9 @@ struct Rectangle {
   std::array<double, 2> lower{}, upper{};
 };
 
-/// Which of many rectangles may hold a point of the plane: a regular grid with a list per cell, about one cell for each
-/// rectangle, fewer when that would take more than `kMaxPerRectangle` entries for each. O(1) a query for rectangles of
-/// like size that overlap little; linear memory for any.
+/// Finds the rectangles that may hold a point of the plane. It is a regular grid with a list per cell and about one
+/// cell for each rectangle. There are fewer cells when the lists would take more than `kMaxPerRectangle` entries per
+/// rectangle. A query costs O(1) for rectangles of similar size that overlap little. Memory is linear for any input.
 class PlaneBuckets {
  public:
   static constexpr std::size_t kMaxPerRectangle = 32;
@@ -23,11 +23,11 @@ class PlaneBuckets {
   /// O(n).
   explicit PlaneBuckets(std::span<const Rectangle> rectangles);
 
-  /// Ascending indices of rectangles, those that hold (x, y) among them. Empty outside `bounds()`.
+  /// Returns ascending indices of rectangles; all rectangles that hold (x, y) are among them. Empty outside `bounds()`.
   std::span<const std::uint32_t> at(double x, double y) const;
-  /// Of all rectangles; lower = upper = 0 without any.
+  /// Bounds of all rectangles; lower = upper = 0 without any.
   const Rectangle& bounds() const { return bounds_; }
-  /// Entries of all lists together.
+  /// Number of entries in all lists.
   std::size_t entries() const { return list_.size(); }
 
  private:

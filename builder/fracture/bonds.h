@@ -6,8 +6,9 @@
 
 namespace cairn::builder {
 
-/// The area two solids have in common on a plane that is a face of both, the first behind it and the second before it:
-/// twice covered parts counted once. `tolerance`: how far corners of faces may lie off the plane.
+/// Returns the area that two solids share on a plane that is a face of both. The first solid lies behind the plane, the
+/// second before it. Parts covered twice count once. `tolerance`: largest distance of the faces' corners from the
+/// plane.
 double commonArea(const TriangleMesh& behind, const TriangleMesh& before, const HalfSpace& plane, double tolerance);
 
 }  // namespace cairn::builder

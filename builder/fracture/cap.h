@@ -15,9 +15,10 @@ namespace cairn::builder {
 /// A border's edge, from vertex to vertex.
 using BorderEdge = std::array<std::uint32_t, 2>;
 
-/// Fills the border a plane has cut: triangles between its vertices alone, facing along the plane's normal, that close
-/// what is left of the solid. `border`: each edge as the cap's triangle will go along it; loops, holes in them and
-/// islands in these. Fails when borders cross. Constrained Delaunay; O(n log n). The same triangles every time.
+/// Fills the border that a plane has cut. The triangles use the border's vertices alone, face along the plane's normal
+/// and close the rest of the solid. `border`: each edge in the direction of the cap's triangle; loops, holes in loops
+/// and islands in holes. Fails when borders cross. Constrained Delaunay; O(n log n). The result has the same triangles
+/// every time.
 Result<std::vector<Triangle>> capOf(std::span<const Vec3d> vertices, std::span<const BorderEdge> border,
                                     const HalfSpace& plane);
 

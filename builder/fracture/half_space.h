@@ -5,7 +5,7 @@
 
 namespace cairn::builder {
 
-/// The points x with dot(normal, x) <= offset. `normal` is unit.
+/// The points x with dot(normal, x) <= offset. `normal` has length 1.
 struct HalfSpace {
   Vec3d normal;
   double offset = 0;

@@ -7,9 +7,9 @@
 
 namespace cairn::builder {
 
-/// The parts of a mesh whose triangles hang together by edges, in the order of their first triangles, except that
-/// shells facing inwards (cavities) stay with the part around them. Vertices are numbered by first use. Precondition:
-/// every edge has two triangles.
+/// Returns the parts of a mesh that are connected by edges, in the order of their first triangles. Shells that face
+/// inward (cavities) stay with the part around them. Vertices are numbered by first use. Precondition: every edge has
+/// two triangles.
 std::vector<TriangleMesh> partsOf(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

@@ -11,7 +11,7 @@ struct PlanePoint {
   double x = 0, y = 0;
 };
 
-/// Coordinates in a plane: counter-clockwise is seen from where its normal points.
+/// Coordinates in a plane. Counter-clockwise is defined for a viewer at the tip of the normal.
 class PlaneAxes {
  public:
   explicit PlaneAxes(const HalfSpace& plane)

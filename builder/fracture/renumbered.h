@@ -5,7 +5,7 @@
 
 namespace cairn::builder {
 
-/// The same triangles with only the vertices they use, numbered by first use; nameless. Linear.
+/// Returns the mesh without unused vertices, numbered by first use; without a name. Linear.
 TriangleMesh renumbered(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

@@ -5,10 +5,10 @@
 
 namespace cairn::builder {
 
-/// The mesh without triangles that have no area as far as doubles can tell, which come of rounding what exact cuts
-/// left: corners closer than `tolerance` along an edge become one, and the long edge of a triangle whose corner lies on
-/// it is turned into the neighbour. No point of the surface moves by more than the tolerance. Leaves those it cannot
-/// help; `checkMesh` finds them. Precondition: every edge has two triangles. O(n log n).
+/// Removes triangles without area in double precision; they arise when the corners of exact cuts are rounded. Corners
+/// closer than `tolerance` along an edge are joined. If a triangle's corner lies on its long edge, that edge is flipped
+/// into the neighbour. No point of the surface moves by more than the tolerance. Triangles that neither step can remove
+/// stay; `checkMesh` finds them. Precondition: every edge has two triangles. O(n log n).
 TriangleMesh withoutSlivers(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace cairn::builder

@@ -8,20 +8,21 @@
 
 namespace cairn::builder {
 
-/// A frame that moves, turns and grows with a mesh: what is computed in it does not depend on where the mesh lies, how
-/// it is turned or in what unit it is measured. Its origin is the mean vertex, its unit the distance of the farthest
-/// one, its first axis points to that vertex and its second towards the one farthest from this axis; the first vertex
-/// counts of those about as far, so that symmetric meshes have a frame that rounding cannot flip, but that depends on
-/// the order of their vertices. Precondition: the vertices do not lie on one line. Linear.
+/// A frame that moves, turns and grows with a mesh. Results in this frame do not depend on the mesh's position,
+/// rotation or unit. The origin is the mean vertex; the unit is the distance of the farthest vertex. The first axis
+/// points to that vertex. The second axis points towards the vertex farthest from the first axis.
+///
+/// Among vertices at about the same distance the first one counts. So rounding cannot flip the frame of a symmetric
+/// mesh, but the frame depends on the order of vertices. Precondition: the vertices do not lie on one line. Linear.
 class BodyFrame {
  public:
   explicit BodyFrame(const TriangleMesh& mesh);
 
-  /// Of a point in the mesh frame, and back.
+  /// Converts a point from the mesh frame into this frame, and back.
   Vec3d into(const Vec3d& point) const;
   Vec3d outOf(const Vec3d& point) const;
   Ball outOf(const Ball& ball) const;
-  /// The frame's unit of length in the mesh's.
+  /// The frame's unit of length, in mesh units.
   double unit() const { return unit_; }
 
  private:
@@ -30,12 +31,12 @@ class BodyFrame {
   std::array<Vec3d, 3> axes_;
 };
 
-/// Most by which `bodyMesh` displaces a vertex, in the frame's unit.
+/// Largest displacement of a vertex by `bodyMesh`, in the frame's unit.
 inline constexpr double kBodyRounding = 0x1p-22;
 
-/// The mesh in the frame, its vertices rounded to a grid of that frame: meshes that differ only by a motion, a scale
-/// and rounding become the same bit for bit, and so does all that is computed from them. Vertices are not rounded when
-/// some triangle is too narrow for that; then the same meshes differ by rounding still. Linear.
+/// Returns the mesh in the frame, with its vertices rounded to a grid of that frame. Meshes that differ only by a
+/// motion, a scale and rounding become equal bit for bit. All results computed from them are then equal too. Vertices
+/// are not rounded when some triangle is too narrow for it; then such meshes still differ by rounding. Linear.
 TriangleMesh bodyMesh(const TriangleMesh& mesh, const BodyFrame& frame);
 
 }  // namespace cairn::builder

@@ -5,7 +5,7 @@
 
 namespace cairn::builder {
 
-/// Refuses an option out of its range, naming the option, its value and the range.
+/// Fails for an option out of its range; the error names the option, its value and the range.
 Status checkOptions(const BuildOptions& options);
 
 }  // namespace cairn::builder

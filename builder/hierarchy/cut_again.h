@@ -5,11 +5,12 @@
 
 namespace cairn::builder {
 
-/// Replaces the pieces of all regions, which were cut from triangles of another mesh with the same triangles, by those
-/// that the same bisections cut from the triangles of `mesh`, whatever the lengths of their edges are there. A leaf's
-/// pieces go on tiling what they tiled, so the cover of the tree carries over without a tolerance. Precondition: every
-/// piece came out of a triangle of `from` by `bisect`, and the leaves together hold all of its surface. O(n log n) in
-/// the pieces, parallel inside.
+/// Transfers the pieces of all regions to another mesh with the same triangles. The same bisections, applied to the
+/// triangles of `mesh`, give the new pieces, whatever the lengths of the edges are there. The pieces of a leaf tile the
+/// same part of the surface as before. So the tree's cover carries over without a tolerance.
+///
+/// Precondition: `bisect` made every piece from a triangle of `from`, and the leaves together hold its whole surface.
+/// O(n log n) in the pieces, parallel.
 void cutAgain(RegionTree& tree, const TriangleMesh& from, const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

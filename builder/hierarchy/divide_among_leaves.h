@@ -8,11 +8,13 @@
 
 namespace cairn::builder {
 
-/// Gives the surface to the leaves of a tree whose balls are known, top level first: a piece goes to the leaf that
-/// holds it at the least stand-off among those all of whose ancestors hold it within their level's limit. Pieces no
-/// leaf can have are bisected, so that seams cost almost nothing; what is left of them goes where the limits are
-/// exceeded least. A node's region is what its leaves got, its ball the tighter of the one it had and one fitted to
-/// that region; nodes without any are dropped. Deterministic, parallel inside. Precondition: `levels` not empty.
+/// Divides the surface among the leaves of a tree whose balls are known, top level first. A leaf may take a piece only
+/// if all its ancestors hold the piece within their level's limit. Of these leaves the one with the least stand-off
+/// takes it. Pieces that no leaf may take are bisected, so that seams cost almost nothing. The remaining small pieces
+/// go where the limits are exceeded least.
+///
+/// A node's region consists of the pieces of its leaves. Its ball is the tighter of its former ball and one fitted to
+/// that region. Nodes without pieces are dropped. Deterministic, parallel. Precondition: `levels` is not empty.
 RegionTree divideAmongLeaves(Region root, std::span<const CoverLevel> levels, const SignedDistance& solid);
 
 }  // namespace cairn::builder

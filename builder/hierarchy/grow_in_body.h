@@ -7,13 +7,15 @@
 
 namespace cairn::builder {
 
-/// Grows a tree of the solid it is given; an empty one when cancelled.
+/// Grows a tree of the given solid; returns an empty tree when cancelled.
 using Grow = std::function<RegionTree(const SignedDistance& solid)>;
 
-/// What `grow` makes of the mesh as its own frame sees it (`bodyMesh`), brought back to the mesh: the same tree however
-/// the mesh lies. The regions' pieces are cut from the mesh itself; balls and errors are those of the body's mesh,
-/// moved, and so off by its rounding: measure them again. Empty when `grow` cancelled. Preconditions: those of
-/// `BodyFrame` and, of what `grow` makes, `cutAgain`. Beside `grow` about one more signed distance.
+/// Calls `grow` in the mesh's own frame (`bodyMesh`) and moves the tree back to the mesh. The tree is therefore the
+/// same in every pose of the mesh. The regions' pieces are cut from the mesh itself. Balls and errors are those of the
+/// body's mesh, moved, and differ by its rounding: measure them again.
+///
+/// Empty when `grow` was cancelled. Preconditions: those of `BodyFrame`; the tree of `grow` satisfies those of
+/// `cutAgain`. Cost beside `grow`: about one more signed distance.
 RegionTree growInBody(const TriangleMesh& mesh, const Grow& grow);
 
 }  // namespace cairn::builder

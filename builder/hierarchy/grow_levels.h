@@ -5,9 +5,10 @@
 
 namespace cairn::builder {
 
-/// Grows a tree level by level over the whole surface instead of region by region (method `adaptive`): the two upper
-/// levels together, then each further level all families at once, and only then divides the surface among the leaves.
-/// The same result for any number of threads. Empty when `progress` cancelled. See docs/algorithms/adaptive.md.
+/// Grows a tree level by level over the whole surface instead of region by region (method `adaptive`). The two upper
+/// levels are fitted together, then each further level with all its families at once. Only then the surface is divided
+/// among the leaves. The result does not depend on the number of threads. Empty when `progress` cancelled. See
+/// docs/algorithms/adaptive.md.
 RegionTree growLevels(Region root, std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                       const LevelProgress& progress);
 

@@ -16,14 +16,15 @@ struct RegionNode {
   std::uint32_t firstChild = 0, childCount = 0;
 };
 
-/// Breadth-first, the children of a node contiguous, the root first.
+/// Nodes in breadth-first order, the root first; the children of a node are contiguous.
 using RegionTree = std::vector<RegionNode>;
 
-/// Told after each region how many of the level's regions are done; false cancels.
+/// Called after each region with the number of the level's regions that are done; returns false to cancel.
 using LevelProgress = std::function<bool(std::uint32_t level, std::size_t done, std::size_t count)>;
 
-/// Divides the root's region level by level, the regions of a level in parallel (thesis Alg. 8). Each split is a pure
-/// function of its region, so the result is the same for any number of threads. Empty when `progress` cancelled.
+/// Divides the root's region level by level (thesis Alg. 8). Regions of one level are divided in parallel. Each split
+/// is a pure function of its region, so the result does not depend on the number of threads. Empty when `progress`
+/// cancelled.
 RegionTree growRegionTree(Region root, std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                           const LevelProgress& progress);
 

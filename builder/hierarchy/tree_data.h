@@ -6,9 +6,10 @@
 
 namespace cairn::builder {
 
-/// Writes a tree of regions as the records of a sphere-tree: balls rounded to float so that they still hold their
-/// regions, errors certified, support points, normals and source triangles gathered. Parallel over the nodes, with one
-/// result for any number of threads. `regions` has at least a root. Does not fill in `SphereTreeData::info`.
+/// Converts a tree of regions into the records of a sphere-tree. Balls are rounded to float so that they still hold
+/// their regions, and errors are certified. Support points, normals and source triangles are collected. Parallel over
+/// the nodes; the result does not depend on the number of threads. Precondition: `regions` has at least a root.
+/// `SphereTreeData::info` stays unset.
 SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid);
 
 }  // namespace cairn::builder

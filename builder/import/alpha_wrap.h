@@ -7,8 +7,8 @@
 
 namespace cairn::builder {
 
-/// CGAL's alpha wrap of a surface, unproved and in double; `alpha` and `offset` in mesh unit. Fails when it would need
-/// more than a million vertices, when CGAL gives up, and with `kCancelled`.
+/// Returns CGAL's alpha wrap of a surface, unproved and in double precision. `alpha` and `offset` are in mesh units.
+/// Fails for a wrap of more than a million vertices, when CGAL fails, and with `kCancelled`.
 Result<TriangleMesh> alphaWrap(const TriangleMesh& surface, double alpha, double offset,
                                const ProgressCallback& progress);
 

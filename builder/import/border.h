@@ -8,12 +8,12 @@
 
 namespace cairn::builder {
 
-/// The edges that belong to one triangle only, as that triangle runs along them.
+/// Returns the edges with only one triangle, in the direction of that triangle.
 std::vector<HalfEdge> borderEdges(const TriangleMesh& mesh);
 
-/// The rims of the holes: closed loops of border edges, each running as the triangles beside it do, none passing a
-/// vertex twice; where holes meet in a vertex each has its own loop. Edges that close no loop, which inconsistent
-/// triangles leave, are left out. Linear but for the sorting of the edges.
+/// Returns the rims of the holes as closed loops of border edges, in the direction of the triangles beside them. No
+/// loop passes a vertex twice; holes that meet in a vertex have separate loops. Edges that close no loop are left out;
+/// inconsistent triangles cause such edges. Linear except for the sort of the edges.
 std::vector<std::vector<HalfEdge>> borderLoops(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

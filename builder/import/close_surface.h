@@ -7,10 +7,10 @@
 
 namespace cairn::builder {
 
-/// The same triangles with consistent sides, the holes between them filled, every shell turned to face away from the
-/// solid; where no consistent sides exist the result has edges `checkMesh` refuses. CGAL's Polygon_mesh_processing.
-/// Fails, without the mesh's name, when a hole cannot be filled and when triangles intersect. Precondition: stitched,
-/// no two triangles with the same vertices, no vertex unused.
+/// Makes the triangles' sides consistent, fills the holes between them, and turns every shell to face away from the
+/// solid. Where no consistent sides exist, the result has edges that `checkMesh` refuses. Uses CGAL's
+/// Polygon_mesh_processing. Fails, without the mesh's name, when a hole cannot be filled and when triangles intersect.
+/// Precondition: the mesh is stitched, without repeated triangles and without unused vertices.
 Result<TriangleMesh> closeSurface(const TriangleMesh& mesh, RepairCounts& counts);
 
 }  // namespace cairn::builder

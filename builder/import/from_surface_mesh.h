@@ -10,8 +10,9 @@
 
 namespace cairn::builder {
 
-/// The triangles of a CGAL surface, same frame and unit, vertices numbered anew in their order so that removed ones
-/// leave no gap; nameless. Precondition: every face is a triangle. Linear. Only for files that see CGAL already.
+/// Converts a CGAL surface to a mesh in the same frame and unit, without a name. Vertices are numbered anew in their
+/// order, so removed vertices leave no hole in the numbers. Precondition: every face is a triangle. Linear. Only for
+/// files that include CGAL already.
 template <class Point>
 TriangleMesh meshFrom(const CGAL::Surface_mesh<Point>& surface) {
   using Surface = CGAL::Surface_mesh<Point>;

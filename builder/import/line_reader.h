@@ -21,10 +21,13 @@
 
 namespace cairn::builder {
 
-/// Walks the lines of a text and the words of a line, and knows the line's number.
+/// Reads a text line by line and word by word, and counts lines for error messages.
+///
+///     LineReader line("part.obj", text);
+///     while (line.nextContent()) statement(line.nextWord(), line);
 class LineReader {
  public:
-  /// Whether a line goes on in the next one.
+  /// Whether a line may continue in the next one.
   enum class Continued { Never, ByBackslash };
 
   LineReader(std::string file, std::string_view text, Continued continued = Continued::Never)
@@ -39,7 +42,7 @@ class LineReader {
     return true;
   }
 
-  /// The next line that holds more than blanks and a `#` comment.
+  /// Moves to the next line with more than blanks and a `#` comment; false at the end of the text.
   bool nextContent() {
     while (nextLine()) {
       dropComment();
@@ -48,7 +51,7 @@ class LineReader {
     return false;
   }
 
-  /// Empty at the end of the line.
+  /// Returns the next word; empty at the end of the line.
   std::string_view nextWord() {
     std::string_view word = wordOfLine();
     while (continued_ == Continued::ByBackslash && word.ends_with('\\') && isAtEnd()) {
@@ -61,11 +64,11 @@ class LineReader {
     return word;
   }
 
-  /// The rest of the line holds nothing to read.
+  /// Skips the rest of the line.
   void passOver() { line_ = {}; }
 
   std::size_t number() const { return number_; }
-  /// What follows the line read last.
+  /// The text after the current line.
   std::string_view rest() const { return rest_; }
   Error error(std::string_view what) const { return Error{fmt::format("{}, line {}: {}", file_, number_, what)}; }
   Error atEnd(std::string_view what) const { return Error{fmt::format("{}: {}", file_, what)}; }
@@ -89,7 +92,7 @@ class LineReader {
   Continued continued_;
 };
 
-/// Zero for what is too small for a double, endless for what is too large.
+/// Reads a number out of the range of double: zero when it is too small, infinity when it is too large.
 inline double valueOutOfRange(std::string_view number) {
   std::istringstream in{std::string(number)};
   in.imbue(std::locale::classic());
@@ -98,7 +101,7 @@ inline double valueOutOfRange(std::string_view number) {
   return in.fail() ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
 }
 
-/// The number a whole word stands for.
+/// Returns the number that a whole word represents; nothing for any other word.
 template <class T>
 std::optional<T> parseNumber(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);

@@ -9,8 +9,9 @@
 
 namespace cairn::builder {
 
-/// The faces of an OBJ, `fo` of old files too; a backslash at its end continues a line, a fourth number of a vertex and
-/// no fifth divides it. Everything else is passed over. Errors name the file and the line. Linear.
+/// Reads the faces of an OBJ, including `fo` of old files. A backslash at the end of a line continues it. A vertex may
+/// have a fourth number, which divides the others, if it has no fifth. All other statements are skipped. Errors name
+/// the file and the line. Linear.
 Result<PolygonSoup> readObj(const std::string& file, std::string_view text);
 
 }  // namespace cairn::builder

@@ -10,8 +10,8 @@
 
 namespace cairn::builder {
 
-/// The faces of an OFF with three coordinates at the front of a vertex' line: each vertex and each face on a line of
-/// its own, because colours of any number may follow. Nothing for `4OFF` and `nOFF`. Errors name the file and the line.
+/// Reads the faces of an OFF whose vertex lines begin with three coordinates. Each vertex and each face has its own
+/// line, because any number of colours may follow. Nothing for `4OFF` and `nOFF`. Errors name the file and the line.
 /// Linear.
 Result<std::optional<PolygonSoup>> readOff(const std::string& file, std::string_view text);
 

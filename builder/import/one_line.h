@@ -6,7 +6,7 @@
 
 namespace cairn::builder {
 
-/// What an exception of a library says, as a part of one of our sentences: CGAL spreads its own over several lines.
+/// Turns a library's exception text into a part of one sentence; CGAL's texts have several lines.
 inline std::string oneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;

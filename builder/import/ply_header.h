@@ -13,18 +13,18 @@ namespace cairn::builder::ply {
 
 enum class Kind { unknown, signedInteger, unsignedInteger, real };
 
-/// Of a value. `size` in bytes, 1 to 8.
+/// The type of a value. `size` is in bytes, 1 to 8; 0 when unknown.
 struct Type {
   Kind kind = Kind::unknown;
   std::size_t size = 0;
 };
 
-/// What a property is to us.
+/// The use that the reader has for a property.
 enum class Role { none, x, y, z, corners, strips };
 
 struct Property {
   Type type;
-  Type countType;  ///< of a list's length; unknown when not a list
+  Type countType;  ///< of a list's length; unknown for a property that is no list
   Role role = Role::none;
 
   bool isList() const { return countType.kind != Kind::unknown; }
@@ -48,8 +48,8 @@ struct Header {
   std::uint64_t vertices() const;
 };
 
-/// Reads to the line `end_header`. Fails, naming the line, for lines, encodings, types, elements and properties PLY
-/// does not have, and when one of `format` and `end_header` is missing.
+/// Reads up to the line `end_header`. Fails, with the line, for lines, encodings, types, elements and properties that
+/// PLY does not have. Fails too when `format` or `end_header` is missing.
 Result<Header> readHeader(LineReader& line);
 
 }  // namespace cairn::builder::ply

@@ -9,10 +9,10 @@
 
 namespace cairn::builder {
 
-/// The polygons of a PLY file, faces or strips of triangles, in text or either binary form, coordinates as the doubles
-/// nearest to what the file says. Fails when the header is broken, when there are no vertices with x, y and z or
-/// nothing that lists their indices, when elements it promises are missing and when a face names too few vertices or
-/// one that is not there; `file` is the file's name for the message. Linear.
+/// Reads the polygons of a PLY file, faces or strips of triangles, in text or either binary form. Coordinates are the
+/// doubles nearest to the file's numbers. `file` is the file's name for messages. Fails for a broken header, for a file
+/// without x, y and z of vertices, and for one without lists of their indices. Fails too when elements are missing and
+/// when a face has too few vertices or names a missing one. Linear.
 Result<PolygonSoup> readPly(const std::string& file, std::string_view text);
 
 }  // namespace cairn::builder

@@ -10,17 +10,17 @@
 
 namespace cairn::builder {
 
-/// Triangles of a file, each with its own three corners, in file order.
+/// Triangles in file order, each with its own three corners.
 using TriangleSoup = std::vector<std::array<Vec3d, 3>>;
 
-/// Polygons over shared points as a file lists them: three or more corners each, of any shape, maybe the same corner
-/// twice. In the file's frame and unit.
+/// Polygons over shared points, as in the file. Each has three or more corners and any shape; a corner may occur twice.
+/// In the file's frame and unit.
 struct PolygonSoup {
   std::vector<Vec3d> points;
-  std::vector<std::uint32_t> corners;  ///< places in `points`, of all polygons in turn
-  std::vector<std::size_t> ends;       ///< of each polygon: behind its last corner in `corners`
+  std::vector<std::uint32_t> corners;  ///< indices into `points`, polygon after polygon
+  std::vector<std::size_t> ends;       ///< for each polygon: the position after its last corner in `corners`
 
-  /// The corners added since the last polygon become one.
+  /// Ends a polygon: its corners are those added since the last one.
   void endPolygon() { ends.push_back(corners.size()); }
 };
 

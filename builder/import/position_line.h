@@ -7,7 +7,8 @@
 
 namespace cairn::builder {
 
-/// The next three words of the line as coordinates that are finite in single precision, which is what a tree keeps.
+/// Reads the next three words of the line as coordinates. They must be finite in single precision, because a tree
+/// stores floats.
 Result<Vec3d> readPosition(LineReader& line);
 
 }  // namespace cairn::builder

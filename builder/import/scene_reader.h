@@ -10,12 +10,12 @@
 
 namespace cairn::builder {
 
-/// All triangles of all meshes of a file, placed by their nodes; a mirroring node turns its triangles around so that
-/// they keep facing outward. The one place that calls assimp to read, which keeps coordinates in single precision.
-/// Fails when assimp cannot read the file or finds no triangles.
+/// Reads all triangles of all meshes of a file, placed by their nodes. A node that mirrors reverses its triangles, so
+/// that they still face outward. Only this file reads with assimp, which stores coordinates in single precision. Fails
+/// when assimp cannot read the file or finds no triangles.
 Result<TriangleSoup> readTriangles(const std::filesystem::path& path);
 
-/// The same of a text that is at hand and needs no other file; `path` gives the format and the name for errors.
+/// Reads the triangles of a text in memory that needs no other file. `path` gives the format, and the name for errors.
 Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text);
 
 }  // namespace cairn::builder

@@ -9,13 +9,13 @@
 
 namespace cairn::builder {
 
-/// The first pair (lowest numbers) of triangles that have more in common than the vertices they share, decided with
-/// exact predicates. Touching without a shared vertex counts. Precondition: indices in range, no degenerate triangle.
-/// O(n log^2 n) for meshes whose triangles are of similar size.
+/// Returns the first pair (lowest numbers) of triangles whose intersection is more than their shared vertices. Exact
+/// predicates decide. Contact without a shared vertex counts. Precondition: indices are in range, no triangle is
+/// degenerate. O(n log^2 n) for meshes with triangles of similar size.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(const TriangleMesh& mesh);
 
-/// The first pair of triangles, one of each mesh, that meet, touching included; vertices are never shared.
-/// Preconditions and cost as above.
+/// Returns the first pair of triangles, one of each mesh, that meet, contact included. The meshes never share vertices.
+/// Preconditions and cost are those of `findSelfIntersection`.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> findCrossing(const TriangleMesh& first,
                                                                     const TriangleMesh& second);
 

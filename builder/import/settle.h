@@ -5,8 +5,9 @@
 
 namespace cairn::builder {
 
-/// The mesh as it would come back from its own file: coordinates rounded to float, vertices at equal positions made
-/// one and numbered by first use, triangles that lost their area left out; `sha256` that of `plyBytes`. Not checked.
+/// Returns the mesh as an import of its own file would: coordinates are rounded to float and vertices at equal
+/// positions joined. Vertices are numbered by first use; triangles that lost their area are dropped. `sha256` is that
+/// of `plyBytes`. The result is not checked.
 TriangleMesh settled(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

@@ -6,15 +6,15 @@
 
 namespace cairn::builder {
 
-/// Leaves out every triangle that has the same three vertices as an earlier one, whichever way it faces.
+/// Drops every triangle with the same three vertices as an earlier one, whichever way it faces.
 void dropDuplicates(TriangleMesh& mesh, RepairCounts& counts);
 
-/// Border vertices within `tolerance` of each other become the one of them with the lowest number, and triangles that
-/// lose their area by that are left out. Only borders move. O(n log n).
+/// Joins border vertices within `tolerance` of each other to the one with the lowest number. Triangles that lose their
+/// area are dropped. Only border vertices move. O(n log n).
 void joinBorders(TriangleMesh& mesh, double tolerance, RepairCounts& counts);
 
-/// Splits triangles where a border vertex lies within `tolerance` of their border edge, so that a long edge and the
-/// short ones along it become the same edges. No vertex moves. Up to the square of the number of border edges.
+/// Splits triangles where a border vertex lies within `tolerance` of their border edge. A long edge and the short ones
+/// along it then become the same edges. No vertex moves. Cost: up to the square of the number of border edges.
 void splitAtBorderVertices(TriangleMesh& mesh, double tolerance, RepairCounts& counts);
 
 }  // namespace cairn::builder

@@ -10,8 +10,8 @@
 
 namespace cairn::builder {
 
-/// The facets of a text STL, statements in the order its grammar asks, letters of either case, any number of solids.
-/// Nothing for a binary one, which is then exactly as long as its count of triangles says. A file of that length is
+/// Reads the facets of a text STL: statements in the order of the grammar, letters of either case, any number of
+/// solids. Nothing for a binary file, which is exactly as long as its count of triangles says. A file of that length is
 /// binary, whatever its header begins with. Errors name the file and the line. Linear.
 Result<std::optional<PolygonSoup>> readStl(const std::string& file, std::string_view text);
 

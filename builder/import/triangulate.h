@@ -5,14 +5,18 @@
 
 namespace cairn::builder {
 
-/// Every polygon cut into triangles between its own corners, which face the way it does and come in the order of the
-/// file. Neighbours keep their common edges, so a closed surface stays closed: a corner in the middle of a straight
-/// side is a corner of triangles too. A quadrangle is cut from its first corner to its third (as assimp does, so that
-/// formats agree) unless that folds it over or leaves a triangle without area. With more corners, those that are simple
-/// near some plane get the constrained Delaunay triangulation there, by exact predicates; others (a bridge to a hole in
-/// them, say) the triangulation with the least angles between neighbours. Where CGAL finds none, or there are more than
-/// a hundred corners to search through, triangles fan out from the first corner; `checkMesh` names what then folds
-/// over. Never fails. Precondition: corners are in range, polygons have three or more. Linear but for such polygons.
+/// Cuts every polygon into triangles between its own corners. They face like the polygon and keep the file's order.
+/// Neighbours keep their common edges, so a closed surface stays closed. A corner in the middle of a straight side is
+/// also a corner of triangles.
+///
+/// A quadrangle is cut from its first corner to its third, as assimp does, so that formats agree. The other diagonal is
+/// used if the first folds the quadrangle over or leaves a triangle without area. A polygon with more corners that is
+/// simple near some plane gets the constrained Delaunay triangulation there, by exact predicates. Other polygons (with
+/// a bridge to a hole, for example) get the triangulation with the least angles between neighbours.
+///
+/// Triangles fan out from the first corner where CGAL finds no triangulation or more than a hundred corners would be
+/// searched. `checkMesh` reports triangles that then fold over. Never fails. Precondition: corners are in range,
+/// polygons have three or more. Linear except for polygons of more than four corners.
 TriangleSoup triangulated(const PolygonSoup& polygons);
 
 }  // namespace cairn::builder

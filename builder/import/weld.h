@@ -6,11 +6,11 @@
 
 namespace cairn::builder {
 
-/// Whether three corners span no area, as far as double arithmetic can tell.
+/// True when three corners span no area in double arithmetic.
 bool isDegenerate(const std::array<Vec3d, 3>& corners);
 
-/// Indexes a soup: one vertex per position (exact, zero of either sign alike), numbered by first use; triangles without
-/// area left out. Vertices and triangles keep the order of the file. O(n log n).
+/// Indexes a soup: one vertex per position, numbered by first use. Positions are compared exactly; zeros of either sign
+/// are equal. Triangles without area are dropped. Vertices and triangles keep the file's order. O(n log n).
 TriangleMesh weld(const TriangleSoup& soup, ImportCounts& counts);
 
 }  // namespace cairn::builder

@@ -9,20 +9,21 @@
 
 namespace cairn::builder {
 
-/// What a level is completed on.
+/// The input of `completeLevel`.
 struct LevelSurface {
-  PointSet& points;                   ///< the level was fitted to; those of `dense` that cost most join them
-  const PointSet& dense;              ///< what the level's limit is to hold for
+  PointSet& points;                   ///< the points that the level was fitted to; the costliest of `dense` join them
+  const PointSet& dense;              ///< the points for which the level's limit must hold
   std::span<const CoverLevel> above;  ///< its ancestors, top level first
-  const DepthField& field;            ///< the level's balls have their depths of
+  const DepthField& field;            ///< source of the depths of the level's balls
   std::size_t branching = 8;
   double negligible = 0;                 ///< stand-off not worth lowering, > 0
   const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 
-/// Lowers the level's worst (`relieveLevel`), then what lies between its points: those of the dense points that cost
-/// most join them and the families there are relieved again, a few times. Returns the level with the lowest limit seen;
-/// limits hold for the dense points. `effort`: of the first relief; the others spend less. Deterministic.
+/// Lowers the level's worst stand-off (`relieveLevel`), then that of the surface between its points. The costliest
+/// dense points join the level's points, and the families there are relieved again, a few times. Returns the level with
+/// the lowest limit seen; limits hold for the dense points. `effort` is that of the first relief; later reliefs spend
+/// less. Deterministic.
 CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, const ReliefEffort& effort);
 
 }  // namespace cairn::builder

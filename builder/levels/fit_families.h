@@ -10,16 +10,16 @@
 namespace cairn::builder {
 
 struct FamilySettings {
-  std::size_t branching = 8;             ///< most balls of a family
-  std::size_t points = 400;              ///< most points of a family it is fitted to
-  int swapRounds = 1;                    ///< of `optimiseBySwaps`
-  std::uint64_t seed = 1;                ///< of the choice of points
+  std::size_t branching = 8;             ///< largest number of balls in a family
+  std::size_t points = 400;              ///< largest number of points that a family is fitted to
+  int swapRounds = 1;                    ///< rounds of `optimiseBySwaps`
+  std::uint64_t seed = 1;                ///< for the choice of points
   double negligible = 0;                 ///< stand-off not worth lowering, > 0
   const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 
-/// Covers each family's own points for itself, as if it had no neighbours. By family: `owned`. The balls' stand-offs
-/// are what the chosen points need. Deterministic, parallel.
+/// Covers each family's own points alone, as if it had no neighbours. `owned` lists the points by family. The balls'
+/// stand-offs are those needed by the chosen points. Deterministic, parallel.
 std::vector<ChildBall> fitFamilies(const Reach& owned, const PointSet& points, const DepthField& field,
                                    const FamilySettings& settings);
 

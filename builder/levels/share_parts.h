@@ -14,19 +14,19 @@ namespace cairn::builder {
 struct SharedParts {
   SphereSet parents;
   double limit = 0;
-  /// By part: the parent that holds it, or the two that do so together; none for a part without points.
+  /// By part: the parent that holds it, or the two that hold it together; none for a part without points.
   std::vector<std::vector<std::uint32_t>> parentsOf;
 };
 
-/// Moves parents until they hold the parts of a surface at as low a stand-off as a random walk finds, with room for
-/// each: a part takes one of the `branching` places of a parent that holds it alone, or one of each of two that hold it
-/// between them. A step moves one centre and is undone if a part loses its place; whenever it is kept, the limit is
-/// lowered as far as all parts keep theirs. Alternating, as `groupParts` does, stops where no whole part can change
-/// hands; the walk goes on from there and ends some 20 % lower.
+/// Moves parents by a random walk until they hold the parts of a surface at a low stand-off, with room for each part. A
+/// part takes one of the `branching` places of a parent that holds it alone. Or it takes one place of each of two
+/// parents that hold it together. A step moves one centre and is undone if a part loses its place. After each kept step
+/// the limit is lowered as far as all parts keep theirs. `groupParts` stops where no whole part can change its parent.
+/// The walk continues from there and ends some 20 % lower.
 ///
-/// 6000 steps of a depth query, a pass over 40 points of each part and a bipartite matching. `lowest`: where to stop.
-/// `start`: 1 to 8 balls; precondition: room for all parts at some stand-off, parts.size() <= start.size() * branching.
-/// Deterministic.
+/// Cost: 6000 steps, each with a depth query, a pass over 40 points of each part and a bipartite matching. `lowest`:
+/// the stand-off at which the walk stops. `start`: 1 to 8 balls. Precondition: all parts have room at some stand-off,
+/// parts.size() <= start.size() * branching. Deterministic.
 SharedParts shareParts(std::span<const PointSet> parts, const DepthField& field, SphereSet start, double lowest,
                        std::size_t branching, std::uint64_t seed);
 

@@ -12,22 +12,22 @@ namespace cairn::builder {
 
 struct TwoLevelProblem {
   const PointSet& points;  ///< on the whole surface, some tens for each ball of the lower level
-  const PointSet& dense;   ///< many more: what the levels' limits hold for in the end
+  const PointSet& dense;   ///< many more points: in the end the levels' limits hold for these
   const SignedDistance& solid;
   std::size_t branching = 8;
   std::uint64_t seed = 1;
   double negligible = 0;                 ///< stand-off not worth lowering, > 0
-  bool deeper = false;                   ///< a third level follows: what it will need counts as well
+  bool deeper = false;                   ///< a third level follows, so its needs count as well
   const KeepGoing* keepGoing = nullptr;  ///< see `LevelProblem`
 };
 
-/// Covers the surface with at most `branching` balls, and those with at most `branching` each, giving up a little of
-/// the upper level's fit (`kAsGood`) for the lower level's: families are formed from a cover of the whole surface
-/// by the lower level's balls alone, because the best upper level taken for itself leaves some families with far more
-/// than their share of what is difficult. See docs/algorithms/adaptive.md. Deterministic, parallel inside.
+/// Covers the surface with at most `branching` balls, and each of these with at most `branching` balls. A little of the
+/// upper level's fit (`kAsGood`) is given up for the lower level's. Families are formed from a cover of the whole
+/// surface by the lower level's balls alone. The best upper level alone would leave some families with far more than
+/// their share of difficult surface. See docs/algorithms/adaptive.md. Deterministic, parallel.
 std::vector<CoverLevel> coverTwoLevels(const TwoLevelProblem& problem);
 
-/// The upper level alone.
+/// Covers the surface with the upper level alone.
 CoverLevel coverOneLevel(const TwoLevelProblem& problem);
 
 }  // namespace cairn::builder

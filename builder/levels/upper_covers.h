@@ -12,15 +12,15 @@ namespace cairn::builder {
 
 struct TwoLevelProblem;
 
-/// Covers of the whole surface by at most `branching` balls, each as tight as a search from a start of its own finds:
-/// local optima of the same problem, among which the level below can choose.
+/// Covers of the whole surface by at most `branching` balls, each as tight as a search from its own start finds. They
+/// are local optima of one problem; the level below can choose among them.
 struct UpperCovers {
   std::vector<CoverLevel> covers;     ///< at least one, the tightest first; limits hold for the dense points
-  std::unique_ptr<DepthField> field;  ///< in which they were fitted
-  PointSet points;                    ///< the problem's, and those of the dense ones that cost most
+  std::unique_ptr<DepthField> field;  ///< the field in which they were fitted
+  PointSet points;                    ///< the problem's points and the costliest dense ones
 };
 
-/// Deterministic, parallel inside.
+/// Computes the covers. Deterministic, parallel.
 UpperCovers upperCovers(const TwoLevelProblem& problem);
 
 }  // namespace cairn::builder

@@ -10,12 +10,12 @@
 
 namespace cairn::builder {
 
-/// New samples against the gap-crossing cells of a diagram (thesis 4.2): where the face between two cells meets a
-/// cluster that does not hold both samples, those that are not on it are projected onto its plane; if none falls into a
-/// triangle of the cluster, the first is snapped to its closest point there. Space is cut into cells of edge `spacing`;
-/// a cell that has a sample gets no new one, which bounds how often this can be repeated.
+/// Returns new samples that remove the gap-crossing cells of a diagram (thesis 4.2). Such a cell has a face that meets
+/// a cluster without both samples of the face. Samples that are not on the cluster are projected onto its plane. If no
+/// projection falls into a triangle of the cluster, the first is snapped to its closest point there. Space is divided
+/// into cells of edge `spacing`. A cell with a sample gets no new one, which limits the number of repetitions.
 ///
-/// `samples[i]` is site `VoronoiDiagram::kEnclosingSites + i`. One search of the hierarchy for each bounded face.
+/// `samples[i]` is site `VoronoiDiagram::kEnclosingSites + i`. Cost: one search of the hierarchy for each bounded face.
 std::vector<ClusterSample> gapCrossingSamples(const VoronoiDiagram& diagram, const std::vector<ClusterSample>& samples,
                                               const TriangleMesh& mesh, const TriangleHierarchy& hierarchy,
                                               const PlanarClusters& clusters, double spacing);

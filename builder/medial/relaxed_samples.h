@@ -9,7 +9,7 @@
 
 namespace cairn::builder {
 
-/// A point of the surface and the planar clusters it lies on: one, or all that meet at its edge or corner.
+/// A point of the surface and its planar clusters: one, or all that meet at the point's edge or corner.
 struct ClusterSample {
   Vec3d point;
   std::vector<std::uint32_t> clusters;  ///< ascending
@@ -17,10 +17,10 @@ struct ClusterSample {
   bool liesOn(std::uint32_t cluster) const;
 };
 
-/// Hubbard's sampling of a polyhedron (thesis 4.1.1, after Turk): `count` points spread at random by area, then pushed
-/// apart within their clusters, and points along the clusters' edges about as dense, corners included (between corners
-/// at most four times `count`: a needle's edges get fewer). The latter stand still and push as well, for what lies on
-/// the other side of the edge. Mesh frame. A pure function.
+/// Hubbard's sampling of a polyhedron (thesis 4.1.1, after Turk). `count` points are spread at random by area, then
+/// pushed apart within their clusters. Points along the clusters' edges have about the same density, corners included.
+/// Between corners there are at most four times `count`, so a needle's edges get fewer. Edge points stand still, but
+/// push too, on behalf of the surface beyond the edge. Mesh frame. A pure function.
 std::vector<ClusterSample> relaxedSamples(const TriangleMesh& mesh, const std::vector<HalfEdge>& halfEdges,
                                           const PlanarClusters& clusters, std::size_t count, std::uint64_t seed);
 

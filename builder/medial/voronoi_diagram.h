@@ -11,16 +11,20 @@
 
 namespace cairn::builder {
 
-/// A point equally far from four sites and no nearer to any other.
+/// A point equally far from four sites; no other site is nearer.
 struct VoronoiVertex {
   Vec3d position;  ///< rounded; not finite for four sites that are very nearly coplanar
   std::array<std::uint32_t, 4> sites{};
   bool alive = true;  ///< false once a later site came nearer
 };
 
-/// Incremental Voronoi diagram of points in space: the dual of a Delaunay triangulation with exact predicates, so that
-/// coincident, coplanar and cospherical sites are all well (this replaces thesis 4.1.2-4.1.4). Equal input gives equal
-/// output. The only file that sees CGAL's triangulations is its .cpp.
+/// An incremental Voronoi diagram of points in space. It is the dual of a Delaunay triangulation with exact predicates.
+/// Coincident, coplanar and cospherical sites are therefore safe (this replaces thesis 4.1.2-4.1.4). Equal input gives
+/// equal output. Only its .cpp includes CGAL's triangulations.
+///
+///     VoronoiDiagram diagram(boundsOf(mesh));
+///     for (const Vec3d& site : sites) diagram.insert(site);
+///     for (const VoronoiVertex& vertex : diagram.vertices()) use(vertex); // check vertex.alive
 class VoronoiDiagram {
  public:
   /// Sites 0 to 7 enclose `bounds` from far away, so that every later cell is bounded (thesis 4.1.3).
@@ -32,16 +36,16 @@ class VoronoiDiagram {
   VoronoiDiagram(VoronoiDiagram&&) noexcept;
   VoronoiDiagram& operator=(VoronoiDiagram&&) noexcept;
 
-  /// Adds a site inside the bounds; false when it is one already. `near` names a living vertex close by, to start the
-  /// search from. Expected constant time with a good `near`.
+  /// Adds a site inside the bounds; false when it exists already. `near` names a living vertex close by, where the
+  /// search starts. Expected constant time with a good `near`.
   bool insert(const Vec3d& site, std::uint32_t near);
   bool insert(const Vec3d& site);
 
-  /// All vertices that ever were, dead ones included; a vertex keeps its index.
+  /// All vertices that ever existed, dead ones included. A vertex keeps its index.
   std::span<const VoronoiVertex> vertices() const;
-  /// Index of the first vertex the last `insert` created; they are the last of `vertices()`.
+  /// Index of the first vertex that the last `insert` created. New vertices are the last ones of `vertices()`.
   std::uint32_t firstOfLastInsert() const;
-  /// The vertices the last `insert` ended.
+  /// The vertices that the last `insert` removed.
   std::span<const std::uint32_t> endedByLastInsert() const;
   const Vec3d& site(std::uint32_t index) const;
   std::uint32_t siteCount() const;

@@ -9,9 +9,12 @@
 
 namespace cairn::builder {
 
-/// A node's division together with the divisions of its children, so that the former can be chosen for the sake of the
-/// latter: the tree is greedy level by level, and a set of balls that is best for one level can leave one child with
-/// far more than its share of what is difficult.
+/// A node's division together with the divisions of its children, so that the first can be chosen in favour of the
+/// others. The tree is greedy level by level. The best set of balls for one level can leave one child with far more
+/// than its share of difficult surface.
+///
+///     Lookahead lookahead(splitRegion(region, solid, settings, 1), solid, settings);
+///     while (lookahead.relieve(limit, solid, settings)) {}
 class Lookahead {
  public:
   /// Takes the division of a node and divides its children.
@@ -22,30 +25,33 @@ class Lookahead {
   double worstChild() const { return split_.worst(); }
   double worstGrandchild() const;
 
-  /// Makes one attempt to lower `worstGrandchild` while no child's error exceeds `limit` or what the split allows (or
-  /// what it was): first more effort on the worst child's own division, then seams moved so that its siblings take over
-  /// what they can hold as well. False when there is nothing left to attempt. Costs a few divisions. Deterministic.
+  /// Makes one attempt to lower `worstGrandchild`. No child's error may exceed the smaller of `limit` and the split's
+  /// `allowed`, or the present worst error where that is larger already. First the worst child's own division gets more
+  /// effort. Then seams move, so that its siblings take over surface that they hold as well. False when there is
+  /// nothing left to attempt. Costs a few divisions. Deterministic.
   bool relieve(double limit, const SignedDistance& solid, const SplitSettings& settings);
 
-  /// Hands over the children's divisions, in the order of `split().children`.
+  /// Returns the children's divisions, in the order of `split().children`. Call it once, at the end.
   std::vector<Split> takeChildren() { return std::move(next_); }
 
  private:
   std::size_t worstIndex() const;
   bool isBalanced() const;
   void searchHarder(std::size_t child, const SignedDistance& solid, const SplitSettings& settings);
-  /// The bias that makes every child with more than half of the worst one's error give up surface, the worst most.
+  /// Returns the bias by which every child with more than half of the worst child's error gives up surface; the worst
+  /// child gives up most.
   std::vector<double> strongerBias(std::size_t child) const;
-  /// The order in which children are divided anew: one that fails the goal ends the attempt, so `child` goes first,
-  /// then the one that failed last time, then those that were nearly as bad. What comes of it does not depend on it.
+  /// Returns the order in which children are divided anew. A child that fails the goal ends the attempt. So `child`
+  /// goes first, then the one that failed last time, then those that were nearly as bad. The result does not depend on
+  /// the order.
   std::vector<std::size_t> likelyWorstFirst(std::size_t child) const;
   void moveSeams(std::size_t child, double limit, const SignedDistance& solid, const SplitSettings& settings);
 
   Split split_;
   std::vector<Split> next_;
-  std::vector<bool> searched_;            // by child: no more effort to spend on its own division
-  std::size_t failed_ = ~std::size_t{0};  // the child that ended the last attempt, if one did
-  double step_ = 0;                       // of the next bias, in parts of the stand-off
+  std::vector<bool> searched_;            // by child: its own division needs no more effort
+  std::size_t failed_ = ~std::size_t{0};  // the child that ended the last attempt, if any
+  double step_ = 0;                       // of the next bias, as a fraction of the stand-off
 };
 
 }  // namespace cairn::builder

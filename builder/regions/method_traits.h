@@ -8,15 +8,15 @@
 
 namespace cairn::builder {
 
-/// The ball of a part of the surface, once the division has said which part that is.
+/// The choice of the ball for a part of the surface, after the division has fixed the part.
 enum class Refit : std::uint8_t {
-  none,        ///< the centre the method chose, with the radius needed
+  none,        ///< the centre that the method chose, with the radius needed
   smallest,    ///< the smallest ball around the part
   tightest,    ///< the better of the chosen centre and one moved downhill on the stand-off (thesis 6.1, Alg. 9)
-  leastError,  ///< the least certified error of several, the smallest ball among them; see `fittedRegion`
+  leastError,  ///< the least certified error of several balls, the smallest ball among them; see `fittedRegion`
 };
 
-/// What a method divides the surface by.
+/// The means by which a method divides the surface.
 enum class Division : std::uint8_t {
   spheres,  ///< a set of spheres for each region
   cubes,    ///< cells of an octree: always by eight, no sphere set
@@ -24,28 +24,28 @@ enum class Division : std::uint8_t {
   levels,   ///< spheres of a whole level at once
 };
 
-/// The frame a tree is grown in.
+/// The frame in which a tree grows.
 enum class GrownIn : std::uint8_t {
-  mesh,  ///< the mesh's: divided along the axes the user gave it
-  body,  ///< the body's own (hierarchy/body_frame.h): place, turn and scale of the mesh change nothing
+  mesh,  ///< the mesh's: the solid is divided along the user's axes
+  body,  ///< the body's own (hierarchy/body_frame.h): the mesh's position, rotation and scale change nothing
 };
 
-/// What is done to the sphere sets of a method beside making them. The one place that says so: a construction that is
-/// here to be compared with gets what the thesis gives it and no more, unless the user asks for it.
+/// The treatment of a method's sphere sets after their construction. This table is the one place that defines it. A
+/// construction that serves for comparison gets the treatment of the thesis and no more, unless the user asks for it.
 struct MethodTraits {
   Method method;
   const char* name;
-  /// When the user does not choose. With `cairn` sets are optimised (spheres/optimise.h), again for the seams, and
-  /// fitted against the closing; divisions are chosen with lookahead.
+  /// Used when the user does not choose. With `cairn`, sets are optimised (spheres/optimise.h), again for the seams,
+  /// and fitted against the closing; divisions are chosen with lookahead.
   Optimiser optimiser;
   Refit refit;
   Division division;
   GrownIn frame;
 };
 
-/// All methods, in the order they are listed to users.
+/// Returns all methods, in the order in which they are listed to users.
 std::span<const MethodTraits> allMethods();
-/// Precondition: `method` is one of the enumeration's.
+/// Returns the traits of a method. Precondition: `method` is a value of the enumeration.
 const MethodTraits& traitsOf(Method method);
 
 }  // namespace cairn::builder

@@ -8,9 +8,9 @@
 
 namespace cairn::builder {
 
-/// The balls the settings' method fits to a region: at most `problem.count`, optimised as the settings say
-/// (`swapRounds`: see `optimiseBySwaps`). `problem.points` are the corners of the region's pieces, or a spread choice
-/// of them, whose neighbours are at most `spacing` apart. For methods that `fitsRegions`. A pure function.
+/// Fits balls to a region by the settings' method: at most `problem.count`, optimised as the settings say. For
+/// `swapRounds` see `optimiseBySwaps`. `problem.points` are the corners of the region's pieces, or a spread choice of
+/// them; neighbours are at most `spacing` apart. For methods with `fitsRegions`. A pure function.
 SphereSet reduce(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
                  const SplitSettings& settings, int swapRounds);
 

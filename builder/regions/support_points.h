@@ -9,12 +9,13 @@
 
 namespace cairn::builder {
 
-/// Up to `most` of the points that stand for all of them in contacts: the support function max p . d of the choice is
-/// close to that of all points in the directions that matter, which are those the region faces.
+/// Chooses up to `most` points that represent all of them in contacts. The support function max p . d of the choice is
+/// close to that of all points in the directions that the region faces.
 ///
-/// Greedy: again and again the extreme point in the direction where the choice falls short most. First the directions
-/// the region faces, then 98 evenly spread ones for what is left of `most`; ends early when nothing falls short by more
-/// than `negligible`. Precondition: `points` not empty. O((|areas| capped at 64 + 98) * |points|).
+/// The choice is greedy: it takes the extreme point in the direction with the largest deficit, again and again. It
+/// first uses the directions that the region faces, then 98 evenly spread ones for the rest of `most`. It ends early
+/// when no deficit exceeds `negligible`. Precondition: `points` is not empty. O((|areas| capped at 64 + 98) *
+/// |points|).
 std::vector<Vec3d> chooseSupportPoints(std::span<const Vec3d> points, std::span<const FacingArea> areas,
                                        std::size_t most, double negligible);
 

@@ -8,12 +8,12 @@
 namespace cairn::builder {
 
 /// The Burst reduction (thesis 5.3.2, Alg. 5): balls are removed one by one until `problem.count` are left. The points
-/// of a removed ball go to the balls closest to covering them, each of which becomes the tighter of the smallest ball
-/// around its points and its old centre with the radius needed. The removal that lowers the stand-offs involved most
-/// goes first, else the one that leaves the smallest.
+/// of a removed ball go to the balls that need to grow least for them. Each of these becomes the tighter of two balls:
+/// the smallest ball around its points, and its old centre with the radius needed. The removal that lowers the affected
+/// stand-offs most goes first. Without such a removal, the one that leaves the smallest stand-offs goes first.
 ///
-/// Precondition: `candidates` not empty. The result covers the points. With K candidates and N points K N words of
-/// memory; the effects of removals are kept and only those evaluated again that a removal changed.
+/// Precondition: `candidates` is not empty. The result covers the points. With K candidates and N points it needs K N
+/// words of memory. The effects of removals are cached; only effects that a removal changed are evaluated again.
 SphereSet burst(const CoverProblem& problem, std::span<const Ball> candidates);
 
 }  // namespace cairn::builder

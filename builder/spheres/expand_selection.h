@@ -12,24 +12,24 @@
 
 namespace cairn::builder {
 
-/// Candidates by their index.
+/// Candidates, by index.
 using Choice = std::vector<std::size_t>;
 
-/// What a greedy choice among candidates came to.
+/// The result of a greedy choice among candidates.
 struct ExpandOutcome {
   std::optional<Choice> chosen;  ///< nothing when the balls do not suffice
-  std::size_t first = 0;         ///< the candidate it began with
-  bool hopeless = false;         ///< no choice of as many candidates can suffice
+  std::size_t first = 0;         ///< the first candidate of the choice
+  bool hopeless = false;         ///< no choice of this many candidates can suffice
 };
 
-/// What the candidates hold at one stand-off, and the greedy choice among them (thesis 5.3.3).
+/// The points that the candidates hold at one stand-off, and the greedy choice among them (thesis 5.3.3).
 class ExpandSelection {
  public:
   ExpandSelection(HeldSets held, std::size_t points, ExpandRank rank);
 
-  /// The candidates that alone hold everything.
+  /// Returns the candidates that alone hold all points.
   Choice complete() const;
-  /// At most `count` candidates, without those `barred`.
+  /// Chooses at most `count` candidates, none of them from `barred`.
   ExpandOutcome choose(std::size_t count, const Choice& barred) const;
 
  private:
@@ -41,29 +41,29 @@ class ExpandSelection {
   ExpandRank rank_;
 };
 
-/// A choice and the stand-off it was made at.
+/// A choice and its stand-off.
 struct Expanded {
   Choice chosen;
   double standOff = 0;
 };
 
-/// Least stand-off each candidate needs for each point.
+/// The least stand-off that each candidate needs for each point.
 class ExpandCosts {
  public:
-  /// Precondition: neither is empty. A word for each candidate and point.
+  /// Precondition: neither is empty. Memory: one word for each candidate and point.
   ExpandCosts(const PointSet& points, std::span<const Ball> candidates, ExpandRank rank);
 
   ExpandSelection at(double standOff) const;
-  /// Stand-off at which some candidate alone holds everything.
+  /// Returns the stand-off at which some candidate alone holds all points.
   double enoughForOne() const;
-  /// Below this some point is in no candidate.
+  /// Below this stand-off some point lies in no candidate.
   double leastFeasible() const;
-  /// The least stand-off found to need no more than `count` balls, by so many halvings of what is left between none
-  /// and enough for one. A choice that fails is tried again without its first ball.
+  /// Returns the least stand-off found that needs no more than `count` balls. `bisections` halve the interval between
+  /// `leastFeasible` and `enoughForOne`. A choice that fails is tried again without its first ball.
   Expanded leastFor(std::size_t count, int bisections) const;
 
  private:
-  std::size_t points_, padded_;  // columns of the table, and with its padding
+  std::size_t points_, padded_;  // columns of the table, without and with padding
   ExpandRank rank_;
   std::vector<double> costs_;
 };

@@ -8,35 +8,35 @@
 
 namespace cairn::builder {
 
-/// Which candidates hold which points, as one bit each. Selecting spheres is counting and comparing such sets, so the
-/// words of all candidates lie side by side and one candidate is compared with several others at a time, with the
-/// fastest instruction set present and the same result on every one.
+/// One bit for each pair of candidate and point: whether the candidate holds the point. The selection of spheres counts
+/// and compares such sets. The words of all candidates lie side by side, so one candidate is compared with several
+/// others at a time. It uses the fastest instruction set present; results do not depend on it.
 class HeldSets {
  public:
   static constexpr std::size_t kBitsPerWord = 64;
-  /// Row length of a table of costs for so many points.
+  /// Row length of a table of costs for a number of points.
   static constexpr std::size_t paddedPoints(std::size_t points) {
     return (points + kBitsPerWord - 1) / kBitsPerWord * kBitsPerWord;
   }
 
-  /// Candidate i holds point p where `costs[i * padded + p]` is at most `standOff`. Precondition: `costs` are whole
-  /// rows of `padded` = `paddedPoints(points)`, infinite beyond the points.
+  /// Candidate i holds point p where `costs[i * padded + p]` is at most `standOff`. Precondition: `costs` has whole
+  /// rows of `padded` = `paddedPoints(points)` entries, infinite beyond the points.
   HeldSets(std::span<const double> costs, std::size_t padded, double standOff);
 
-  /// Candidates left; they keep their order.
+  /// Number of candidates left; they keep their order.
   std::size_t size() const { return names_.size(); }
   /// Index of candidate i at construction.
   std::size_t name(std::size_t i) const { return names_[i]; }
-  /// Points it holds.
+  /// Number of points that candidate i holds.
   std::size_t count(std::size_t i) const { return counts_[i]; }
-  /// Points that any candidate holds.
+  /// Number of points that any candidate holds.
   std::size_t unionCount() const;
-  /// Candidates whose points candidate i holds as well, itself included. Linear in candidates times words.
+  /// Number of candidates whose points candidate i also holds, itself included. Linear in candidates times words.
   std::size_t subsetsOf(std::size_t i) const;
 
-  /// Leaves out candidates by their names (`barred`), and those that hold nothing.
+  /// Removes candidates by their names (`barred`), and those that hold no point.
   void drop(std::span<const std::size_t> barred);
-  /// Takes the points of candidate i away from all, and leaves out those that hold nothing any more.
+  /// Removes the points of candidate i from all candidates, then those candidates that hold no point any more.
   void take(std::size_t i);
 
  private:

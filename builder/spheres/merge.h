@@ -7,15 +7,15 @@
 
 namespace cairn::builder {
 
-/// The improved merge (thesis 5.3.1): every point starts in the medial sphere that holds it most cheaply; pairs of
-/// balls are replaced by one around the points of both until `problem.count` are left. The pair with the smallest
-/// resulting stand-off goes first, except that a merge which improves the worst ball goes before all. The new ball is
-/// the tightest of the smallest enclosing ball and the two old centres.
+/// The improved merge (thesis 5.3.1). Every point starts in the medial sphere that holds it most cheaply. Pairs of
+/// balls are replaced by one ball around the points of both, until `problem.count` are left. The pair with the smallest
+/// resulting stand-off goes first. A merge that improves the worst ball goes before all others. The new ball is the
+/// tightest of the smallest enclosing ball and the two old centres.
 ///
-/// Pairs are those whose regions touch: the two cheapest balls of some point. A ball without such a neighbour gets
-/// those it overlaps, or else all; from 2.5 times the count on all pairs compete. Preconditions: `candidates` not
-/// empty; the points have no depth in `problem.solid`. Some 10 evaluations (a smallest enclosing ball and a distance
-/// query) for each candidate.
+/// Pairs are balls whose regions touch: the two cheapest balls of some point. A ball without such a neighbour gets
+/// those it overlaps, or else all. Once 2.5 times the count are left, all pairs compete. Preconditions: `candidates` is
+/// not empty; the points have depth 0 in `problem.solid`. Cost: some 10 evaluations (a smallest enclosing ball and a
+/// distance query) for each candidate.
 SphereSet merge(const CoverProblem& problem, std::span<const Ball> candidates);
 
 }  // namespace cairn::builder

@@ -17,12 +17,12 @@ struct Cube {
   double circumradius() const { return std::numbers::sqrt3 * halfEdge; }
 };
 
-/// One of eight: bit 0 of `which` is the side in x, bit 1 in y, bit 2 in z.
+/// Returns one of the eight octants of a cube. Bit 0 of `which` selects the side in x, bit 1 in y, bit 2 in z.
 Cube octantOf(const Cube& cube, unsigned which);
-/// Its corner `which`, numbered alike.
+/// Returns corner `which` of the cube, with the bits of `octantOf`.
 Vec3d cornerOf(const Cube& cube, unsigned which);
 
-/// The smallest cube around the middle of the box that holds it.
+/// Returns the smallest cube with the box's centre that holds the box.
 Cube cubeAround(const Bounds& bounds);
 
 struct Octant {
@@ -30,11 +30,11 @@ struct Octant {
   Pieces pieces;
 };
 
-/// The octree reduction (thesis 3.1): up to eight octants of `cube` that hold surface, each with the pieces the ball
-/// around it answers for. A piece belongs where its centroid lies; one that sticks out of the octant's ball is bisected
-/// first, down to a longest edge of `finest`. A cube with all its surface in one octant is replaced by that octant, so
-/// the result has at least two parts unless the surface cannot be told apart at all. Precondition: the cube holds the
-/// pieces, `finest` > 0.
+/// The octree reduction (thesis 3.1): up to eight octants of `cube` that hold surface, each with the pieces that its
+/// ball must hold. A piece belongs to the octant of its centroid. A piece that sticks out of the octant's ball is
+/// bisected first, down to a longest edge of `finest`. A cube with all its surface in one octant is replaced by that
+/// octant. So there are at least two parts, unless the surface cannot be separated at all. Preconditions: the cube
+/// holds the pieces, `finest` > 0.
 std::vector<Octant> divideByOctants(const Pieces& pieces, Cube cube, double finest);
 
 }  // namespace cairn::builder

@@ -5,10 +5,11 @@
 
 namespace cairn::builder {
 
-/// Whether no vertex of a closed mesh lies more than `tolerance` (mesh unit) in front of any of its triangles' planes:
-/// then its closing at any scale is itself, to about that. Triangles times vertices where the answer is yes, far fewer
-/// where it is no; meshes of more than 20,000 triangles are taken for concave unseen, closed sheets thinner than the
-/// tolerance for convex, whatever their outline: a matter of fit, no certificate rests on it.
+/// True when no vertex of a closed mesh lies more than `tolerance` (mesh unit) in front of any of its triangles'
+/// planes. The mesh then equals its closing at any scale, to about the tolerance. Costs triangles times vertices when
+/// the answer is true, far less when it is false. Meshes of more than 20,000 triangles count as concave without a test.
+/// Closed sheets thinner than the tolerance count as convex, whatever their outline. The answer affects only the fit;
+/// no certificate depends on it.
 bool isConvex(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace cairn::builder

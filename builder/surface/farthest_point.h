@@ -13,21 +13,21 @@ namespace cairn::builder {
 struct FarthestPoint {
   double upper = 0;  ///< no point is farther
   double lower = 0;  ///< `witness` is at least this far
-  Vec3d witness;     ///< of `from`, up to rounding
+  Vec3d witness;     ///< a point of `from`, up to rounding
 };
 
-/// It stops when upper <= lower * (1 + relative) + absolute, or after `maxQueries` distance queries beyond one for each
-/// triangle and vertex (then the bounds are as valid, only farther apart).
+/// The end conditions: upper <= lower * (1 + relative) + absolute, or `maxQueries` distance queries beyond one for each
+/// triangle and vertex. In the second case the bounds are valid too, but less tight.
 struct FarthestTolerance {
   double relative = 0.01;
   double absolute = 0;  ///< mesh unit
   std::uint64_t maxQueries = 2'000'000;
 };
 
-/// Best-first branch and bound over pieces of `from`'s triangles. On a piece, the distance to `to` is at most that to
-/// any one triangle of `to`, which is convex and so largest at a corner of the piece; the triangle nearest to the
-/// middle is taken. Precondition: `from` has a triangle. Deterministic, single thread. O(1) queries a triangle where
-/// the surfaces are alike.
+/// Finds the farthest point by best-first branch and bound over pieces of `from`'s triangles. On a piece, the distance
+/// to `to` is at most the distance to any one triangle of `to`. That distance is convex, so it is largest at a corner
+/// of the piece. The triangle nearest to the piece's middle is used. Precondition: `from` has a triangle.
+/// Deterministic, single thread. O(1) queries for each triangle where the surfaces are similar.
 FarthestPoint farthestPoint(const TriangleMesh& from, const SurfaceDistance& to, const FarthestTolerance& tolerance);
 
 }  // namespace cairn::builder

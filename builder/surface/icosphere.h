@@ -5,7 +5,8 @@
 
 namespace cairn::builder {
 
-/// An icosahedron whose triangles are split in four `subdivisions` times, corners on the unit sphere, outward.
+/// Returns an icosahedron whose triangles are split in four `subdivisions` times. Corners lie on the unit sphere;
+/// triangles face outward.
 TriangleMesh unitIcosphere(int subdivisions);
 
 }  // namespace cairn::builder

@@ -10,21 +10,22 @@
 
 namespace cairn::builder {
 
-/// Hubbard's closest-point test (thesis A.1): a point is inside when it lies behind the nearest part of the surface. A
-/// reference to compare with, not what the builder uses: at a corner it wants the point behind every face that meets
-/// there, which is too much where the surface is a saddle, so points inside may be called outside, never the reverse.
-/// `SignedDistance` mends that by pseudonormals.
+/// Hubbard's closest-point test (thesis A.1): a point is inside when it lies behind the nearest part of the surface. It
+/// is a reference for comparison; the builder does not use it. At a corner it requires the point to be behind every
+/// face there, which is too strict at a saddle. So it may call an inside point outside, but never the reverse.
+/// `SignedDistance` avoids this error by pseudonormals.
 class InsideByClosestPoint {
  public:
-  /// Keeps a reference to `mesh`, which must outlive this; `perSide` as for `TriangleGrid`. Precondition:
+  /// Keeps a reference to `mesh`, which must outlive this object. For `perSide` see `TriangleGrid`. Precondition:
   /// `checkMesh(mesh)`. O(n log n).
   explicit InsideByClosestPoint(const TriangleMesh& mesh, std::uint32_t perSide = 0);
 
-  /// On the surface, within rounding, the answer means nothing. Safe from many threads.
+  /// True for a point inside. For points on the surface, within rounding, the answer is arbitrary. Thread-safe.
   bool inside(const Vec3d& point) const;
 
-  /// The nearest triangle, the part of it that is nearest, and the vector from there to the point. Voxels in rings
-  /// around the point's own, until a ring is farther away than the best (thesis A.1, figure A.2). For any point.
+  /// The nearest triangle, its nearest feature, and the vector from the nearest point to the query. The search visits
+  /// voxels in rings around the query's own, until a ring is farther away than the best (thesis A.1, figure A.2). Valid
+  /// for any point.
   struct Nearest {
     std::uint32_t triangle = 0;
     TrianglePacket::Nearest place;
@@ -41,7 +42,7 @@ class InsideByClosestPoint {
   std::vector<TrianglePacket> packets_;                       // triangle t in lane t % kWidth of packet t / kWidth
   std::vector<Vec3d> normals_;                                // unit, by triangle
   std::vector<std::array<std::uint32_t, 3>> neighbours_;      // by triangle and edge
-  std::vector<std::uint32_t> firstAround_, trianglesAround_;  // by vertex: those that share it
+  std::vector<std::uint32_t> firstAround_, trianglesAround_;  // by vertex: the triangles that share it
 };
 
 }  // namespace cairn::builder

@@ -9,20 +9,20 @@
 
 namespace cairn::builder {
 
-/// A grid whose voxels are known to lie inside, outside, or astride the surface (thesis A.3): most points are answered
-/// by a look at their voxel, the others by another test. For many queries that want the side and not the distance.
+/// A grid whose voxels are marked as inside, outside or on the surface (thesis A.3). A look at its voxel answers for
+/// most points; another test answers for the others. For many queries that need the side and not the distance.
 class InsideByGrid {
  public:
   using Test = std::function<bool(const Vec3d&)>;
 
-  /// `test` answers for points of the box and must outlive this; it is asked once for each voxel without triangles.
-  /// `perSide` as for `TriangleGrid`. Precondition: `checkMesh(mesh)`, which is not kept.
+  /// `test` answers for points of the box and must outlive this object. It is called once for each voxel without
+  /// triangles. For `perSide` see `TriangleGrid`. Precondition: `checkMesh(mesh)`. `mesh` is not kept.
   InsideByGrid(const TriangleMesh& mesh, Test test, std::uint32_t perSide = 0);
 
-  /// As right as `test`. Safe from many threads when `test` is.
+  /// True for a point inside; as reliable as `test`. Thread-safe when `test` is.
   bool inside(const Vec3d& point) const;
 
-  /// Share of the box's volume where a look is enough.
+  /// Returns the share of the box's volume in which the voxel alone decides.
   double decidedFraction() const;
 
  private:

@@ -10,31 +10,32 @@
 
 namespace cairn::builder {
 
-/// The triangle nearest to a finite `query`, nearest child first, four boxes or triangles at a time with the fastest
-/// instruction set present; the same bits on every one. On a tie one of them, always the same. Nothing farther than
-/// `atMost` is looked at: precondition, some triangle is nearer by more than the rounding of two distances. The answer
-/// does not depend on it.
+/// Returns the triangle nearest to a finite `query`. The search visits the nearest child first, four boxes or triangles
+/// at a time with the fastest instruction set present. The bits do not depend on the instruction set. A tie always
+/// gives the same triangle. Triangles farther than `atMost` are not examined. Precondition: some triangle is nearer
+/// than `atMost` by more than the rounding of two distances. The answer does not depend on `atMost`.
 TriangleHierarchy::Place nearestTriangle(const TriangleHierarchy& hierarchy, const Vec3d& query,
                                          double atMost = std::numeric_limits<double>::infinity());
 
-/// A packet of the hierarchy and how far its nearest triangle is from some centre.
+/// A packet of the hierarchy, and the distance of its nearest triangle from some centre.
 struct NearPacket {
   std::uint32_t index = 0;
   double distance = 0;
 };
 
-/// Appends the packets with a triangle within `reach` of a finite `query`. False, and only some of them, when there are
-/// more than `most`.
+/// Appends the packets with a triangle within `reach` of a finite `query`. Returns false when there are more than
+/// `most`; `out` then has only some of them.
 bool packetsWithin(const TriangleHierarchy& hierarchy, const Vec3d& query, double reach, std::size_t most,
                    std::vector<NearPacket>& out);
 
-/// `nearestTriangle` of a `query` of which it is known that the packets hold every triangle that can be the one, and
-/// its distance. `moved` is how far the query is from the centre of the packets' distances, or more: a packet that much
-/// nearer than its own is not looked at when it cannot be among those that decide. It has to cover their rounding.
+/// Returns `nearestTriangle` of `query` and its distance, from packets alone. Precondition: the packets hold every
+/// triangle that can be the answer. `moved` is an upper bound of the distance from the query to the centre of the
+/// packets' distances, rounding included. A packet is skipped when its distance less `moved` shows that it cannot
+/// decide.
 ///
-/// A search passes over a triangle for another only where their distances, and those of their boxes, are within
-/// rounding of each other. Triangles within `tie`, above that rounding, of the nearest one are searched in the order of
-/// `nearestTriangle`; where that are more than `kMaxTied` packets, `decided` is false and one of them is named.
+/// A search prefers one triangle to another only where their distances, and those of their boxes, differ by more than
+/// rounding. Triangles within `tie` of the nearest one are searched in the order of `nearestTriangle`; `tie` must
+/// exceed that rounding. With more than `kMaxTied` such packets, `decided` is false and `place` is any one of them.
 struct NearestAmong {
   static constexpr std::size_t kMaxTied = 32;
 

@@ -9,20 +9,21 @@
 
 namespace cairn::builder {
 
-/// Angle-weighted normals of every feature of a closed mesh (Baerentzen and Aanaes 2005): a point whose nearest surface
-/// point lies on a feature is outside exactly when its offset has a positive product with that feature's pseudonormal.
-/// The proof needs only that the mesh bounds a solid around the feature, so vertices where two cones touch are fine.
+/// Angle-weighted normals of every feature of a closed mesh (Baerentzen and Aanaes 2005). Take a point whose nearest
+/// surface point lies on a feature. The point is outside exactly when its offset has a positive product with that
+/// feature's pseudonormal. The proof needs only that the mesh bounds a solid around the feature. So vertices where two
+/// cones touch are allowed.
 class Pseudonormals {
  public:
   /// Precondition: `checkMesh(mesh)`. O(n log n).
   explicit Pseudonormals(const TriangleMesh& mesh);
 
-  /// Not unit; only its direction means something. Precondition: `triangle` is one of `mesh`, the mesh of the
-  /// constructor.
+  /// Returns the pseudonormal of a feature; its length is arbitrary. Precondition: `triangle` belongs to `mesh`, the
+  /// mesh of the constructor.
   const Vec3d& at(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature) const;
 
-  /// Whether a corner of the triangle is on an edge sharper than a degree, from within or from without. There the other
-  /// side of the solid is as near but for rounding, and pseudonormals may be little else than rounding.
+  /// True when a corner of the triangle lies on an edge sharper than a degree, convex or concave. There the other side
+  /// of the solid is equally near up to rounding, and pseudonormals may consist mostly of rounding errors.
   bool besideSharpEdge(std::uint32_t triangle) const { return sharp_[triangle] != 0; }
 
  private:

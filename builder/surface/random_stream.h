@@ -8,14 +8,15 @@
 
 namespace cairn::builder {
 
-/// Numbers in [0, 1) for one chunk of samples: the same for the same seed and chunk on every platform and thread.
+/// Random numbers in [0, 1) for one chunk of samples. Seed and chunk give the same numbers on every platform and
+/// thread.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::uint64_t chunk) : engine_(mixed(seed, chunk)) {}
 
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
-  /// Uniform in the ball, by rejection from its cube (1.9 trials on average).
+  /// Returns a uniformly distributed point of the ball, by rejection from its cube (1.9 trials on average).
   Vec3d inBall(const Vec3d& center, double radius) {
     for (;;) {
       const double x = uniform(), y = uniform(), z = uniform();
@@ -25,7 +26,8 @@ class RandomStream {
   }
 
  private:
-  /// SplitMix64's finalizer (Steele et al. 2014) over both, so that near seeds and chunks start unrelated streams.
+  /// Mixes both numbers with SplitMix64's finalizer (Steele et al. 2014), so that similar seeds and chunks start
+  /// unrelated streams.
   static std::uint64_t mixed(std::uint64_t seed, std::uint64_t chunk) {
     std::uint64_t z = seed + 0x9E3779B97F4A7C15ULL * (chunk + 1);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;

@@ -21,44 +21,48 @@ struct SurfacePoint {
 
 /// Distance queries against a closed mesh: the hot path of the whole builder.
 ///
-/// A bounding-volume hierarchy over the triangles in double precision; the sign comes from the angle-weighted
-/// pseudonormal of the nearest feature (Baerentzen and Aanaes 2005), exact for closed meshes that do not intersect
-/// themselves, and where rounding leaves that in doubt from the winding number. Below 1 us a query at 1500 triangles,
-/// growing logarithmically. Safe to query from many threads. Queries must be finite.
+/// It is a bounding-volume hierarchy over the triangles in double precision. The sign comes from the angle-weighted
+/// pseudonormal of the nearest feature (Baerentzen and Aanaes 2005). This sign is exact for closed meshes that do not
+/// intersect themselves. Where rounding leaves it in doubt, the winding number decides. A query takes less than 1 us at
+/// 1500 triangles, growing logarithmically. Safe to query from many threads. Queries must be finite.
+///
+///     SignedDistance solid(mesh);
+///     double depth = solid.depth({0, 0, 1}); // positive inside
 class SignedDistance {
  public:
-  /// Keeps a reference to `mesh`, which must outlive this. Precondition: `checkMesh(mesh)`.
+  /// Keeps a reference to `mesh`, which must outlive this object. Precondition: `checkMesh(mesh)`.
   explicit SignedDistance(const TriangleMesh& mesh);
-  explicit SignedDistance(TriangleMesh&&) = delete;  ///< it would not outlive this
+  explicit SignedDistance(TriangleMesh&&) = delete;  ///< a temporary would not outlive this object
   ~SignedDistance();
   SignedDistance(SignedDistance&&) noexcept;
   SignedDistance& operator=(SignedDistance&&) noexcept;
 
   SurfacePoint closest(const Vec3d& query) const;
-  /// Positive inside, negative outside: "signed depth", s(c) of the design.
+  /// Returns the signed depth, s(c) in the design: positive inside, negative outside.
   double depth(const Vec3d& query) const;
-  /// `closest` and `depth` in one query.
+  /// Returns `closest` and `depth` in one query.
   struct Answer {
     SurfacePoint nearest;
     double depth = 0;
   };
   Answer query(const Vec3d& query) const;
-  /// The same bits in less time, when the distance is known to be no more than `atMost` but for rounding.
+  /// Returns the same bits in less time. Precondition: the distance is at most `atMost`, up to rounding.
   Answer query(const Vec3d& query, double atMost) const;
-  /// Replaces `parts` by those of the surface that can be nearest to a point within `reach` of `center`, rounding
-  /// included; see `queryAmong`. Returns the distance from `center` up to which they were taken; nothing when they are
-  /// more than `most`. About the cost of a query. Precondition: `reach` >= 0, `distance` is that of `closest(center)`.
+  /// Replaces `parts` by the parts of the surface that can be nearest to a point within `reach` of `center`, rounding
+  /// included; see `queryAmong`. Returns the distance from `center` up to which parts were taken; nothing when there
+  /// are more than `most`. Costs about as much as a query. Preconditions: `reach` >= 0; `distance` is that of
+  /// `closest(center)`.
   std::optional<double> gather(const Vec3d& center, double distance, double reach, std::size_t most,
                                std::vector<NearPacket>& parts) const;
-  /// `query` of a point within the reach that `parts` were gathered for, to the bit, but without a search: linear in
-  /// the parts. For a smaller reach those farther than the returned distance less twice the difference may be left out.
-  /// `moved` is how far the point is from the centre they were gathered around, or more.
+  /// Returns the same bits as `query`, without a search, for a point within the reach of `parts`. Linear in the parts.
+  /// For a reach smaller by d, parts farther than the returned distance less 2 d may be dropped. `moved` is an upper
+  /// bound of the distance from the parts' centre to the point.
   Answer queryAmong(std::span<const NearPacket> parts, const Vec3d& point, double moved) const;
-  /// `depth` of many points, in parallel; the result does not depend on the number of threads.
+  /// Computes `depth` of many points in parallel. The result does not depend on the number of threads.
   void depths(std::span<const Vec3d> queries, std::span<double> out) const;
 
-  /// Unsigned distance from `point` to one triangle of the mesh: never less than `closest(point).distance`, and, as a
-  /// triangle is convex, a convex function of `point`. Constant time.
+  /// Returns the unsigned distance from `point` to one triangle of the mesh. It is never less than
+  /// `closest(point).distance`. It is a convex function of `point`, because a triangle is convex. Constant time.
   double distanceToTriangle(std::uint32_t triangle, const Vec3d& point) const;
 
   /// No distance or depth returned for `query` is farther than this from the exact one. See the derivation in
@@ -71,7 +75,7 @@ class SignedDistance {
  private:
   struct Hierarchy;
   Answer answerAt(TriangleHierarchy::Place place, const Vec3d& query) const;
-  /// Of a point as far from the surface as told, where that is not sure of one triangle alone.
+  /// Decides the side of a point at this distance from the surface, when one triangle alone cannot decide it safely.
   bool isOutsideByAll(const Vec3d& query, double distance) const;
   std::unique_ptr<Hierarchy> hierarchy_;
 };

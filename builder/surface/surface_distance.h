@@ -8,8 +8,8 @@
 
 namespace cairn::builder {
 
-/// Unsigned distance to any triangles: open, crossing, turned. The signed sibling is `SignedDistance`. Safe to query
-/// from many threads. Queries must be finite.
+/// Unsigned distance to any triangles: open, self-intersecting or inconsistently oriented. `SignedDistance` is the
+/// signed variant. Safe to query from many threads. Queries must be finite.
 class SurfaceDistance {
  public:
   /// Precondition: at least one triangle, none degenerate. O(n log n).
@@ -21,7 +21,8 @@ class SurfaceDistance {
   };
   Nearest closest(const Vec3d& query) const;
 
-  /// To one triangle: a convex function of `point`, never less than `closest(point).distance`. Constant time.
+  /// Returns the distance to one triangle: a convex function of `point`, never less than `closest(point).distance`.
+  /// Constant time.
   double distanceToTriangle(std::uint32_t triangle, const Vec3d& point) const;
 
   const Bounds& bounds() const { return bounds_; }
@@ -31,7 +32,7 @@ class SurfaceDistance {
   TriangleHierarchy triangles_;
 };
 
-/// No distance of a `TriangleHierarchy` query to triangles within `bounds` is farther than this from the exact one.
+/// Returns an upper bound of the rounding error of a `TriangleHierarchy` distance query to triangles within `bounds`.
 double distanceRoundingBound(const Bounds& bounds, const Vec3d& query);
 
 }  // namespace cairn::builder

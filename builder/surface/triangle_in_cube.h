@@ -7,8 +7,8 @@
 
 namespace cairn::builder {
 
-/// Whether a triangle meets a cube, faces included, but for rounding: a few units in the last place of the coordinates.
-/// What must not miss any widens the cube by far more than that.
+/// True when a triangle meets a cube, faces included. Rounding may change the answer within a few units in the last
+/// place of the coordinates. Callers that must find all triangles widen the cube by far more than that.
 bool triangleMeetsCube(const std::array<Vec3d, 3>& corners, const Vec3d& center, double halfEdge);
 
 }  // namespace cairn::builder

@@ -8,15 +8,15 @@
 
 namespace cairn::builder {
 
-/// Which part of a triangle holds its point nearest to a query. Edge i runs from corner i to corner i + 1.
+/// The feature of a triangle that holds its point nearest to a query. Edge i runs from corner i to corner i + 1.
 enum class Feature : std::uint8_t { corner0, corner1, corner2, edge0, edge1, edge2, face };
 
-/// Up to four triangles in structure-of-arrays form, each in an orthonormal frame of its own plane: corner A is the
+/// Up to four triangles as a structure of arrays, each in an orthonormal frame of its own plane. Corner A is the
 /// frame's origin, B lies at (lengthAB, 0), and C at lengthAC * ac, above AB.
 ///
-/// The frame makes the distance backward stable: what is computed is the exact distance to a triangle whose corners
-/// moved by a few units in the last place of (edge length + distance), also when the triangle is a sliver. Barycentric
-/// coordinates lose half of the digits there.
+/// The frame makes the distance backward stable, also for slivers. The computed value is the exact distance to a
+/// triangle with slightly moved corners. They move by a few units in the last place of (edge length + distance).
+/// Barycentric coordinates would lose half of the digits of a sliver.
 struct alignas(64) TrianglePacket {
   static constexpr int kWidth = 4;
 
@@ -30,7 +30,7 @@ struct alignas(64) TrianglePacket {
 
   void set(int lane, std::uint32_t index, const std::array<Vec3d, 3>& corners);
 
-  /// The vector from the nearest point of one triangle to `query`, and the feature that point lies on.
+  /// The vector from the nearest point of one triangle to `query`, and the feature of that point.
   struct Nearest {
     Vec3d offset;
     Feature feature = Feature::face;

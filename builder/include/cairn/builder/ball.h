@@ -5,14 +5,17 @@
 
 namespace cairn::builder {
 
-/// A ball that stands for a part of a solid's surface: mesh frame, mesh units.
+/// A ball that represents a part of a solid's surface. Mesh frame, mesh units.
+///
+///     Ball ball{.center = c, .radius = r, .depth = depthBelowSurface};
+///     double worst = ball.standOff(); // no point of the ball is farther from the solid
 struct Ball {
-  Vec3d center;       ///< mesh frame
-  double radius = 0;  ///< mesh unit
-  double depth = 0;   ///< of the centre below the surface, negative outside: s(c) of the design
+  Vec3d center;
+  double radius = 0;
+  double depth = 0;  ///< of the centre below the surface, negative outside; s(c) in the design
 
-  /// How far the ball can stand off the solid: an upper bound by the triangle inequality, exact for convex solids
-  /// (thesis Eq. 5.1). May be negative for a ball strictly inside.
+  /// An upper bound of the distance from any point of the ball to the solid, by the triangle inequality. It is exact
+  /// for convex solids (thesis Eq. 5.1). It may be negative for a ball strictly inside.
   double standOff() const { return radius - depth; }
 };
 

@@ -10,32 +10,36 @@
 
 namespace cairn::builder {
 
-/// A point of the surface (mesh frame, up to rounding) and its share in a proof.
+/// A point of the surface (mesh frame, up to rounding) and its weight in a proof.
 struct WeightedPoint {
   Vec3d point;               ///< mesh frame
   std::uint64_t weight = 0;  ///< above 0
 };
 
-/// No `spheres` balls cover the mesh's surface unless one of them protrudes by more than `error`: has a point farther
-/// than that from the solid.
+/// A proved lower bound: if `spheres` balls cover the mesh's surface, one of them protrudes by more than `error`. A
+/// ball protrudes by the distance from the solid to its farthest point.
 ///
-/// The proof is `weights`: no ball that protrudes by `error` or less holds points of more than `mostInOneBall`
-/// together, and `spheres` times that is less than the weight of all.
+/// The proof is `weights`. No ball that protrudes by `error` or less holds points with a total weight above
+/// `mostInOneBall`. The product of `spheres` and `mostInOneBall` is less than the total weight of all points.
+///
+///     ErrorBound bound = lowerErrorBound(mesh, 64).value();
+///     double efficiency = bound.error / certificate.levels[2].maxProtrusion; // 1: no cover can be better
 struct ErrorBound {
-  std::uint32_t spheres = 0;           ///< the number of balls the bound is about
-  double error = 0;                    ///< mesh unit; 0: nothing could be proved, and `weights` is empty
-  std::vector<WeightedPoint> weights;  ///< sums stay below 2^64
-  std::uint64_t mostInOneBall = 0;     ///< weight that one ball can hold at most
+  std::uint32_t spheres = 0;
+  double error = 0;                    ///< mesh unit; 0: nothing was proved, and `weights` is empty
+  std::vector<WeightedPoint> weights;  ///< the sum of the weights stays below 2^64
+  std::uint64_t mostInOneBall = 0;     ///< upper bound of the weight in one ball
 };
 
 /// How hard `lowerErrorBound` tries.
 struct BoundOptions {
-  std::uint32_t points = 0;  ///< of the surface, to be covered; 0: chosen by the number of spheres; else 8..20000
+  std::uint32_t points = 0;  ///< surface points to be covered: 8..20000; 0: chosen by the number of spheres
 };
 
-/// Proves a lower bound of the error (worst protrusion) of any cover of the surface by `spheres` balls, whoever makes
-/// it, by duality of fractional covers. Weak for many spheres: a fractional cover is cheaper than a cover. Errors tried
-/// are fractions 2^(-k/64) of the bounding box's diagonal.
+/// Proves a lower bound of the error (worst protrusion) of every cover of the surface by `spheres` balls. The bound
+/// holds for any method that makes a cover; the proof uses the duality of fractional covers. The bound is weak for many
+/// spheres, because a fractional cover is cheaper than a cover. Errors tried are fractions 2^(-k/64) of the bounding
+/// box's diagonal.
 ///
 /// Precondition: `checkMesh(mesh)`. Fails for options out of range and with `kCancelled`. Parallel; the result does not
 /// depend on the number of threads. See docs/algorithms/lower-bound.md.

@@ -14,50 +14,56 @@
 
 namespace cairn::builder {
 
-/// How a region of the surface is covered by a given number of spheres. `combined`, `merge` and `expand` are improved
-/// further (centres moved, divisions chosen with their children in view), `adaptive` is ours; the others are the
-/// thesis's constructions as they are.
+/// The construction that covers a region of the surface with a given number of spheres. `combined`, `merge` and
+/// `expand` are improved further: their centres move, and divisions of the surface take the children into account.
+/// `adaptive` is Cairn's own. The other methods are the thesis's constructions without change.
 enum class Method : std::uint8_t {
   combined,     ///< per node the better of merge and expand (thesis 7.1.5)
   merge,        ///< medial spheres merged pairwise (5.3.1)
-  expand,       ///< medial spheres grown to one stand-off, fewest that cover (5.3.3, max-elim)
+  expand,       ///< medial spheres grown to one stand-off; the fewest that cover are chosen (5.3.3, max-elim)
   octree,       ///< cubes of an octree (3.1)
-  expandCover,  ///< as expand, but the sphere that covers most goes first (5.3.3, max-cover)
-  burst,        ///< medial spheres removed one by one, their neighbours growing (5.3.2)
+  expandCover,  ///< like expand, but the sphere that covers most is chosen first (5.3.3, max-cover)
+  burst,        ///< medial spheres removed one by one, while their neighbours grow (5.3.2)
   spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
-  solidOctree,  ///< with cubes inside the solid, which cover no surface but fill it (3.1.2)
+  solidOctree,  ///< octree with the cubes inside the solid, which fill it but cover no surface (3.1.2)
   grid,         ///< cells of a cubic grid, freely turned and moved (3.3)
-  hybrid,       ///< the regions of grid, each with a sphere of least error instead of the smallest (7.1.5)
+  hybrid,       ///< the regions of grid, each with the sphere of least error instead of the smallest (7.1.5)
   hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
-  adaptive,     ///< whole levels of equal error instead of regions one by one (ours)
+  adaptive,     ///< whole levels of equal error instead of single regions (Cairn's own)
 };
 
-/// How a sphere set is improved before the surface is divided among its spheres (thesis 6.2).
+/// The way a sphere set is improved before the surface is divided among its spheres (thesis 6.2).
 enum class Optimiser : std::uint8_t {
-  none,    ///< the set as its method leaves it
+  none,    ///< the set stays as its method made it
   thesis,  ///< one sphere after another, by downhill simplex (Alg. 9 and 10)
-  cairn,   ///< ours: for the seams too, and divisions are chosen with their children in view
+  cairn,   ///< Cairn's own: also improves the seams, and divisions take the children into account
 };
 
 /// What kind of tree `buildTree` makes. Values out of range are refused by it.
 struct BuildOptions {
-  Method method = Method::combined;  ///< how each region is covered
-  std::uint32_t branching = 8;       ///< most children of a node, 2..8
-  std::uint32_t depth = 3;           ///< levels below the root, 1..8
-  std::uint32_t samples = 5000;      ///< surface pieces the sphere sets are fitted to, about; 100..1e6
-  std::uint64_t seed = 1;            ///< of all that is drawn at random
-  std::uint32_t threads = 0;         ///< 0: one per core. The result does not depend on it.
-  /// Nothing: `cairn` for the methods said to be improved further, `none` for the others. Only for methods that fit
-  /// spheres region by region (`fitsRegions`).
+  Method method = Method::combined;
+  std::uint32_t branching = 8;   ///< largest number of children of a node, 2..8
+  std::uint32_t depth = 3;       ///< levels below the root, 1..8
+  std::uint32_t samples = 5000;  ///< approximate number of surface pieces that sphere sets are fitted to; 100..1e6
+  std::uint64_t seed = 1;
+  std::uint32_t threads = 0;  ///< 0: one per core; the result does not depend on it
+  /// No value: `cairn` for `combined`, `merge`, `expand` and `adaptive`, `none` for the others. A value is allowed only
+  /// for methods that fit spheres region by region (`fitsRegions`).
   std::optional<Optimiser> optimiser;
-  /// Spheres are dropped while this allows it; nothing: none are. Only for methods that fit spheres region by region.
+  /// The rule by which spheres are dropped; no value: none are dropped. Allowed only for methods that fit spheres
+  /// region by region (`fitsRegions`).
   std::optional<Balance> balance;
 };
 
-/// A sphere-tree of a closed mesh with certified errors: every level covers the whole surface, reachable through every
-/// ancestor, by construction, with enough to spare that `certify` can prove it again from the tree alone. Fails for
-/// options out of range, for a mesh `checkMesh` refuses, and with `kCancelled`. The same mesh, options and seed give
-/// the same bits for any number of threads.
+/// Builds a sphere-tree of a closed mesh with certified errors. Every level covers the whole surface, by construction.
+/// Every point of the surface also lies in all ancestors of the node that covers it. The balls have enough room to
+/// spare that `certify` can prove the cover again from the tree alone.
+///
+/// Fails for options out of range, for a mesh that `checkMesh` refuses, and with `kCancelled`. The same mesh, options
+/// and seed give the same bits for any number of threads.
+///
+///     TriangleMesh mesh = importMesh("bunny.obj").value();
+///     SphereTree tree = buildTree(mesh, {.method = Method::adaptive, .depth = 4}).value();
 Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options,
                              const ProgressCallback& progress = {});
 
@@ -65,7 +71,7 @@ Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& optio
 Result<Method> parseMethod(const std::string& name);
 /// The name that `parseMethod` reads.
 const char* methodName(Method method);
-/// Of all methods, those for general use first.
+/// Names of all methods; those for general use come first.
 std::vector<std::string> methodNames();
 /// The optimiser of a name, as `cairn build --optimise` takes it. Fails for any other, with the names there are.
 Result<Optimiser> parseOptimiser(const std::string& name);
@@ -73,9 +79,10 @@ Result<Optimiser> parseOptimiser(const std::string& name);
 const char* optimiserName(Optimiser optimiser);
 /// Of all optimisers.
 std::vector<std::string> optimiserNames();
-/// True for methods that fit a set of spheres to one region after another: they can be optimised and balanced.
+/// True for methods that fit a set of spheres to one region after another. Only these methods can be optimised and
+/// balanced.
 bool fitsRegions(Method method);
-/// True for methods that cut cubes in eight: they take no other branching.
+/// True for methods that cut cubes in eight; they accept no branching but 8.
 bool dividesByEight(Method method);
 
 }  // namespace cairn::builder

@@ -14,35 +14,24 @@
 
 namespace cairn::builder {
 
-/// How well one level's cut (all nodes of the level and all leaves above it) fits its mesh. Lengths are fractions of
-/// the mesh's bounding-box diagonal, volumes of the solid's volume. "Certified" is proved (certify.h); the rest are the
-/// thesis's measures (7.1.1), sampled. A sphere's error is how far it reaches outside the solid.
+/// The fit of one level's cut (all nodes of the level and all leaves above it) to its mesh. Lengths are fractions of
+/// the mesh's bounding-box diagonal, volumes are fractions of the solid's volume. "Certified" numbers are proved
+/// (certify.h). The others are the thesis's measures (7.1.1) and are sampled. A sphere's error is the largest distance
+/// from the solid to a point of the sphere.
 struct LevelFit {
   std::uint32_t level = 0;          ///< 0 is the root
   std::uint32_t spheres = 0;        ///< in the cut
   double certifiedMaxFraction = 0;  ///< upper bound of the worst sphere's error
-  double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1, see the errata)
-  ///@{
-  /// Errors from points spread over each sphere; never above the certified ones. Largest, mean, root mean square and
-  /// variance over the spheres, the variance as a fraction of the diagonal squared.
-  double sampledMaxFraction = 0;
-  double sampledMeanFraction = 0;
-  double sampledRmsFraction = 0;
-  double sampledVarianceFractionSquared = 0;
-  ///@}
-  double uncoveredAreaFraction = 0;  ///< share of area samples outside all spheres
-  ///@{
-  /// Volume of the solid outside all spheres, and the standard error of that estimate. Trees cover the surface: the
-  /// inside may be hollow, and a body that gets there is felt by no sphere.
-  double uncoveredVolumeFraction = 0;
-  double uncoveredVolumeStandardErrorFraction = 0;
-  ///@}
-  ///@{
-  /// How deep below the surface that volume lies: the deepest sample, and root mean square over the volume.
-  double uncoveredDepthMaxFraction = 0;
-  double uncoveredDepthRmsFraction = 0;
-  ///@}
-  ///@{
+  double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1; see the errata)
+  /// Errors at points spread over each sphere, never above the certified ones: largest, mean, root mean square and
+  /// variance over the spheres. The variance is a fraction of the diagonal squared.
+  double sampledMaxFraction = 0, sampledMeanFraction = 0, sampledRmsFraction = 0, sampledVarianceFractionSquared = 0;
+  double uncoveredAreaFraction = 0;  ///< share of area samples that lie outside all spheres
+  /// Volume of the solid outside all spheres, and the standard error of that estimate. A tree covers the surface, so
+  /// its inside may be hollow. No sphere detects a body in the hollow.
+  double uncoveredVolumeFraction = 0, uncoveredVolumeStandardErrorFraction = 0;
+  /// Depth of the uncovered volume below the surface: the deepest sample, and the root mean square over the volume.
+  double uncoveredDepthMaxFraction = 0, uncoveredDepthRmsFraction = 0;
   /// Volume of the spheres' union outside the solid, and the standard error of that estimate.
   double wastedVolumeFraction = 0;
   double wastedVolumeStandardErrorFraction = 0;
@@ -51,18 +40,22 @@ struct LevelFit {
   bool reachableProven = false;  ///< as `LevelCertificate::reachableProven`
 };
 
-/// Whether the sampled measures are taken too; they cost far more than the proof.
+/// Selects whether the sampled measures are taken too; they cost far more than the proof.
 enum class Sampling : std::uint8_t { none, full };
 
-/// The fit of levels 1 to the deepest (of level 0 for a lone root). With `Sampling::none` the sampled measures stay 0.
-/// `certificate` is what `certify` found for the same tree and mesh. The same seed gives the same bits for any number
-/// of threads. Precondition: `checkMesh(mesh)`. Fails only with `kCancelled`.
+/// Returns the fit of levels 1 to the deepest, or of level 0 for a lone root. With `Sampling::none` the sampled
+/// measures stay 0. `certificate` is the result of `certify` for the same tree and mesh. The same seed gives the same
+/// bits for any number of threads. Precondition: `checkMesh(mesh)`. Fails only with `kCancelled`.
+///
+///     Certificate certificate = certify(tree, mesh).value();
+///     std::vector<LevelFit> fits = evaluate(tree, mesh, certificate, Sampling::full, 1).value();
 Result<std::vector<LevelFit>> evaluate(const SphereTree& tree, const TriangleMesh& mesh, const Certificate& certificate,
                                        Sampling sampling, std::uint64_t seed, const ProgressCallback& progress = {});
 
-/// The fit of a set of spheres that is no tree: level 0, and nothing proved about cover or reach. Centres and radii are
-/// taken as they are. Preconditions: `checkMesh(mesh)`; `balls` not empty. Fails only with `kCancelled`. Parallel; the
-/// same seed gives the same bits for any number of threads. Some milliseconds for a sphere, and two seconds.
+/// Returns the fit of a set of spheres without a tree, as level 0. Cover and reachability are not proved. Centres and
+/// radii are taken as they are. Preconditions: `checkMesh(mesh)`; `balls` is not empty. Fails only with `kCancelled`.
+/// Parallel; the same seed gives the same bits for any number of threads. Takes some milliseconds for each sphere, plus
+/// two seconds.
 Result<LevelFit> evaluateBalls(std::span<const Ball> balls, const TriangleMesh& mesh, std::uint64_t seed,
                                const ProgressCallback& progress = {});
 

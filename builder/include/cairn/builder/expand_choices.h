@@ -10,17 +10,20 @@
 
 namespace cairn::builder {
 
-/// Which candidate the greedy choice of Expand takes next (thesis 5.3.3).
+/// The rule by which the greedy choice of Expand takes its next candidate (thesis 5.3.3).
 enum class ExpandRank : std::uint8_t {
-  maxElim,   ///< the one that makes most others redundant, then the one that covers most
-  maxCover,  ///< the one that covers most of what is uncovered (Alg. 6 as listed)
+  maxElim,   ///< the candidate that makes most others redundant; among equals, the one that covers most
+  maxCover,  ///< the candidate that covers most of the uncovered points (Alg. 6 as listed)
 };
 
-/// How many balls Expand needs at a stand-off e, when all candidates are grown to r = e + s(c) and a greedy choice
-/// takes from them until the points are covered (thesis 5.3.3). Mesh frame and unit.
+/// Counts the balls that Expand needs at a stand-off e (thesis 5.3.3). All candidates grow to r = e + s(c). A greedy
+/// choice then takes candidates until the points are covered. Mesh frame and unit.
+///
+///     ExpandChoices choices(points, axis.balls(), ExpandRank::maxElim);
+///     double standOff = choices.standOffFor(8);
 class ExpandChoices {
  public:
-  /// Precondition: neither is empty. A word of memory for each candidate and point.
+  /// Precondition: neither span is empty. Memory: one word for each pair of a candidate and a point.
   ExpandChoices(std::span<const Vec3d> points, std::span<const Ball> candidates, ExpandRank rank);
   ~ExpandChoices();
   /// Moves; the other can only be destroyed or assigned to.
@@ -28,15 +31,16 @@ class ExpandChoices {
   /// Moves; the other can only be destroyed or assigned to.
   ExpandChoices& operator=(ExpandChoices&&) noexcept;
 
-  /// Below this some point is in no candidate, whatever is chosen.
+  /// Below this stand-off some point lies in no candidate, whatever is chosen.
   double leastStandOff() const;
-  /// At this and above one candidate holds everything.
+  /// At this stand-off and above, one candidate holds all points.
   double enoughForOne() const;
-  /// Balls chosen. With K candidates and N points about K^2 N / 64 word operations for max-elim, K N for max-cover,
-  /// once for each ball chosen, falling fast. Precondition: at least `leastStandOff()`.
+  /// Returns the number of balls chosen. Precondition: `standOff` is at least `leastStandOff()`. With K candidates and
+  /// N points, each chosen ball costs about K^2 N / 64 word operations for max-elim and K N for max-cover. The cost
+  /// falls fast from ball to ball.
   std::size_t ballsAt(double standOff) const;
-  /// The least stand-off found at which `count` balls or fewer are chosen, by 20 bisections; a choice that fails is
-  /// tried again without its first ball. At most 60 choices. Precondition: `count` at least 1.
+  /// Returns the least stand-off found at which at most `count` balls are chosen, by 20 bisections. A choice that fails
+  /// is tried again without its first ball. Cost: at most 60 choices. Precondition: `count` is at least 1.
   double standOffFor(std::size_t count) const;
 
  private:

@@ -10,13 +10,16 @@
 
 namespace cairn::builder {
 
-/// One line `level x y z r parent` per sphere, breadth-first; mesh frame and unit; `parent` is the 0-based line of the
-/// parent, -1 for the root. Positions and radii have the digits to give back the same doubles.
+/// Returns one line `level x y z r parent` per sphere, breadth-first, in mesh frame and unit. `parent` is the 0-based
+/// line of the parent, -1 for the root. Positions and radii have enough digits to give back the same doubles. Linear.
+///
+///     writeFile("bunny.spheres", spheresText(tree));
 std::string spheresText(const SphereTree& tree);
 
-/// The format of Bradshaw's sphere-tree toolkit: a first line `levels degree`, then `x y z r importance` for every slot
-/// of the complete tree, children of slot n at n * degree + 1 onwards, unused slots with a negative radius. Mesh frame
-/// and unit. Fails when the complete tree would have more than `kMaxSphSlots` slots.
+/// Returns the tree in the format of Bradshaw's sphere-tree toolkit. The first line is `levels degree`. One line `x y z
+/// r importance` follows for every slot of the complete tree. The children of slot n start at slot n * degree + 1;
+/// unused slots have a negative radius. Mesh frame and unit. Fails when the complete tree would have more than
+/// `kMaxSphSlots` slots.
 Result<std::string> sphText(const SphereTree& tree);
 /// Slots that `sphText` writes at most.
 inline constexpr std::uint64_t kMaxSphSlots = 1U << 24;
@@ -24,9 +27,9 @@ inline constexpr std::uint64_t kMaxSphSlots = 1U << 24;
 /// Wavefront OBJ, as text, or binary glTF.
 enum class SurfaceFormat : std::uint8_t { obj, glb };
 
-/// The spheres of `levelCut(level)` as triangulated icospheres (whose corners lie on the spheres), for looking at; mesh
-/// frame and unit, single precision. Written completely or not at all. Fails when the tree has no such level or the
-/// file cannot be written.
+/// Writes the spheres of `levelCut(level)` as triangulated icospheres for display. The icospheres' corners lie on the
+/// spheres. Mesh frame and unit, single precision. The file is written completely or not at all. Fails when the tree
+/// has no such level or the file cannot be written.
 Status writeSphereSurfaces(const SphereTree& tree, std::uint32_t level, SurfaceFormat format,
                            const std::filesystem::path& path);
 

@@ -7,9 +7,11 @@
 
 namespace cairn::builder {
 
-/// The mesh as the bytes of a binary PLY file, coordinates as floats. `importMesh` gives back exactly the meshes
-/// `repair` and `wrap` return, whose coordinates are floats and whose vertices are numbered as an import numbers them;
-/// a text format would go through the decimal arithmetic of whatever else reads it.
+/// Returns the mesh as the bytes of a binary PLY file with float coordinates. `importMesh` gives back exactly the
+/// meshes of `repair` and `wrap`. Their coordinates are floats, and their vertices are numbered as an import numbers
+/// them. A text format would depend on the decimal arithmetic of other readers. Linear.
+///
+///     writeFile("repaired.ply", plyBytes(repair(surface).value()));
 std::string plyBytes(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

@@ -6,15 +6,17 @@
 
 namespace cairn::builder {
 
-/// Told how far a long piece of work has come: which stage, and how much of the whole is done (0 to 1, never falling).
-/// Returns false to cancel; the work then ends soon with the error "cancelled". May be called from any one thread at a
-/// time.
+/// Receives the progress of long work: the stage, and the fraction of the whole that is done (0 to 1, never falling). A
+/// return value of false cancels the work, which then ends soon with the error `kCancelled`. Calls may come from any
+/// thread, but never from two at a time.
+///
+///     buildTree(mesh, options, [&](std::string_view stage, double done) { show(stage, done); return !interrupted; });
 using ProgressCallback = std::function<bool(std::string_view stage, double fraction)>;
 
-/// Asked from any thread during long work; false once the caller wants it to end.
+/// Asked from any thread during long work; returns false once the work should end.
 using KeepGoing = std::function<bool()>;
 
-/// The message of the error a cancelled call returns.
+/// The message of the error that a cancelled call returns.
 inline constexpr std::string_view kCancelled = "cancelled";
 
 }  // namespace cairn::builder

@@ -9,36 +9,43 @@
 
 namespace cairn::builder {
 
-/// What `repair` did, for reports.
+/// Counts of the changes that `repair` made, for reports.
 struct RepairCounts {
-  std::size_t duplicateTriangles = 0;  ///< left out: the same three vertices as an earlier triangle
-  std::size_t joinedVertices = 0;      ///< of borders, moved onto another border vertex closer than the tolerance
-  std::size_t splitTriangles = 0;      ///< at a border vertex that lay on their edge
-  std::size_t collapsedTriangles = 0;  ///< left without area by joining, and left out
-  std::size_t filledHoles = 0;         ///< borders closed with new triangles
-  std::size_t addedTriangles = 0;      ///< in the holes
-  std::size_t turnedTriangles = 0;     ///< to face away from the solid
+  std::size_t duplicateTriangles = 0;  ///< dropped: they have the three vertices of an earlier triangle
+  std::size_t joinedVertices = 0;      ///< border vertices moved onto another one closer than the tolerance
+  std::size_t splitTriangles = 0;      ///< triangles split at a border vertex on their edge
+  std::size_t collapsedTriangles = 0;  ///< triangles that joining left without area; dropped
+  std::size_t filledHoles = 0;
+  std::size_t addedTriangles = 0;   ///< triangles that fill the holes
+  std::size_t turnedTriangles = 0;  ///< triangles turned to face away from the solid
 
   /// Whether anything was changed at all.
   bool any() const;
-  /// "3 holes filled with 8 triangles, 12 triangles turned"; "nothing" when there was nothing to do.
+  /// For example "3 holes filled with 8 triangles, 12 triangles turned"; "nothing" when nothing was changed.
   std::string text() const;
 };
 
-/// A surface that almost bounds a solid made to bound one: duplicate triangles left out, borders stitched, orientation
-/// made consistent, holes filled, every shell turned to face away from the solid (one inside another becomes a cavity).
-/// What it adds inside a hole is a guess; a certificate is about the repaired mesh, not the file.
+/// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
+/// orientation made consistent and holes filled. Every shell is turned to face away from the solid; a shell inside
+/// another becomes a cavity. The filling of a hole is a guess. A certificate is about the repaired mesh, not about the
+/// file.
 ///
-/// The result has passed `checkMesh`; its coordinates are floats, and it is the mesh `importMesh` reads from
-/// `plyBytes`, whose SHA-256 it carries. Fails, with the place, where that is not enough: edges of more than two
-/// triangles, surfaces without a consistent side, triangles that cross, holes of more than `kMaxHoleEdges` edges or
-/// that no triangles fill. `wrap` takes those. `counts` may be null. Precondition: a mesh of `importSurface`.
-/// O(n log n) and the square of a border's length. Single thread. Source: see docs/algorithms/import.md.
+/// The result has passed `checkMesh`, and its coordinates are floats. It equals the mesh that `importMesh` reads from
+/// `plyBytes`, and carries the SHA-256 of these bytes. Fails, with the place, for edges of more than two triangles,
+/// surfaces without a consistent side and triangles that cross. Also fails for holes of more than `kMaxHoleEdges` edges
+/// and for holes that cannot be filled. `wrap` accepts all of these.
+///
+/// `counts` may be null. Precondition: a mesh of `importSurface`. Single thread. O(n log n) plus the square of a
+/// border's length. Source: see docs/algorithms/repair.md.
+///
+///     RepairCounts counts;
+///     Result<TriangleMesh> mesh = repair(importSurface("scan.ply").value(), &counts);
 Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = nullptr);
 
-/// Border vertices closer than this fraction of the bounding box's diagonal are one: a few units of float rounding.
+/// Border vertices closer than this fraction of the bounding box's diagonal are joined. It is a few units of float
+/// rounding.
 inline constexpr double kStitchTolerance = 1e-6;
-/// A border of more edges is the rim of an open sheet rather than a hole.
+/// A border of more edges counts as the rim of an open sheet, not as a hole.
 inline constexpr std::size_t kMaxHoleEdges = 5000;
 
 }  // namespace cairn::builder

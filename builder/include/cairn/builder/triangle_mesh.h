@@ -13,13 +13,17 @@ namespace cairn::builder {
 /// Three indices of vertices, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An indexed triangle mesh in its own frame and unit; counter-clockwise seen from outside. What `importMesh` returns
-/// is closed, oriented outward, welded and free of degenerate triangles; a mesh made by hand is checked by `checkMesh`.
+/// An indexed triangle mesh in its own frame and unit; triangles are counter-clockwise seen from outside. Meshes of
+/// `importMesh` are closed, oriented outward, welded and free of degenerate triangles. `checkMesh` checks a mesh from
+/// any other source.
+///
+///     TriangleMesh mesh{.vertices = points, .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+///     Status solid = checkMesh(mesh);
 struct TriangleMesh {
-  std::vector<Vec3d> vertices;      ///< in the mesh's frame and unit
-  std::vector<Triangle> triangles;  ///< indices into `vertices`
-  std::string name;                 ///< file name without folder, for reports
-  std::string sha256;               ///< of the file's bytes, hexadecimal; empty for a mesh made by hand
+  std::vector<Vec3d> vertices;
+  std::vector<Triangle> triangles;
+  std::string name;    ///< file name without folder, for reports
+  std::string sha256;  ///< of the file's bytes, hexadecimal; empty for a mesh without a file
 
   /// The corners of a triangle, by its number.
   std::array<Vec3d, 3> corners(std::uint32_t triangle) const {
@@ -28,7 +32,7 @@ struct TriangleMesh {
   }
 };
 
-/// Corners of the axis-aligned bounding box. Precondition: at least one vertex.
+/// The axis-aligned bounding box of a mesh. Mesh frame and unit.
 struct Bounds {
   Vec3d lower, upper;  ///< least and greatest coordinates
   /// Length of the box's diagonal: the size that fractions refer to.

@@ -8,36 +8,41 @@
 
 namespace cairn::builder {
 
-/// Lengths are fractions of the bounding box's diagonal.
+/// Options of `wrap`. Lengths are fractions of the bounding box's diagonal.
 struct WrapOptions {
   double alpha = 0.02;  ///< openings narrower than about this are closed; kMinAlpha..1
   double offset =
-      0.002;  ///< how far outside the surface the wrap keeps, about (a tenth less at times); kMinOffset..0.2
+      0.002;  ///< approximate distance of the wrap outside the surface, at times a tenth less; kMinOffset..0.2
 };
 inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< the range of `WrapOptions::alpha`
 inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< the range of `WrapOptions::offset`
 
-/// A closed skin around a surface, and how far it is from it. Mesh frame and unit.
+/// A closed skin around a surface, and its distance from the surface. Mesh frame and unit.
 struct Wrap {
-  TriangleMesh mesh;         ///< closed, and around the original
-  double farthestUpper = 0;  ///< proved: no point of the wrap's surface is farther from the original surface
-  double farthestLower = 0;  ///< proved: `witness` is at least this far
-  Vec3d witness;             ///< a point of the wrap's surface, up to rounding
+  TriangleMesh mesh;
+  double farthestUpper = 0;  ///< proved: no point of the wrap is farther from the original surface
+  double farthestLower = 0;  ///< proved: `witness` is at least this far from the original surface
+  Vec3d witness;             ///< a point of the wrap, up to rounding
 };
 
-/// Encloses any surface (open, crossing itself, a soup of triangles) in a closed one without self-intersections: alpha
-/// wrapping (Portaneri et al. 2022), the automatic skinning of thesis 8.3.4. Proved afterwards, independently of how
-/// the wrap was made: it passes `checkMesh`, every triangle of the original lies strictly inside it, and the farthest
-/// of its points from the original is enclosed to 1 % or 1e-4 of the diagonal.
+/// Encloses any surface (open, self-intersecting, a soup of triangles) in a closed one without self-intersections. The
+/// method is alpha wrapping (Portaneri et al. 2022), the automatic skinning of thesis 8.3.4. Three properties are
+/// proved afterwards, independently of the construction. The wrap passes `checkMesh`. Every triangle of the original
+/// lies strictly inside it. The distance from the original to the wrap's farthest point is enclosed to 1 % or 1e-4 of
+/// the diagonal.
 ///
-/// So a point within e of the wrap's solid, and not inside it, is within e + farthestUpper of the original surface.
-/// That is what "error against the original" means here, for open surfaces too: a distance to the surface. What the
-/// wrap encloses counts as solid, including hollows whose openings it closed.
+/// So a point outside the wrap's solid, but within e of it, is within e + farthestUpper of the original surface. This
+/// is the meaning of "error against the original", also for open surfaces: a distance to the surface. Everything that
+/// the wrap encloses counts as solid, including hollows whose openings it closed.
 ///
-/// Coordinates are floats; it is the mesh `importMesh` reads from `plyBytes`, whose SHA-256 it carries. Fails for
-/// options out of range, when a proof does not hold (a float cannot tell the wrap from the surface: far from the
-/// mesh's own origin), when it would need more than a million vertices, and with `kCancelled`. The same bits every
-/// time. Precondition: a mesh of `importSurface`. Single thread; about a second for 10 000 triangles of the wrap.
+/// Coordinates are floats. The result equals the mesh that `importMesh` reads from `plyBytes`, and carries the SHA-256
+/// of these bytes. Fails for options out of range, for a wrap of more than a million vertices, and with `kCancelled`.
+/// Also fails when a proof does not hold: far from the mesh's own origin a float cannot separate the wrap from the
+/// surface. The result has the same bits every time.
+///
+/// Precondition: a mesh of `importSurface`. Single thread; about a second for 10 000 triangles of the wrap.
+///
+///     Wrap skin = wrap(importSurface("soup.stl").value(), {.alpha = 0.05}).value();
 Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress = {});
 
 }  // namespace cairn::builder
