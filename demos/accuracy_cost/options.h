@@ -17,7 +17,7 @@ struct RunCommand {
   std::filesystem::path folder;
   ModelSource models;
   Settings settings;
-  std::uint32_t seeds = 1;    ///< how many, counted on from the settings' own
+  std::uint32_t seeds = 1;    ///< number of seeds, counted on from the settings' own
   std::uint32_t threads = 0;  ///< 0: one per core
   bool figures = true, json = false;
 };
@@ -31,7 +31,7 @@ struct ListCommand {};
 
 using Command = std::variant<RunCommand, ModelsCommand, ListCommand>;
 
-/// The command, or the exit code if the program is to end now.
+/// Returns the command, or the exit code if the program should end now.
 std::variant<Command, int> parseOptions(int argc, const char* const* argv);
 
 }  // namespace cairn::accuracy_cost

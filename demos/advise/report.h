@@ -9,7 +9,7 @@
 
 namespace cairn::advise {
 
-/// What was asked for and what came of it.
+/// The request and its result.
 struct Advice {
   std::string mesh;
   Trial trial;
@@ -17,17 +17,18 @@ struct Advice {
   Measured measured;
 };
 
-/// Of each tree the best budget within the time, or with `all` every budget; the chosen one is marked.
+/// Returns a table of the best budget within the time for each tree; with `all`, of every budget. The chosen row is
+/// marked.
 std::string tableText(const Advice& advice, bool all);
 
-/// The error of the chosen tree against its time, budget by budget, in letters.
+/// Returns a text diagram: the error of the chosen tree against its time, budget by budget.
 std::string curveText(const Advice& advice);
 
-/// Everything, units in the keys.
+/// Returns all results, with units in the keys.
 nlohmann::ordered_json toJson(const Advice& advice);
 
 /// Draws the error of the best trees against time, as `svg` and as a PNG beside it. Fails when gnuplot is missing or
-/// refuses.
+/// reports an error.
 Status drawCurves(const Advice& advice, const std::filesystem::path& svg);
 
 }  // namespace cairn::advise

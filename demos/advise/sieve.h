@@ -8,14 +8,14 @@
 
 namespace cairn::advise {
 
-/// As many trees as are played as often as they may be, whatever the sieve says.
+/// This number of trees always gets the full number of plays.
 inline constexpr std::size_t kFinalists = 3;
-/// While trees are sieved, what takes up to this times the budget counts as within it: few playings are not sure.
+/// During the sieve, times up to this factor of the budget count as within it, because few plays are uncertain.
 inline constexpr double kSieveSlack = 1.25;
 
-/// The better half of those still running (places in `candidates`), rounded up, at least `kFinalists`, in their order:
-/// first by the lowest mean error they reach within `kSieveSlack` times the budget; those that reach nothing within it
-/// come after all others, the cheapest first. Precondition: every candidate has a rung.
+/// Returns the better half of the trees in `running` (indices into `candidates`), rounded up, at least `kFinalists`, in
+/// their order. Trees are ranked by the lowest mean error within `kSieveSlack` times the budget. Trees without any
+/// result within it come last, the cheapest first. Precondition: every candidate has a rung.
 std::vector<std::size_t> betterHalf(const std::vector<Candidate>& candidates, const std::vector<std::size_t>& running,
                                     double budgetUs);
 

@@ -12,43 +12,43 @@
 
 namespace cairn::advise {
 
-/// Quantiles of these frames of all playings together; `times` by playing, by frame: a slow step counts however fast
-/// the same step was at another playing.
+/// Returns quantiles over these frames of all plays together. `times` is by play, by frame. A slow step counts even if
+/// another play was fast at the same step.
 scenes::Quantiles stepQuantiles(const std::vector<std::vector<double>>& times,
                                 const std::vector<std::uint32_t>& frames);
 
-/// What a tree does with a recording on one budget, over all its playings: errors and operations are the same bits in
-/// each, times are not.
+/// The results of a tree on a recording with one budget, over all its plays. Errors and operations have the same bits
+/// in each play; times differ.
 class Take {
  public:
-  /// Operations a step; nothing: as many as it takes.
+  /// `budget`: operations per step; nothing: unlimited.
   explicit Take(std::optional<std::uint64_t> budget) : budget_(budget) {}
 
-  /// Shows all of the recording's runs once more, each in a world of its own. Fails as `makePlayer` does.
+  /// Plays all of the recording's runs once more, each in a world of its own. Fails as `makePlayer` does.
   Status play(const scenes::Recording& recording, const scenes::Model& model);
 
   std::uint32_t playings() const { return static_cast<std::uint32_t>(times_.size()); }
-  /// Of any frame; 0 before it is played.
+  /// The largest number of operations of any frame; 0 before the first play.
   std::uint64_t mostOperations() const;
-  /// Whether anything was left unresolved in any frame, whether or not bodies touch in it.
+  /// True when any pair stayed unresolved in any frame, also in frames without contact.
   bool cuts() const;
-  /// The frames in which bodies touch, counted on from run to run.
+  /// Returns the frames in which bodies touch, numbered through all runs.
   std::vector<std::uint32_t> busyFrames() const;
-  /// Operations and times over these frames, times by `stepQuantiles`; errors and unresolved pairs as `runCost` has
-  /// them, over all frames in which it has contacts. Precondition: it was played; there are frames.
+  /// Returns operations and times over these frames, with times by `stepQuantiles`. Errors and unresolved pairs follow
+  /// `runCost`, over all frames with contacts. Precondition: it was played; `frames` is not empty.
   Rung rung(const std::vector<std::uint32_t>& frames) const;
 
  private:
-  /// Of these frames those of one run.
+  /// Returns those of the frames that belong to one run.
   std::vector<std::uint32_t> ofRun(std::uint32_t run, const std::vector<std::uint32_t>& frames) const;
   double worstError(std::uint32_t run) const;
-  /// How much starts differ.
+  /// Adds the spread between the starts.
   void addSpread(Rung& rung, const std::vector<std::uint32_t>& frames) const;
 
   std::optional<std::uint64_t> budget_;
   std::uint32_t framesPerRun_ = 0;
-  std::vector<scenes::StepRecord> records_;  ///< of the first playing, by frame
-  std::vector<std::vector<double>> times_;   ///< CPU us of the narrow phase by playing, by frame
+  std::vector<scenes::StepRecord> records_;  ///< of the first play, by frame
+  std::vector<std::vector<double>> times_;   ///< CPU microseconds of the narrow phase, by play, by frame
 };
 
 }  // namespace cairn::advise

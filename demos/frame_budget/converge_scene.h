@@ -10,10 +10,10 @@
 
 namespace cairn::frame_budget {
 
-/// The scene `converge`: records the poses, shows them to every shape, prints the table, writes the files.
+/// Runs the scene `converge`: records the poses, plays them for every shape, prints the table, writes the files.
 Status measureConverge(const Options& options, const scenes::SourcedTree& source, const scenes::Model& model);
 
-/// A shape to be shown a recording. Options and model must outlive it.
+/// A shape for a recording. Options and model must outlive it.
 struct Entrant {
   const Options* options;
   scenes::ShapeKind shape;
@@ -25,8 +25,8 @@ struct ConvergeRuns {
   std::vector<ConvergeRun> runs;  ///< in the order of the entrants
 };
 
-/// Records the poses the first entrant's options ask for and shows them to all, turn by turn. Fails as
-/// `playRecording` does. Precondition: an entrant; all of one mesh and one number of bodies.
+/// Records the poses of the first entrant's options and plays them for all entrants, turn by turn. Fails as
+/// `playRecording` does. Precondition: there is an entrant; all have one mesh and one number of bodies.
 Result<ConvergeRuns> runConverge(std::span<const Entrant> entrants, const std::string& title);
 
 }  // namespace cairn::frame_budget

@@ -16,12 +16,12 @@ struct HeapRun {
   scenes::ShapeKind shape;
   scenes::HeapReport report;
   std::optional<scenes::CrushCourse> course;  ///< of a crush
-  /// Of the last step's contacts between bodies; only when asked for.
+  /// The accuracy of the last step's contacts between bodies; only on request.
   std::optional<scenes::ContactAccuracy> accuracy{};
 };
 
-/// A table on standard output, one column a shape, and what each costs relative to the first. `start` is that of a
-/// crush.
+/// Prints a table on standard output, one column for each shape, with costs relative to the first. `start` is that of a
+/// crush, else null.
 void printHeapTable(const Options& options, const scenes::SourcedTree& tree, const scenes::CrushStart* start,
                     const std::vector<HeapRun>& runs);
 

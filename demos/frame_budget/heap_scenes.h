@@ -9,21 +9,21 @@
 
 namespace cairn::frame_budget {
 
-/// The scenes `heap`, `crush` and `rockfall`: simulates every shape in turn, prints the table, writes the files.
+/// Runs the scenes `heap`, `crush` and `rockfall`: simulates every shape in turn, prints the table, writes the files.
 Status measureHeaps(const Options& options, const scenes::SourcedTree& source, const scenes::Model& model);
 
-/// How the bodies of a crush start; nothing for other scenes.
+/// Returns the start of the bodies of a crush; nothing for other scenes.
 Result<std::optional<scenes::CrushStart>> startOf(const Options& options, const scenes::Model& model);
 
-/// What a run gives beside its figures.
+/// The additional results of a run.
 struct ShapeExtras {
-  std::string title{};   ///< of the progress shown; the shape's name
-  bool picture = false;  ///< draws `options.picture`
-  bool judged = false;   ///< the last step's contacts are compared with the exact meshes
+  std::string title{};   ///< of the progress line; empty: the shape's name
+  bool picture = false;  ///< draw `options.picture`
+  bool judged = false;   ///< compare the last step's contacts with the exact meshes
 };
 
-/// Simulates one shape of one of these scenes. `start` is that of a crush. Fails with `builder::kCancelled` when the
-/// user stops it.
+/// Simulates one shape in one of these scenes. `start` is that of a crush, else null. Fails with `builder::kCancelled`
+/// when the user stops it.
 Result<HeapRun> runShape(const Options& options, const scenes::Model& model, const scenes::CrushStart* start,
                          scenes::ShapeKind shape, const ShapeExtras& extras);
 

@@ -16,8 +16,8 @@ namespace cairn::frame_budget {
 
 enum class Scene : std::uint8_t {
   heap,      ///< bodies dropped in a column into a pit
-  crush,     ///< bodies that start deep in each other, in the same pit
-  converge,  ///< recorded poses of bodies flying to one point, shown to each shape
+  crush,     ///< bodies that start deep inside each other, in the same pit
+  converge,  ///< recorded poses of bodies that fly to one point, played for each shape
   rockfall,  ///< bodies released above a slope
 };
 
@@ -27,10 +27,10 @@ struct Options {
   Scene scene = Scene::heap;
   scenes::TreeSource source;
   std::vector<scenes::ShapeKind> shapes;
-  scenes::HeapOptions heap;          ///< its shape is set for each of `shapes` in turn
-  std::uint32_t steps = 600;         ///< frames a run in `converge`
+  scenes::HeapOptions heap;          ///< its shape is set to each of `shapes` in turn
+  std::uint32_t steps = 600;         ///< frames per run in `converge`
   scenes::ConvergeOptions converge;  ///< bodies, frames and seed as in `heap` and `steps`
-  std::uint32_t truthEvery = 10;     ///< `converge` judges every so many frames
+  std::uint32_t truthEvery = 10;     ///< frames between two checks of `converge`
   int threads = 1;                   ///< of the narrow phase
   std::string priority = "round-robin";
   std::string unresolved = "guard";
@@ -40,11 +40,11 @@ struct Options {
 };
 
 struct Command {
-  std::vector<Options> measurements;  ///< one, or of a sweep each with one shape
+  std::vector<Options> measurements;  ///< one; for a sweep several, each with one shape
   bool isSweep = false;
 };
 
-/// The command, or the exit code if the program is to end now (see `parseCommandLine`).
+/// Returns the command, or the exit code if the program should end now (see `parseCommandLine`).
 std::variant<Command, int> parseOptions(int argc, const char* const* argv);
 
 }  // namespace cairn::frame_budget

@@ -11,14 +11,14 @@
 
 namespace cairn::frame_budget {
 
-/// Refuses files that could not be written, before any work.
+/// Fails for output files that cannot be written, before any work starts.
 Status checkOutputs(const Options& options);
 
-/// Writes what --json and --csv ask for: one object for one shape, an array for several.
+/// Writes the files of --json and --csv: one object for one shape, an array for several.
 Status writeOutputs(const Options& options, const std::vector<nlohmann::ordered_json>& objects,
                     const std::vector<LoggedRun>& runs);
 
-/// The keys that say what was run: scene, mesh, shape, tree and settings.
+/// Returns the keys that describe the run: scene, mesh, shape, tree and settings.
 nlohmann::ordered_json describeRun(const Options& options, const scenes::SourcedTree& source, scenes::ShapeKind shape);
 
 template <class T>

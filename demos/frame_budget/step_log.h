@@ -16,8 +16,8 @@ struct LoggedRun {
   std::span<const scenes::StepRecord> records;
 };
 
-/// What every step of every run did, as CSV, a line a step; what only the sphere-tree can say is left empty for the
-/// others.
+/// Returns the figures of every step of every run as CSV, one line for each step. Cells that only the sphere-tree can
+/// fill are empty for other shapes.
 std::string stepLog(const std::vector<LoggedRun>& runs);
 
 }  // namespace cairn::frame_budget

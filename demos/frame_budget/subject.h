@@ -6,13 +6,13 @@
 
 namespace cairn::frame_budget {
 
-/// What the bodies of a scene are.
+/// The mesh and tree of the bodies of a scene.
 struct Subject {
   scenes::SourcedTree source;
   scenes::Model model;  ///< 1 m across
 };
 
-/// Builds or loads the tree. Fails as that does, and for a level of spheres the tree does not have.
+/// Builds or loads the tree. Fails as that does, and for a level of spheres that the tree does not have.
 Result<Subject> obtainSubject(const Options& options);
 
 }  // namespace cairn::frame_budget

@@ -7,10 +7,10 @@
 
 namespace cairn::frame_budget {
 
-/// Measures combinations one after the other and prints, and writes to --csv and --json, a line for each as it is done;
-/// those of `converge` that share their poses are done together. Fails for what one of them refuses, and with
-/// `builder::kCancelled` when the user stops it; what is done by then is written. Precondition: each has one shape, and
-/// combinations of one scene and one number of bodies follow each other.
+/// Measures combinations one after the other. Prints a line for each as it ends, and writes it to --csv and --json.
+/// Combinations of `converge` with the same poses run together. Fails as any combination does, and with
+/// `builder::kCancelled` when the user stops it; finished combinations are written. Precondition: each has one shape;
+/// combinations of one scene and one number of bodies are adjacent.
 Status measureSweep(const std::vector<Options>& combinations);
 
 }  // namespace cairn::frame_budget

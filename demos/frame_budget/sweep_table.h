@@ -7,13 +7,13 @@
 
 namespace cairn::frame_budget {
 
-/// The line over a sweep's table on standard output; `row` says which mesh.
+/// Prints the header of a sweep's table on standard output; `row` names the mesh.
 void printSweepHead(const nlohmann::ordered_json& row);
-/// A combination's line: the most important of its figures.
+/// Prints a combination's line: its most important figures.
 void printSweepRow(const nlohmann::ordered_json& row);
 
-/// A line for each combination: every figure of the JSON that is one value or a group of such, by names like
-/// `narrow_phase_cpu_us_p99`; empty where a combination has none.
+/// Returns one line for each combination: every figure of the JSON that is a single value or a group of values. Names
+/// look like `narrow_phase_cpu_us_p99`. A cell is empty where a combination lacks the figure.
 std::string sweepCsv(const std::vector<nlohmann::ordered_json>& rows);
 
 }  // namespace cairn::frame_budget

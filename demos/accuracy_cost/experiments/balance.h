@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// Spheres dropped by the optimiser against the error that costs (thesis 6.3 and 7.1.5).
+/// Compares the number of spheres that the optimiser drops with the error this costs (thesis 6.3 and 7.1.5).
 Experiment balanceExperiment();
 
 }  // namespace cairn::accuracy_cost

@@ -8,8 +8,8 @@
 
 namespace cairn::accuracy_cost {
 
-/// That the error of one tree falls with its budget, by operations and by time, and which of ours are dominated:
-/// another of ours errs less in less time. Nothing where no tree has two budgets.
+/// Adds claims that the error of one tree falls with its budget, by operations and by time. Also names the dominated
+/// settings: another of our settings has a smaller error in less time. Adds nothing where no tree has two budgets.
 void addBudgets(const Table& table, std::vector<Claim>& claims);
 
 }  // namespace cairn::accuracy_cost

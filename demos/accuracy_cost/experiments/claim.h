@@ -7,50 +7,52 @@
 
 namespace cairn::accuracy_cost {
 
-/// How many of the cases a claim is about decide it, and so what those that were not measured could change.
+/// The number of cases that decide a claim. It determines what unmeasured cases could change.
 enum class Reach {
-  every,  ///< it is of all: one that fails refutes it, whatever the others do
-  some,   ///< it is of any: one that holds proves it
-  share,  ///< it is of a part or a mean: the others could turn it either way
+  every,  ///< the claim is about all cases: one failure refutes it
+  some,   ///< the claim is about any case: one success proves it
+  share,  ///< the claim is about a part or a mean: unmeasured cases could turn it either way
 };
 
-/// What a claim is about, as far as it can be left out: models, and settings such as methods.
+/// The cases of a claim that a run may leave out: models, and settings such as methods.
 struct Scope {
   Reach reach = Reach::share;         ///< over the models
-  std::vector<std::string> models{};  ///< it is about; empty: all of the experiment's
+  std::vector<std::string> models{};  ///< models of the claim; empty: all of the experiment's
   Reach settingReach = Reach::share;
-  std::vector<std::string> lackingSettings{};  ///< it is about and were not measured
+  std::vector<std::string> lackingSettings{};  ///< settings of the claim that were not measured
 };
 
-/// One statement of the thesis, the rule that decides from the data whether it holds here, and what decided it.
+/// One statement of the thesis, the rule that decides from the data whether it holds here, and the deciding figures.
 struct Claim {
-  std::string thesis;                  ///< what the thesis says, one clause; what we say where it is our own
-  std::string rule;                    ///< when it counts as found again
+  std::string thesis;                  ///< the thesis's statement as one clause; our own statement where `isOwn`
+  std::string rule;                    ///< the condition under which the statement counts as reproduced
   std::string found;                   ///< one clause with figures
-  bool holds = false;                  ///< of what was measured
-  std::vector<std::string> lacking{};  ///< models it is about that were not measured
+  bool holds = false;                  ///< for everything that was measured
+  std::vector<std::string> lacking{};  ///< models of the claim that were not measured
   Scope scope{};
-  std::optional<double> figure{};  ///< what the rule holds against its limit, where that is one number
-  bool isOwn = false;              ///< about what the thesis does not say
+  std::optional<double> figure{};  ///< the number that the rule compares with its limit, if it is a single one
+  bool isOwn = false;              ///< the thesis makes no such statement
 };
 
-/// What is known of a claim when something of what it is about was not measured.
+/// The state of a claim, also when some of its cases were not measured.
 enum class Standing { holds, inPart, undecided, fails };
 Standing standingOf(const Claim& claim);
-/// As the JSON has it.
+/// The name of the standing in the JSON.
 const char* standingName(Standing standing);
-/// How much of what it is about was measured, "only 2 of 6 models measured (without cow, dragon, cone, elephant)";
-/// empty where all was.
+/// Describes the measured share, for example "only 2 of 6 models measured (without cow, dragon, cone, elephant)"; empty
+/// when everything was measured.
 std::string lackingText(const Claim& claim);
-/// Claims with the models they lack: those of `models`, the experiment's, or of their own that are not `measured`.
+/// Fills in `lacking` of each claim: the models of the experiment or of the claim itself that are not in `measured`.
 std::vector<Claim> withLacking(std::vector<Claim> claims, const std::vector<std::string>& models,
                                const std::vector<std::string>& measured);
 
 enum class Verdict { reproduced, inPart, undecided, notReproduced };
 
-/// By the standings of the claims that are the thesis's, of all where none is. No claim: not reproduced.
+/// Returns the verdict from the standings of the thesis's claims, or of all claims when none is the thesis's. Without
+/// claims: not reproduced.
 Verdict verdictOf(const std::vector<Claim>& claims);
-/// As the JSON has it. An experiment of our own reproduces nothing: it holds or does not.
+/// The name of the verdict in the JSON. Our own experiments do not reproduce anything: their names say that they hold
+/// or do not hold.
 const char* verdictName(Verdict verdict, bool isOwn = false);
 /// The rule above in one sentence, for readers of the JSON.
 inline constexpr const char* kVerdictRule =
@@ -59,9 +61,9 @@ inline constexpr const char* kVerdictRule =
     "hold; not reproduced: none does. A claim about all is refuted by one model, one about any proved by one; any "
     "other is not decided by fewer than all.";
 
-/// What was found, one sentence for each claim.
+/// Returns one sentence of results for each claim.
 std::string foundText(const std::vector<Claim>& claims);
-/// How many claims hold, which do not, and which are not decided and why.
+/// Says how many claims hold, which do not, and which are undecided and why.
 std::string whyText(const std::vector<Claim>& claims);
 
 }  // namespace cairn::accuracy_cost

@@ -12,29 +12,29 @@
 
 namespace cairn::accuracy_cost {
 
-/// A shape at one setting.
+/// A shape with one setting.
 struct Contender {
-  std::string series;  ///< contenders of one series differ in one setting, in the order they are listed
+  std::string series;  ///< contenders of one series differ in one setting, in the order of the list
   scenes::ShapeKind shape = scenes::ShapeKind::treeLeaves;
-  std::string method;                        ///< of its tree; empty: it has none
-  unsigned depth = 0;                        ///< of its tree
-  std::optional<std::int64_t> operations{};  ///< a frame; nothing: as many as it takes
-  std::optional<double> margin{};            ///< of body size
+  std::string method;                        ///< of its tree; empty without a tree
+  unsigned depth = 0;                        ///< of its tree, levels below the root
+  std::optional<std::int64_t> operations{};  ///< budget per frame; none: unlimited
+  std::optional<double> margin{};            ///< fraction of body size
   bool isOurs = false;
   const scenes::Model* model = nullptr;
 };
 
-/// What became of a contender.
+/// The result of a contender.
 struct Outcome {
   scenes::ContactAccuracy accuracy;
   double certifiedError = 0;         ///< mean over the frames with contacts; 0 where nothing is certified
-  double operations = 0;             ///< median a frame
-  MedianInterval timeUs;             ///< narrow phase a frame, mean over the frames; over the repetitions
-  MedianInterval timeOverReference;  ///< the same over that of the first contender in the same repetition
+  double operations = 0;             ///< per frame, median
+  MedianInterval timeUs;             ///< narrow phase per frame: mean over the frames, median over the repetitions
+  MedianInterval timeOverReference;  ///< that time divided by the first contender's in the same repetition
 };
 
-/// Shows a recording to all contenders in turn, `repetitions` times; the exact check judges the first. Those this build
-/// has no library for are left out: nothing stands in their place. Fails as `playRecording` does.
+/// Plays a recording for all contenders in turn, `repetitions` times. The exact check judges the first repetition. A
+/// contender whose library this build lacks has no outcome. Fails as `playRecording` does.
 Result<std::vector<std::optional<Outcome>>> holdContest(const scenes::Recording& recording,
                                                         const std::vector<Contender>& contenders,
                                                         std::uint32_t truthEvery, std::uint32_t repetitions,

@@ -7,21 +7,21 @@
 
 namespace cairn::accuracy_cost {
 
-/// How much is measured.
+/// The extent of the measurement.
 struct ContestExtent {
   scenes::ConvergeOptions converge;
   scenes::HeapRecordingOptions heap;
-  std::uint32_t truthEvery = 10;  ///< frames from one the exact check judges to the next
+  std::uint32_t truthEvery = 10;  ///< the exact check judges every frame with this step, from the first on
   std::uint32_t repetitions = 7;  ///< of all shapes in turn
   unsigned depth = 3;             ///< levels of the finest tree
   bool isFine = false;            ///< more trees, more budgets
 };
 
-/// What each shape errs and costs on the same recorded poses: error against microseconds.
+/// Measures the error and the cost of each shape on the same recorded poses: error against microseconds.
 Experiment errorAgainstTimeExperiment();
 
-/// The same on an extent of one's own. Fails with `kCancelled`, and for a model it cannot be made with. Columns but
-/// those of time (their names end in `_us` or begin with `time_`) are the same bits every time.
+/// Measures with a given extent. Fails with `kCancelled`, and for a model that is not suitable. All columns except
+/// those of time have the same bits every time. Names of time columns end in `_us` or begin with `time_`.
 Result<Table> measureErrorAgainstTime(const std::vector<Model>& models, const ContestExtent& extent, std::uint64_t seed,
                                       const builder::ProgressCallback& progress);
 

@@ -8,7 +8,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// The claims of `error-against-time`; exceptions are named in what was found.
+/// Returns the claims of `error-against-time`. `found` of each claim names the exceptions.
 std::vector<Claim> judgeErrorAgainstTime(const Table& table);
 
 }  // namespace cairn::accuracy_cost

@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// Max-cover against max-elim in the Expand reduction (thesis 7.1.3).
+/// Compares max-cover with max-elim in the Expand reduction (thesis 7.1.3).
 Experiment expandSelectionExperiment();
 
 }  // namespace cairn::accuracy_cost

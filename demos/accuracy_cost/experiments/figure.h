@@ -8,16 +8,16 @@
 
 namespace cairn::accuracy_cost {
 
-/// How a series looks: places in the house's lists of colours, markers and dashes (figures/gnuplot_script.h).
+/// The look of a series: indices into the lists of colours, markers and dashes (figures/gnuplot_script.h).
 struct Look {
   unsigned color = 0, marker = 0, dash = 0;
-  bool line = true;     ///< markers joined by a line
-  bool markers = true;  ///< else the line alone
+  bool line = true;     ///< a line joins the markers
+  bool markers = true;  ///< false: only the line
 };
 
-/// Rows of the table as points.
+/// Rows of the table, drawn as points.
 struct Series {
-  std::string label;  ///< in the key; series of one label look alike
+  std::string label;  ///< in the key; series with one label look alike
   Where where;
   std::string y;  ///< column
   Look look;
@@ -26,10 +26,10 @@ struct Series {
 struct Axis {
   std::string label;  ///< with the unit
   bool log = false;
-  double scale = 1;  ///< what a column's values are multiplied by
+  double scale = 1;  ///< factor for a column's values
 };
 
-/// One diagram. Its x is a column of numbers, or with `categories` a column of texts drawn side by side.
+/// One diagram. Its x is a column of numbers; with `categories` it is a column of texts, drawn side by side.
 struct Panel {
   std::string title;
   std::string x;  ///< column
@@ -38,7 +38,7 @@ struct Panel {
   std::vector<std::string> categories{};
 };
 
-/// Diagrams in rows of `columns`, over one key: NAME.svg and NAME.png, drawn from the table's CSV file.
+/// Diagrams in rows of `columns`, above one key. Drawn from the table's CSV file as NAME.svg and NAME.png.
 struct Figure {
   std::string name, title;
   unsigned columns = 2;

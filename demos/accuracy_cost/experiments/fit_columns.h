@@ -8,10 +8,10 @@
 
 namespace cairn::accuracy_cost {
 
-/// Columns of a table that say how well spheres fit: lengths as fractions of the bounding box's diagonal, volumes as
+/// Appends the table columns for the fit of spheres. Lengths are fractions of the bounding box's diagonal, volumes
 /// fractions of the solid's (see `builder::LevelFit`).
 std::vector<std::string> withFitColumns(std::vector<std::string> columns);
-/// The cells that belong to them, after others.
+/// Appends the cells of these columns.
 std::vector<std::string> withFit(std::vector<std::string> cells, const builder::LevelFit& fit);
 
 }  // namespace cairn::accuracy_cost

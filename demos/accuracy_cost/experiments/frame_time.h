@@ -7,19 +7,19 @@
 
 namespace cairn::accuracy_cost {
 
-/// How much is measured.
+/// The extent of the measurement.
 struct FrameTimeExtent {
   std::uint32_t heapBodies = 100, crushBodies = 20;
-  std::uint32_t steps = 600;      ///< a run
+  std::uint32_t steps = 600;      ///< per run
   std::uint32_t repetitions = 6;  ///< of each run, shape by shape in turn
   double heapBudgetUs = 1000, crushBudgetUs = 500;
   unsigned depth = 3;  ///< levels of the tree
 };
 
-/// The narrow phase's time step by step, ours on a budget of microseconds beside Bullet's own shapes.
+/// Measures the narrow phase's time step by step: Cairn on a budget of microseconds beside Bullet's own shapes.
 Experiment frameTimeExperiment();
 
-/// The same on an extent of one's own. Fails with `kCancelled`, and for a model it cannot be made with.
+/// Measures with a given extent. Fails with `kCancelled`, and for a model that is not suitable.
 Result<Table> measureFrameTime(const std::vector<Model>& models, const FrameTimeExtent& extent, std::uint64_t seed,
                                const builder::ProgressCallback& progress);
 

@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// Trees at work in collision detection that is interrupted (thesis 7.2).
+/// Measures trees in collision detection that is interrupted (thesis 7.2).
 Experiment interruptionExperiment();
 
 }  // namespace cairn::accuracy_cost

@@ -8,8 +8,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// The thesis's conclusions of 7.2 and 8.1 about interrupted collision detection, as far as the table has the trees
-/// they are about.
+/// Judges the thesis's conclusions of 7.2 and 8.1 about interrupted collision detection, for the trees in the table.
 std::vector<Claim> judgeInterruption(const Table& table);
 
 }  // namespace cairn::accuracy_cost

@@ -8,7 +8,8 @@
 
 namespace cairn::accuracy_cost {
 
-/// Errors against operations, then for each model and reference tree the thesis's five diagrams and the true distances.
+/// Draws errors against operations. Then draws, for each model and reference tree, the thesis's five diagrams and the
+/// true distances.
 std::vector<Figure> drawInterruption(const Table& table);
 
 }  // namespace cairn::accuracy_cost

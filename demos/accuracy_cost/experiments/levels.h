@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// The fit of whole trees by level, method against method (thesis 7.1.5).
+/// Compares the fit of whole trees by level and method (thesis 7.1.5).
 Experiment levelsExperiment();
 
 }  // namespace cairn::accuracy_cost

@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// Reductions of 500 medial spheres to 8 to 200 (thesis 7.1.4).
+/// Measures reductions of 500 medial spheres to 8 to 200 (thesis 7.1.4).
 Experiment reductionsExperiment();
 
 }  // namespace cairn::accuracy_cost

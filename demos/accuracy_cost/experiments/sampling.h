@@ -5,7 +5,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// Regular against adaptive sampling of the medial axis (thesis 7.1.2).
+/// Compares regular with adaptive sampling of the medial axis (thesis 7.1.2).
 Experiment samplingExperiment();
 
 }  // namespace cairn::accuracy_cost

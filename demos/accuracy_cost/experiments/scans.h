@@ -8,10 +8,10 @@
 
 namespace cairn::accuracy_cost {
 
-/// The scans the thesis draws conclusions from by name, "for bunny and dragon".
+/// The scans that the thesis names in its conclusions ("for bunny and dragon").
 extern const std::vector<std::string> kNamedScans;
 
-/// Those of them a table has, and those it lacks.
+/// The named scans that a table has, and those that it lacks.
 struct Scans {
   std::vector<std::string> measured, lacking;
 };

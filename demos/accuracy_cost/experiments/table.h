@@ -14,10 +14,10 @@
 
 namespace cairn::accuracy_cost {
 
-/// Columns and what rows are to have in them.
+/// Columns, and the texts that rows must have in them.
 using Where = std::vector<std::pair<std::string, std::string>>;
 
-/// A cell's text: of a number that does not exist, none. A name stays what it is, whatever it is.
+/// Returns a cell's text; empty for NaN. A text stays unchanged.
 template <class T>
 std::string cellOf(const T& value) {
   if constexpr (std::is_floating_point_v<T>)
@@ -25,14 +25,14 @@ std::string cellOf(const T& value) {
   return fmt::format("{}", value);
 }
 
-/// What an experiment measured: the CSV file, in memory. Units are part of the columns' names. Cells are text without
-/// commas, quotes or line breaks; numbers are written with the digits to give back the same doubles; an empty cell is a
+/// The measurements of an experiment: the CSV file, in memory. Units are part of the columns' names. Cells are texts
+/// without commas, quotes or line breaks. Numbers have enough digits to give back the same doubles. An empty cell is a
 /// number that does not exist.
 class Table {
  public:
   explicit Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
-  /// One row. Precondition: a cell for each column.
+  /// Adds one row. Precondition: there is one cell for each column.
   template <class... Cells>
   void add(const Cells&... cells) {
     addRow({cellOf(cells)...});
@@ -41,23 +41,23 @@ class Table {
 
   std::size_t rows() const { return rows_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Precondition: there is such a column.
+  /// Precondition: the column exists.
   const std::string& text(std::size_t row, const std::string& column) const;
-  /// NaN for an empty cell. Precondition: likewise.
+  /// NaN for an empty cell. Precondition: the column exists.
   double number(std::size_t row, const std::string& column) const;
 
-  /// Rows that have all this.
+  /// Returns the rows that satisfy all conditions.
   std::vector<std::size_t> select(const Where& where) const;
-  /// Numbers of a column in these rows, in order, without those that do not exist.
+  /// Returns the numbers of a column in these rows, in order, without empty cells.
   std::vector<double> numbers(const std::string& column, const Where& where) const;
-  /// The first of them, NaN without any.
+  /// Returns the first of these numbers; NaN without any.
   double value(const std::string& column, const Where& where) const;
-  /// The different texts of a column, in the order they appear.
+  /// Returns the different texts of a column, in the order in which they appear.
   std::vector<std::string> texts(const std::string& column, const Where& where = {}) const;
 
-  /// A head, then a line for each row.
+  /// Returns a header line, then one line for each row.
   std::string csv() const;
-  /// Fails for text that is no such table.
+  /// Fails for a text that is no such table.
   static Result<Table> parse(const std::string& csv);
 
  private:

@@ -10,11 +10,11 @@
 
 namespace cairn::accuracy_cost {
 
-/// Whether gnuplot can be run: what to ask before hours of measuring for a figure.
+/// Fails when gnuplot cannot be run. Callers ask before they measure for hours.
 Status checkGnuplot();
 
-/// Draws `folder`/NAME.svg and .png from the CSV file of `table`, each whole or not at all. The files' names. Fails
-/// when gnuplot is missing or refuses.
+/// Draws `folder`/NAME.svg and .png from the CSV file of `table`, each completely or not at all. Returns the files'
+/// names. Fails when gnuplot is missing or reports an error.
 Result<std::vector<std::string>> drawFigure(const Figure& figure, const Table& table, const std::filesystem::path& csv,
                                             const std::filesystem::path& folder);
 

@@ -12,7 +12,7 @@
 
 namespace cairn::accuracy_cost {
 
-/// A solid that experiments are made on; its mesh has passed `checkMesh`.
+/// A solid for experiments; its mesh has passed `checkMesh`.
 struct Model {
   std::string name;
   builder::TriangleMesh mesh;
@@ -20,28 +20,28 @@ struct Model {
 
 /// Debian's archive of test meshes, from the package libcgal-demo.
 inline constexpr const char* kMeshArchive = "/usr/share/doc/libcgal-dev/data.tar.gz";
-/// Triangles of scanned models, about as many as the thesis's have.
+/// Number of triangles of scanned models, about as many as in the thesis.
 inline constexpr std::uint32_t kModelTriangles = 1500;
 
-/// Where models come from.
+/// The source of models.
 struct ModelSource {
-  std::filesystem::path made;  ///< folder that models made here are kept in, as NAME.obj; made if missing
+  std::filesystem::path made;  ///< folder for models made here, as NAME.obj; created if missing
   std::filesystem::path archive = kMeshArchive;
-  std::filesystem::path folder{};  ///< not empty: the meshes in here instead, and no others
+  std::filesystem::path folder{};  ///< not empty: only the meshes in this folder are used
 };
 
-/// Names of all models that can be made: scans from the archive, then computed solids.
+/// Returns the names of all models that can be made: scans from the archive, then computed solids.
 std::vector<std::string> modelNames();
 
-/// The file of a model below `source.made`, made if it is not there: a scan is taken from the archive, wrapped tightly
-/// if it is open or crosses itself, and simplified to `kModelTriangles`. Fails for an unknown name, for an archive that
-/// cannot be read, and with `kCancelled`. Seconds for a scan.
+/// Returns the file of a model below `source.made` and makes it if it is missing. A scan comes from the archive, is
+/// wrapped tightly if it is open or intersects itself, and is simplified to `kModelTriangles`. Fails for an unknown
+/// name, for an archive that cannot be read, and with `kCancelled`. Takes seconds for a scan.
 Result<std::filesystem::path> makeModel(const std::string& name, const ModelSource& source,
                                         const builder::ProgressCallback& progress = {});
 
-/// The models of these names, or with a folder all meshes in it, by name. Those the archive would have to give are left
-/// out where there is no archive: `leftOut` is told. Fails when none is left, for meshes that bound no solid, for two
-/// of one name, and with `kCancelled`.
+/// Returns the models of these names; with `source.folder`, all meshes in it, by name. Models of a missing archive are
+/// left out and listed in `leftOut`. Fails when no model is left, for meshes that bound no solid, for two of one name,
+/// and with `kCancelled`.
 Result<std::vector<Model>> readModels(const std::vector<std::string>& names, const ModelSource& source,
                                       std::vector<std::string>& leftOut,
                                       const builder::ProgressCallback& progress = {});

@@ -7,10 +7,10 @@
 
 namespace cairn::accuracy_cost {
 
-/// The simple solids of the thesis's chapter 7, closed and facing outward. Sizes are of our choosing: the thesis gives
-/// none.
+/// The simple solids of the thesis's chapter 7, closed and facing outward. The thesis gives no sizes, so they are our
+/// choice.
 
-/// Edges of a box, each face divided into two triangles.
+/// A box with these edges, two triangles for each face.
 builder::TriangleMesh box(const Vec3d& edges);
 /// Axis z, radius 1, flat ends.
 builder::TriangleMesh cylinder(double height, std::uint32_t sides);
@@ -18,8 +18,8 @@ builder::TriangleMesh cylinder(double height, std::uint32_t sides);
 builder::TriangleMesh cone(double height, std::uint32_t sides);
 /// Axis z; `minor` < `major`.
 builder::TriangleMesh torus(double major, double minor, std::uint32_t around, std::uint32_t across);
-/// A round tube of radius 0.35 along two arcs of 225 degrees and radius 1 that bend opposite ways, of 16 sides, with
-/// flat ends: the stand-in for the thesis's S of NURBS surfaces.
+/// A round tube of radius 0.35 and 16 sides with flat ends. It follows two arcs of 225 degrees and radius 1 that bend
+/// opposite ways. It replaces the thesis's S of NURBS surfaces.
 builder::TriangleMesh sShape();
 
 }  // namespace cairn::accuracy_cost

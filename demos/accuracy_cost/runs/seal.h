@@ -8,17 +8,17 @@
 
 namespace cairn::accuracy_cost {
 
-/// By name, SHA-256 of files in a folder; of what cannot be read nothing.
+/// Returns the SHA-256 of files in a folder, by name. Files that cannot be read are left out.
 nlohmann::ordered_json digestsOf(const std::vector<std::string>& names, const std::filesystem::path& folder);
 
-/// Whether each of these files is in the folder and has the digest it has in `digests`, whatever that holds.
+/// True when each of these files is in the folder and has its digest in `digests`. `digests` may hold anything.
 bool areWhole(const std::vector<std::string>& names, const nlohmann::ordered_json& digests,
               const std::filesystem::path& folder);
 
-/// The document with its own digest as `sha256`, instead of any it has.
+/// Returns the document with its own digest as `sha256`; an existing one is replaced.
 nlohmann::ordered_json sealed(nlohmann::ordered_json document);
 
-/// Whether nothing of a document changed since it was sealed. False for what is no object.
+/// True when a document is unchanged since it was sealed. False for any value that is no object.
 bool isSealed(const nlohmann::ordered_json& document);
 
 }  // namespace cairn::accuracy_cost

@@ -7,12 +7,12 @@
 
 namespace cairn::accuracy_cost {
 
-/// How often each claim of an experiment holds over runs of several seeds, and the least, median and greatest of what
-/// its rule holds against a limit, where that is one number. `documents`: of one experiment, one a seed, all with the
-/// same claims; one at least.
+/// Counts how often each claim of an experiment holds over runs with several seeds. Where the rule has a single figure,
+/// also gives its least, median and greatest value. Precondition: `documents` holds one document for each seed, at
+/// least one, all of one experiment and with the same claims.
 nlohmann::ordered_json overSeeds(const std::vector<nlohmann::ordered_json>& documents);
 
-/// One line for each claim.
+/// Returns one line for each claim.
 std::string seedsText(const nlohmann::ordered_json& overSeeds);
 
 }  // namespace cairn::accuracy_cost

@@ -11,9 +11,9 @@
 
 namespace cairn::scenes {
 
-/// Cuts a closed mesh into nearly convex parts with HACD (Mamou and Ghorbel 2009, from Bullet's extras) and returns the
-/// corners of each part's hull. Together the hulls fill the mesh's dents up to a tenth of its size. Seconds for a
-/// thousand triangles. Fails in a build without HACD, and if HACD does.
+/// Cuts a closed mesh into nearly convex parts with HACD (Mamou and Ghorbel 2009, from Bullet's extras). Returns the
+/// corners of each part's hull. Together the hulls fill the mesh's concavities up to a tenth of its size. Takes seconds
+/// for a thousand triangles. Fails in a build without HACD, and if HACD fails.
 Result<std::vector<std::vector<Vec3d>>> convexParts(std::span<const Vec3d> vertices,
                                                     std::span<const std::array<std::uint32_t, 3>> triangles);
 

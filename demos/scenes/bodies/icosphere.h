@@ -7,8 +7,8 @@
 
 namespace cairn::scenes {
 
-/// An icosahedron on the unit sphere, each triangle quartered so many times: 20 * 4^n triangles, convex. The mesh has
-/// no name.
+/// Returns an icosahedron on the unit sphere, with each triangle split in four `subdivisions` times: 20 * 4^n
+/// triangles, convex. The mesh has no name.
 builder::TriangleMesh icosphere(std::uint32_t subdivisions);
 
 }  // namespace cairn::scenes

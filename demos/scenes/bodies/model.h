@@ -12,25 +12,27 @@
 
 namespace cairn::scenes {
 
-/// A mesh ready to be simulated in any shape: every shape gets the same size, mass frame and inertia, taken from the
+/// A mesh ready for simulation in any shape. Every shape gets the same size, mass frame and inertia, taken from the
 /// tree. Body frame: origin at the mesh's centre of mass, axes along its principal axes, metres.
+///
+///     Model model = makeModel(tree, 1.0); // 1 m across
 struct Model {
   std::shared_ptr<const SphereTree> tree;
   double scale = 1;  ///< metres per mesh unit
   double size = 1;   ///< diagonal of the mesh's bounding box (mesh axes), metres
-  double reach = 0;  ///< distance of the farthest vertex from the centre of mass, metres
+  double reach = 0;  ///< distance from the centre of mass to the farthest vertex, metres
   std::vector<Vec3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   btVector3 inertia;  ///< principal moments of 1 kg
 
-  /// Where a point of the tree frame is in the body frame.
+  /// Converts a point from the tree frame to the body frame.
   Vec3d bodyFromTree(const Vec3& p) const;
 };
 
-/// The tree's mesh, scaled to a bounding-box diagonal of `size` metres (> 0).
+/// Returns the tree's mesh, scaled to a bounding-box diagonal of `size` metres (> 0).
 Model makeModel(std::shared_ptr<const SphereTree> tree, double size);
 
-/// Bullet's vector of any precision, and back.
+/// Converts to Bullet's vector in its configured precision, and back.
 inline btVector3 toBullet(const Vec3d& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }

@@ -10,23 +10,23 @@
 
 namespace cairn::scenes {
 
-/// What wear leaves of a unit ball, as a function of direction: flat cuts, dents and roughness. Along a ray from the
-/// centre there is one surface point, so meshes whose vertices are moved to it stay closed and free of
-/// self-intersections.
+/// A worn unit ball as a function of direction: flat cuts, dents and roughness. Each ray from the centre has one
+/// surface point. So meshes whose vertices move to that point stay closed and free of self-intersections.
 class WornSurface {
  public:
   explicit WornSurface(std::uint64_t noiseSeed) : noise_(noiseSeed) {}
 
-  /// A plane at `distance` from the centre, below 1. `normal` is unit.
+  /// Cuts along a plane at `distance` from the centre, below 1. `normal` has length 1.
   void cut(const Vec3d& normal, double distance) { cuts_.push_back({normal, distance}); }
-  /// `width`: a chord of the unit sphere. `depth`: of the distance there, below 1.
+  /// Adds a dent. `width`: a chord of the unit sphere. `depth`: fraction of the distance there, below 1.
   void dent(const Vec3d& direction, double width, double depth) { dents_.push_back({direction, width, depth}); }
-  /// Whether no dent is nearer to a direction than a chord of that length.
+  /// True when every dent is farther from a direction than a chord of length `apart`.
   bool isFree(const Vec3d& direction, double apart) const {
     return std::ranges::all_of(dents_, [&](const Dent& d) { return distance(d.direction, direction) > apart; });
   }
 
-  /// Distance of the surface from the centre along a unit direction. `roughness`: of the full one, 0..1.
+  /// Returns the distance of the surface from the centre along a unit direction. `roughness`: fraction of the full
+  /// roughness, 0..1.
   double radius(const Vec3d& direction, double roughness = 1) const {
     double radius = 1;
     for (const Cut& cut : cuts_) {

@@ -15,14 +15,14 @@ class App;
 
 namespace cairn::scenes {
 
-/// Exit codes every program of the house uses.
+/// The exit codes of every program in this project.
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitRefused = 1;  ///< the input was refused or a check failed
 inline constexpr int kExitWrongUsage = 2;
 inline constexpr int kExitCancelled = 130;
 
-/// Parses the command line. Returns the exit code if the program is to end now: help was printed, or the usage is wrong
-/// and one sentence said so on standard error.
+/// Parses the command line. Returns the exit code if the program should end now. Then help was printed, or one sentence
+/// on standard error named the wrong usage.
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv);
 
 /// Prints one sentence on standard error and returns the exit code that belongs to it.
@@ -32,12 +32,12 @@ int refuseUsage(std::string_view program, const Error& error);
 /// For `CLI::Option::check`: one sentence if the text is no whole number from 0 to 2^63 - 1, else empty.
 std::string refuseNoWholeNumber(const std::string& text);
 
-/// From now on the interrupt key (SIGINT) only sets a flag.
+/// From this call on, the interrupt key (SIGINT) only sets a flag.
 void watchForInterrupt();
 bool interrupted();
 
-/// A line on standard error: on a terminal it overwrites itself, and empties itself at the end; elsewhere there is one
-/// every five minutes.
+/// A progress line on standard error. On a terminal it overwrites itself and is erased at the end. Elsewhere a line
+/// appears every five minutes.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string title);

@@ -7,8 +7,8 @@
 
 namespace cairn::scenes {
 
-/// Runs a program, found on the path, with its output and errors going to `log`, and waits for it. Its exit code, or an
-/// error number as a negative one: -ENOENT where there is no such program. With a `folder` it works in that one.
+/// Runs a program from the path, in `folder` if given, and waits for it. Its output and errors go to `log`. Returns its
+/// exit code, or a negative error number: -ENOENT for a missing program.
 int runCommand(const std::vector<std::string>& command, const std::filesystem::path& log,
                const std::filesystem::path& folder = {});
 

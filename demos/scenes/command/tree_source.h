@@ -13,8 +13,8 @@
 
 namespace cairn::scenes {
 
-/// Where a program gets its sphere-tree from: a `.cairn` file, else a mesh file built in the process, else a generated
-/// rock.
+/// The source of a program's sphere-tree: a `.cairn` file, else a mesh file from which a tree is built, else a
+/// generated rock.
 struct TreeSource {
   std::optional<std::filesystem::path> tree;
   std::optional<std::filesystem::path> mesh;
@@ -25,10 +25,10 @@ struct TreeSource {
 struct SourcedTree {
   std::shared_ptr<const SphereTree> tree;
   std::string meshName;
-  double buildWallSeconds = 0;  ///< 0 for a tree that was loaded
+  double buildWallSeconds = 0;  ///< 0 for a loaded tree
 };
 
-/// Fails as loadTree, importMesh and buildTree fail.
+/// Loads or builds the tree. Fails as `loadTree`, `importMesh` and `buildTree` do.
 Result<SourcedTree> obtainTree(const TreeSource& source, const builder::ProgressCallback& progress = {});
 
 }  // namespace cairn::scenes

@@ -12,11 +12,11 @@
 
 namespace cairn::scenes {
 
-/// What happens when bodies meet on their way to the centre.
+/// The behaviour of bodies that meet on their way to the centre.
 enum class Meeting : std::uint8_t {
-  through,  ///< nothing: each flies on as if it were alone
-  bounce,   ///< they collide as exact meshes (GImpact with a margin of 0.1 % of body size), independent of
-            ///< every shape under test: thesis 7.2
+  through,  ///< they ignore each other and fly on
+  bounce,  ///< they collide as exact meshes (GImpact, margin of 0.1 % of body size), independent of every tested shape:
+           ///< thesis 7.2 every shape under test: thesis 7.2
 };
 
 Result<Meeting> parseMeeting(std::string_view name);
@@ -25,25 +25,27 @@ const char* meetingName(Meeting meeting);
 struct ConvergeOptions {
   std::uint32_t bodies = 20;   ///< at least 1
   std::uint32_t runs = 5;      ///< each with its own random starts, at least 1
-  std::uint32_t frames = 300;  ///< a run, 1/60 s each
+  std::uint32_t frames = 300;  ///< per run, 1/60 s each
   std::uint64_t seed = 1;
   Meeting meeting = Meeting::bounce;
 };
 
-/// How all bodies of a scene moved, frame by frame, so that any number of shapes can be asked about the same poses.
+/// The motions of all bodies of a scene, frame by frame. Any number of shapes can be tested on the same poses.
 struct Recording {
   std::uint32_t bodies = 0, runs = 0, framesPerRun = 0;
   std::vector<BodyMotion> motions;  ///< of each body, frame by frame, run by run
 
   std::span<const BodyMotion> frame(std::uint32_t run, std::uint32_t frame) const;
-  /// Over all motions: equal for equal bits.
+  /// Returns a hash of all motions; equal bits give equal hashes.
   std::string hash() const;
 };
 
-/// Scene B, thesis 7.2: bodies at random places on a sphere, at random orientations and not touching, fly to its centre
-/// at random speeds and spins; no gravity. The sphere has room for the bodies and they arrive one third to two thirds
-/// through a run of 300 frames. A pure function of model and options; the first bodies of a run do not depend on how
-/// many follow.
+/// Records scene B (thesis 7.2): bodies fly to the centre of a sphere. They start at random places on it, at random
+/// orientations and not touching. Speeds and spins are random; there is no gravity. The sphere has room for the bodies,
+/// which arrive one third to two thirds through a run of 300 frames. A pure function of model and options. The first
+/// bodies of a run do not depend on the number of later ones.
+///
+///     Recording recording = recordConverge(model, {.bodies = 20}).value();
 Result<Recording> recordConverge(const Model& model, const ConvergeOptions& options);
 
 }  // namespace cairn::scenes

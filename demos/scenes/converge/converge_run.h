@@ -16,15 +16,15 @@ namespace cairn::scenes {
 struct ConvergeReport {
   RunCost cost;
   ContactAccuracy accuracy;
-  std::vector<StepRecord> records;  ///< one a frame, run after run
+  std::vector<StepRecord> records;  ///< one per frame, run after run
 };
 
-/// Told before each frame, shown or judged, how much is done, from 0 to 1; returns false to stop.
+/// Called before each frame, played or judged, with the finished share from 0 to 1; returns false to stop.
 using PlayCallback = std::function<bool(double fraction)>;
 
-/// Shows a recording to every player, run by run in turn, so that a busy machine disturbs all of them alike. Every
-/// `truthEvery`-th frame (>= 1) is judged, after the player's turn: the check must not cool the caches of what is
-/// timed. The truth of a frame is found once, whoever is judged by it. Reports in the players' order. Fails with
+/// Plays a recording for every player, run by run in turn, so that a busy machine disturbs all players alike. Every
+/// `truthEvery`-th frame (>= 1) is judged after the player's turn, because the check must not disturb the caches of
+/// timed code. The truth of a frame is found once for all players. Reports are in the players' order. Fails with
 /// `builder::kCancelled` if the callback stops it, and if the mesh is not closed.
 Result<std::vector<ConvergeReport>> playRecording(const Recording& recording, const Model& model,
                                                   std::span<const std::unique_ptr<Player>> players,

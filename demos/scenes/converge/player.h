@@ -16,22 +16,22 @@ class Player {
  public:
   virtual ~Player() = default;
 
-  /// Forgets all frames shown so far: what comes next is another run.
+  /// Forgets all frames so far; another run follows.
   virtual Status begin() = 0;
-  /// One frame: a motion a body. Its cost is the narrow phase alone.
+  /// Plays one frame with one motion for each body. The recorded cost is the narrow phase alone.
   virtual StepRecord show(std::span<const BodyMotion> motions) = 0;
-  /// What the last frame gave.
+  /// Returns the contacts of the last frame.
   virtual std::vector<ReportedContact> contacts() const = 0;
 };
 
-/// `world.shape` says which shape; it may be any. Fails for what shape or dispatcher refuse, and in one sentence for a
-/// shape this build has no library for.
+/// Makes a player for any shape, `world.shape`. Fails when the shape or the dispatcher refuses its options, and in one
+/// sentence for a shape whose library this build lacks.
 Result<std::unique_ptr<Player>> makePlayer(const Model& model, std::uint32_t bodies, const WorldOptions& world,
                                            const ShapeOptions& shape);
 
-/// The Flexible Collision Library on the same triangles: BVHModel of OBBRSS, `collide` with as many contacts a pair as
-/// a Bullet manifold holds (it stops there: cheap for bodies deep in each other), for every pair whose meshes' boxes
-/// overlap; the boxes are not part of its time. Fails in a build without FCL.
+/// Makes a player for the Flexible Collision Library on the same triangles: BVHModel of OBBRSS. It calls `collide` for
+/// every pair of meshes with overlapping boxes. The limit of contacts per pair is that of a Bullet manifold; `collide`
+/// stops there, which is cheap for deep overlaps. The time excludes the boxes. Fails in a build without FCL.
 Result<std::unique_ptr<Player>> makeFclPlayer(const Model& model);
 
 }  // namespace cairn::scenes

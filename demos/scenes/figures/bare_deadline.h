@@ -7,9 +7,9 @@
 
 namespace cairn::scenes {
 
-/// What keeping a deadline costs on this machine when nothing is done: `times` loops in a row that read the clock,
-/// about once a microsecond, until `microseconds` have passed. Their CPU time in microseconds, as the scenes measure
-/// that of the narrow phase. What is above `microseconds` here no program can avoid: other users of the machine cause
+/// Measures the cost of a deadline on this machine without any work. Runs `times` loops in a row that read the clock,
+/// about once a microsecond, until `microseconds` have passed. Returns their CPU time in microseconds, measured like
+/// that of the narrow phase. No program can avoid an excess over `microseconds` here: other users of the machine cause
 /// it.
 Quantiles bareDeadline(double microseconds, std::uint32_t times);
 

@@ -5,8 +5,8 @@
 
 namespace cairn::scenes {
 
-/// CPU time this thread has used: unlike the wall clock, not disturbed by what else the machine does. POSIX. About 0.2
-/// us.
+/// Returns the CPU time of this thread, microseconds. Unlike the wall clock, other work on the machine does not disturb
+/// it. POSIX. About 0.2 us.
 inline double threadCpuMicroseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

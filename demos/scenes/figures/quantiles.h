@@ -5,7 +5,7 @@
 
 namespace cairn::scenes {
 
-/// Nearest-rank quantiles of a sample: the smallest value with at least that share of the sample at or below it.
+/// Nearest-rank quantiles of a sample: the smallest value such that at least this share of the sample is no larger.
 struct Quantiles {
   double median = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
 };

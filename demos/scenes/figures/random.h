@@ -10,8 +10,8 @@
 
 namespace cairn::scenes {
 
-/// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n), so adding a
-/// consumer never shifts the numbers of another. Two rounds of the SplitMix64 finaliser (Steele, Lea and Flood 2014).
+/// Counter-based random numbers. The n-th number of a stream is a pure function of (seed, stream, n), so a new consumer
+/// never shifts the numbers of another. Two rounds of the SplitMix64 finaliser (Steele, Lea and Flood 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
@@ -21,7 +21,7 @@ class Random {
   double uniform();
   /// In [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform on the unit sphere (Marsaglia 1972: no trigonometry, hence the same bits with every C library).
+  /// Uniform on the unit sphere (Marsaglia 1972). Without trigonometry, so every C library gives the same bits.
   Vec3d direction();
   /// Uniform over all rotations (Marsaglia 1972).
   btQuaternion rotation();

@@ -6,14 +6,14 @@
 
 namespace cairn::scenes {
 
-/// Mean and maximum of a quantity over those that have it.
+/// Mean, maximum and count of a quantity.
 struct Spread {
   double mean = 0;
   double max = 0;
   std::uint32_t pairs = 0;
 };
 
-/// Collects values given as lengths, reports fractions of body size.
+/// Collects lengths and reports them as fractions of body size.
 class SpreadOfLengths {
  public:
   void add(double length) {

@@ -11,25 +11,25 @@
 
 namespace cairn::scenes {
 
-/// How a crushed heap came apart. Depths are fractions of body size.
+/// The separation of a crushed heap over time. Depths are fractions of body size.
 struct CrushCourse {
   double emptyStepCpuUs = 0;                ///< see `measureEmptyStep`
-  std::optional<double> bareDeadlineCpuUs;  ///< 99.9 % of `bareDeadline`, where the budget is in microseconds
+  std::optional<double> bareDeadlineCpuUs;  ///< 99.9 % quantile of `bareDeadline`, for a budget in microseconds
   std::vector<double> worstPenetration;     ///< of the meshes: at the start and after every `kCourseInterval` steps
-  /// Seconds from which on the worst penetration stayed below `kResolvedFraction`; nothing if it is not at the end.
+  /// Seconds after which the worst penetration stays below `kResolvedFraction`; nothing if it is not below at the end.
   std::optional<double> resolvedAfter;
 };
 
 inline constexpr std::uint32_t kCourseInterval = 15;  ///< steps: a quarter of a second
 inline constexpr double kResolvedFraction = 0.03;
 
-/// Runs a scene that stands as it started and adds to `course` how it came apart. The poses to be judged are kept and
-/// judged at the end: the check must not cool the caches of what is timed. Fails as `runHeap` does.
+/// Runs a scene from its start poses and records the separation in `course`. Poses are stored and judged at the end,
+/// because the check must not disturb the caches of timed code. Fails as `runHeap` does.
 Result<HeapReport> runCrush(BodyScene& scene, std::uint32_t steps, CrushCourse& course,
                             const StepCallback& afterStep = {});
 
-/// Median CPU time, us, of the narrow phase when there is nothing to do: the bodies of `options.start` in the same pit,
-/// but weightless and far from each other and from the pit, with a budget of zero operations.
+/// Returns the median CPU time (us) of the narrow phase without any work. The bodies of `options.start` are in the same
+/// pit, but weightless and far from each other and from the pit. The budget is zero operations.
 Result<double> measureEmptyStep(const Model& model, const HeapOptions& options);
 
 }  // namespace cairn::scenes

@@ -9,19 +9,19 @@
 
 namespace cairn::scenes {
 
-/// Bodies pressed into each other, as no simulation should ever leave them.
+/// Start poses of bodies that are pressed into each other more than any simulation should leave them.
 struct CrushStart {
   std::vector<btTransform> poses;
-  Spread depth;  ///< of the meshes in each other, fractions of body size
+  Spread depth;  ///< penetration of the meshes, fractions of body size
 };
 
-/// No pair starts deeper than this, as a fraction of body size.
+/// Largest penetration of a pair at the start, as a fraction of body size.
 inline constexpr double kDeepestStartFraction = 0.25;
 
-/// Bodies on a cubic grid of a third of their size, shaken by a twentieth, at random orientations, the lowest just
-/// above the ground z = 0, around the middle. Where some pair would be deeper than `kDeepestStartFraction` the grid is
-/// widened until none is. Twenty bunnies: some eighty pairs, as deep as the mesh is thick. A pure function of model,
-/// count and seed; seconds. Fails if the mesh is not closed.
+/// Places bodies on a cubic grid of a third of their size, displaced by a twentieth, at random orientations. The lowest
+/// body is just above the ground z = 0; the grid is centred. Where some pair would be deeper than
+/// `kDeepestStartFraction`, the grid is widened until none is. Twenty bunnies give some eighty pairs, as deep as the
+/// mesh is thick. A pure function of model, count and seed. Takes seconds. Fails if the mesh is not closed.
 Result<CrushStart> crushStart(const Model& model, std::uint32_t bodies, std::uint64_t seed);
 
 }  // namespace cairn::scenes

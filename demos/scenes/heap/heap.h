@@ -12,33 +12,34 @@ namespace cairn::scenes {
 
 struct HeapOptions {
   std::uint32_t bodies = 100;  ///< at least 1
-  std::uint64_t seed = 1;      ///< of the bodies' orientations and places
-  bool isWatched = false;      ///< by somebody who stands at the pit's edge, see `heapViewer`
-  /// Steps before the world's budget holds, to see what it does to bodies that have come to rest.
+  std::uint64_t seed = 1;      ///< for the bodies' orientations and places
+  bool isWatched = false;      ///< a viewer stands at the pit's edge, see `heapViewer`
+  /// Steps before the world's budget applies. They show its effect on bodies at rest.
   std::uint32_t stepsWithoutBudget = 0;
-  WorldOptions world;  ///< its shape is what the bodies collide as; its viewer is set when the heap is watched
+  WorldOptions world;  ///< its shape is the bodies' shape; its viewer is set when the heap is watched
   ShapeOptions shape;
-  /// Where the bodies start, one pose a body; empty: in the column.
+  /// Start poses, one for each body; empty: bodies start in a column.
   std::vector<btTransform> start;
 };
 
-/// Somebody who stands well outside a pit and looks at the middle of its heap: 1.5 times the pit's width away, 60
-/// degrees of view.
+/// Returns a viewer well outside a pit who looks at the middle of its heap: 1.5 times the pit's width away, 60 degrees
+/// of view.
 Viewer heapViewer(const Pit& pit);
 
-/// Bodies of one mesh in a pit. Unless told where to start they are dropped in a column, at random orientations, no two
-/// touching.
+/// Bodies of one mesh in a pit. Without start poses they drop in a column, at random orientations, without contact.
+///
+///     auto heap = Heap::create(model, {.bodies = 100}).value();
+///     HeapReport report = runHeap(*heap, 600).value();
 class Heap final : public BodyScene {
  public:
-  /// Fails for what the shape or the dispatcher refuses.
+  /// Fails when the shape or the dispatcher refuses its options.
   static Result<std::unique_ptr<Heap>> create(const Model& model, const HeapOptions& options);
 
   ~Heap() override;
 
   const Pit& pit() const { return pit_; }
 
-  /// Bodies that left the pit through ground or walls by more than half their size, or whose place is no longer a
-  /// number.
+  /// Number of bodies that left the pit through ground or walls by more than half their size, or whose place is NaN.
   std::uint32_t countLost() const override;
   std::size_t groundParts() const override { return pit_.faces().size(); }
   double clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t part) const override;

@@ -8,8 +8,8 @@
 
 namespace cairn::scenes {
 
-/// The measured keys of frame_budget's JSON. A key only the sphere-tree can answer (operations, certified error,
-/// unresolved pairs) is null for other shapes, never left out.
+/// Returns the measured keys of frame_budget's JSON. Keys that only the sphere-tree can fill (operations, certified
+/// error, unresolved pairs) are null for other shapes, never left out.
 nlohmann::ordered_json toJson(const RunCost& cost);
 nlohmann::ordered_json toJson(const HeapReport& report);
 

@@ -7,8 +7,8 @@
 
 namespace cairn::scenes {
 
-/// A POV-Ray scene of a heap as it stands: the meshes (whatever shape they collided as) in their pit, its front walls
-/// cut away.
+/// Returns a POV-Ray scene of a heap's current poses: the meshes (whatever shape they collided as) in their pit,
+/// without its front walls.
 std::string heapPicture(const Heap& heap);
 
 }  // namespace cairn::scenes

@@ -10,7 +10,7 @@
 
 namespace cairn::scenes {
 
-/// Bullet's debug drawing, kept: the lines a game's own drawer would get.
+/// Records the lines of Bullet's debug drawing, which a game's own drawer would receive.
 class LineRecorder final : public btIDebugDraw {
  public:
   struct Line {
@@ -35,8 +35,8 @@ class LineRecorder final : public btIDebugDraw {
 
 inline constexpr PictureSize kLinePictureSize{1800, 480};
 
-/// A POV-Ray scene of the lines as seen along y, x to the right and z up, framed for `kLinePictureSize`; dark ground,
-/// as a game's viewer has. Precondition: there are lines.
+/// Returns a POV-Ray scene of the lines, seen along y with x to the right and z up, framed for `kLinePictureSize`. The
+/// ground is dark, as in a game's viewer. Precondition: there are lines.
 std::string linePicture(std::span<const LineRecorder::Line> lines);
 
 }  // namespace cairn::scenes

@@ -25,11 +25,12 @@ struct PictureSize {
   std::uint32_t width = 1600, height = 800;
 };
 
-/// The same picture of another width.
+/// Returns the size of the same picture at another width.
 PictureSize scaledTo(const PictureSize& size, std::uint32_t width);
 
-/// Renders a scene with the program povray (Debian package of that name), headless, to a PNG that is written completely
-/// or not at all. Fails with one sentence if povray is missing or refuses the scene. Blocks until it is done.
+/// Renders a scene with the program povray (Debian package of that name), without a window, to a PNG. The file is
+/// written completely or not at all. Fails with one sentence if povray is missing or refuses the scene. Blocks until it
+/// is done.
 Status renderWithPovray(const std::string& scene, const PictureSize& size, const std::filesystem::path& png);
 
 }  // namespace cairn::scenes

@@ -10,7 +10,7 @@
 
 namespace cairn::scenes {
 
-/// Which mesh axis points up in a picture.
+/// The mesh axis that points up in a picture.
 enum class UpAxis : std::uint8_t { y, z };
 
 struct MeshView {
@@ -18,7 +18,8 @@ struct MeshView {
   double turnDegrees = 30;  ///< of the mesh about its up axis
 };
 
-/// A mesh in picture units: diagonal 1, bounding box centred, turned and tilted: x right, z up, seen along +y.
+/// The frame of a mesh in picture units: diagonal 1, bounding box centred, turned and tilted. x points right, z up; the
+/// view is along +y.
 class PictureFrame {
  public:
   /// Precondition: at least two different vertices.
@@ -39,15 +40,15 @@ class PictureFrame {
   double scale_;
 };
 
-/// What spheres in pictures have in common, as pieces of a POV-Ray scene in picture units.
+/// The common parts of pictures of spheres, as pieces of a POV-Ray scene in picture units.
 
 /// Camera, light and textures `BodyTexture`, `Matt`: a picture of this width and height around `middle` (a height).
 std::string spherePreamble(double width, double height, double middle);
-/// Coloured by its error, a fraction of the size.
+/// A sphere coloured by its error, a fraction of the size.
 std::string sphereText(const Vec3d& center, double radius, double errorFraction, double transmit);
-/// A heading and a line below it, centred at a place of the picture plane.
+/// A heading and a line below it, centred at a point of the picture plane.
 std::string labelText(const std::string& heading, const std::string& line, double x, double z);
-/// The colours of errors, centred at this height.
+/// The colour scale of errors, centred at this height.
 std::string colorScaleText(double z);
 
 }  // namespace cairn::scenes

@@ -10,7 +10,7 @@
 
 namespace cairn::scenes {
 
-/// Balls that stand for a whole solid, and what they are called.
+/// Balls that represent a whole solid, and their title.
 struct SphereSet {
   std::string heading, line;
   std::vector<builder::Ball> balls;
@@ -19,11 +19,11 @@ struct SphereSet {
 /// A contact sheet: sets in rows, all rows of one length. Precondition: at least one set in each row.
 using SphereSheet = std::vector<std::vector<SphereSet>>;
 
-/// Of a picture as wide as this many pixels.
+/// Returns the size of a picture of the sheet with this width in pixels.
 PictureSize sphereSetPictureSize(const SphereSheet& sheet, std::uint32_t width);
 
-/// A POV-Ray scene of the sheet: each ball coloured by how far it can stand off the solid (`Ball::standOff`), with a
-/// colour scale.
+/// Returns a POV-Ray scene of the sheet. Each ball is coloured by its largest possible distance from the solid
+/// (`Ball::standOff`), with a colour scale.
 std::string sphereSetPicture(const builder::TriangleMesh& mesh, const SphereSheet& sheet, const MeshView& view);
 
 }  // namespace cairn::scenes

@@ -10,8 +10,8 @@ namespace cairn::scenes {
 
 inline constexpr PictureSize kTreePictureSize{1800, 620};
 
-/// A POV-Ray scene of a tree for `kTreePictureSize`: the mesh, then the spheres of levels 0 to 3 (fewer if the tree is
-/// shallower), side by side, each sphere coloured by its certified error, with a colour scale.
+/// Returns a POV-Ray scene of a tree for `kTreePictureSize`: the mesh, then the spheres of levels 0 to 3 side by side.
+/// A shallower tree shows fewer levels. Each sphere is coloured by its certified error, with a colour scale.
 std::string treePicture(const SphereTree& tree, const MeshView& view);
 
 }  // namespace cairn::scenes

@@ -11,17 +11,17 @@ namespace cairn::scenes {
 
 struct RockfallOptions {
   std::uint32_t rocks = 100;
-  std::uint64_t seed = 1;                ///< of the slope and of the rocks' orientations and places
-  std::uint32_t stepsWithoutBudget = 0;  ///< before the world's budget holds
-  WorldOptions world;                    ///< its shape is what the rocks collide as; its time step is the scene's
+  std::uint64_t seed = 1;                ///< for the slope and the rocks' orientations and places
+  std::uint32_t stepsWithoutBudget = 0;  ///< steps before the world's budget applies
+  WorldOptions world;                    ///< its shape is the rocks' shape; the scene sets its time step
   ShapeOptions shape;
 };
 
-/// Rocks of one model and of 1 kg released above the shelf of a slope, which is a mesh of triangles for every shape.
-/// Steps of 1/120 s, because the fastest rocks pass their own radius in 1/60 s.
+/// Rocks of one model and of 1 kg, released above the shelf of a slope. The slope is a mesh of triangles for every
+/// shape. Steps take 1/120 s, because the fastest rocks travel their own radius in 1/60 s.
 class Rockfall final : public BodyScene {
  public:
-  /// Fails for what the shape or the dispatcher refuses.
+  /// Fails when the shape or the dispatcher refuses its options.
   static Result<std::unique_ptr<Rockfall>> create(const Model& model, const RockfallOptions& options);
   ~Rockfall() override;
 

@@ -12,9 +12,8 @@
 
 namespace cairn::scenes {
 
-/// A rough stepped slope as a triangle mesh: a shelf at the top, benches and risers, a flat catch basin at the foot,
-/// and banks on all sides that nothing is meant to climb. Metres, z up, downhill along +x, the middle of the slope at y
-/// = 0.
+/// A rough stepped slope as a triangle mesh: a shelf at the top, benches and risers, and a flat catch basin at the
+/// foot. Banks on all sides keep rocks inside. Metres, z up, downhill along +x, the middle of the slope at y = 0.
 class Slope {
  public:
   /// The same seed gives the same bits.
@@ -24,12 +23,12 @@ class Slope {
 
   btBvhTriangleMeshShape& shape() { return *shape_; }
 
-  /// Height of the triangle mesh itself over (x, y). Precondition: `covers(x, y)`.
+  /// Returns the height of the triangle mesh at (x, y). Precondition: `covers(x, y)`.
   double heightAt(double x, double y) const;
   bool covers(double x, double y) const;
-  /// Distance of a point from the triangle mesh, negative below it. Precondition: `covers(p.x, p.y)`.
+  /// Returns the distance of a point from the triangle mesh, negative below it. Precondition: `covers(p.x, p.y)`.
   double signedDistance(const Vec3d& p) const;
-  /// Corners of the mesh in a box.
+  /// Returns the corners of the mesh in a box.
   std::vector<Vec3d> cornersIn(const Vec3d& lower, const Vec3d& upper) const;
 
   static constexpr double kShelfLength = 8;  ///< of the top shelf, from x = 0

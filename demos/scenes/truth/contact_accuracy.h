@@ -12,28 +12,27 @@
 
 namespace cairn::scenes {
 
-/// How right the contacts of a shape were over the frames that were checked. Lengths are fractions of body size. A pair
-/// is *reported* if it has a contact point at all, whatever its distance: the solver acts on each.
+/// The accuracy of a shape's contacts over the checked frames. Lengths are fractions of body size. A pair is *reported*
+/// if it has any contact point, at any distance, because the solver acts on each point.
 struct ContactAccuracy {
   std::uint32_t frames = 0;
-  std::uint32_t truePairs = 0;      ///< whose meshes meet, summed over the frames
+  std::uint32_t truePairs = 0;      ///< pairs whose meshes meet, summed over the frames
   std::uint32_t reportedPairs = 0;  ///< summed over the frames
-  std::uint32_t missed = 0;         ///< meet and are not reported
+  std::uint32_t missed = 0;         ///< pairs that meet and are not reported
   double meanMissed = 0;            ///< penetration of the meshes, over the missed pairs
   double deepestMissed = 0;
-  /// Missed pairs deeper than the worst certified error the sphere-tree gave for that frame; 0 for other shapes.
+  /// Missed pairs deeper than the worst certified error of the sphere-tree in that frame; 0 for other shapes.
   std::uint32_t missedBeyondCertificate = 0;
-  Spread falseGap;  ///< distance between the meshes of pairs that are reported and do not meet
-  /// Error of a contact point: how far the point it gives for each of its bodies is from that body's mesh, the farther
-  /// of the two.
+  Spread falseGap;  ///< distance between the meshes of reported pairs that do not meet
+  /// Error of a contact point: the larger distance between the contact's point on a body and that body's mesh.
   double meanError = 0;
   Quantiles error;
-  /// The same point's distance from the nearer of the two meshes.
+  /// The distance of the same point from the nearer of the two meshes.
   double meanStray = 0;
   Quantiles stray;
-  /// Error of a pair, of all that meet or are reported, each once: a missed one errs by its penetration, a reported one
-  /// by its worst point, and by its gap where that is more. So many points of a pair outweigh nothing; many reported
-  /// pairs do make a missed one count for less.
+  /// Error of a pair, over all pairs that meet or are reported, each once. The error of a missed pair is its
+  /// penetration. The error of a reported pair is the larger of its worst point's error and its gap. So pairs with many
+  /// points have no more weight than others. Many reported pairs do reduce the weight of a missed one.
   double meanPairError = 0;
   Quantiles pairError;
 };
@@ -47,7 +46,7 @@ class AccuracyJudge {
   ContactAccuracy result() const;
 
  private:
-  /// Reported pairs, and the error of the worst point of each.
+  /// The reported pairs, each with the error of its worst point.
   using WorstPoints = std::map<BodyPair, double>;
 
   void judgeMeeting(FrameTruth& truth, const WorstPoints& reported, const StepRecord& record);

@@ -11,7 +11,7 @@
 
 namespace cairn::scenes {
 
-/// How one surface stands in the frame of another: `to = rotation * from + translation`. Precondition: rotation
+/// The pose of one surface in the frame of another: `to = rotation * from + translation`. Precondition: `rotation` is
 /// orthonormal.
 struct Placement {
   Mat3d rotation;
@@ -22,8 +22,11 @@ struct Placement {
   friend Placement operator*(const Placement& outer, const Placement& inner);
 };
 
-/// A closed surface, prepared for exact questions about two of them: the referee of every scene. It works on triangles
-/// with CGAL's exact predicates and shares no code with the collision shapes it judges.
+/// A closed surface, prepared for exact questions about two surfaces. It judges every scene. It works on triangles with
+/// CGAL's exact predicates and shares no code with the collision shapes it judges.
+///
+///     const ExactSurface surface = ExactSurface::create(model.vertices, model.triangles).value();
+///     const double depth = mutualPenetration(surface, surface, bFromA, 1e-4);
 class ExactSurface {
  public:
   /// Fails unless the triangles form a closed 2-manifold. Outward orientation is not needed.
@@ -33,10 +36,10 @@ class ExactSurface {
   ExactSurface(ExactSurface&&) noexcept;
   ExactSurface& operator=(ExactSurface&&) noexcept;
 
-  /// Distance to the surface, negative outside. One nearest-point query and one ray.
+  /// Returns the distance to the surface, negative outside. Cost: one nearest-point query and one ray.
   double depth(const Vec3d& point) const;
 
-  /// Distance to the surface, from either side. One nearest-point query.
+  /// Returns the distance to the surface from either side. Cost: one nearest-point query.
   double distanceTo(const Vec3d& point) const;
 
   struct Impl;
@@ -47,24 +50,26 @@ class ExactSurface {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How deep surface `a` reaches into the solid `b`: the maximum, over the points of `a` inside `b`, of the distance to
-/// the surface of `b`; 0 if there are none. Too small by at most `tolerance` (> 0, same unit). Vertices first, then
-/// branch and bound over the triangles: over a piece of `a` the distance to `b` is at most that to any one triangle of
-/// `b`, and the latter, being convex, is largest at a corner of the piece. What is not deeper than `known` is passed
-/// over, and the answer is at least `known`: the worst of many pairs costs little more than that pair alone.
+/// Returns the penetration of surface `a` into the solid `b`. It is the maximum distance to the surface of `b` over the
+/// points of `a` inside `b`; 0 without such points. The result is too small by at most `tolerance` (> 0, same unit).
+///
+/// Vertices are tested first, then branch and bound runs over the triangles. Over a piece of `a`, the distance to `b`
+/// is at most that to any one triangle of `b`. That distance is convex, so it is largest at a corner of the piece.
+/// Pieces not deeper than `known` are skipped, and the result is at least `known`. So the worst of many pairs costs
+/// little more than that pair alone.
 double penetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
                    double known = 0);
 
-/// The deeper of both ways: how far either surface reaches into the other solid.
+/// Returns the larger of both penetrations: `a` into `b`, and `b` into `a`.
 double mutualPenetration(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA, double tolerance,
                          double known = 0);
 
-/// Whether two surfaces have a point in common, by exact predicates on the placed triangles. One surface wholly inside
-/// the other does not count; two placements of the same connected surface cannot be so.
+/// True when two surfaces have a common point, by exact predicates on the placed triangles. A surface entirely inside
+/// the other does not count; this cannot occur for two placements of one connected surface.
 bool surfacesMeet(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA);
 
-/// Least distance between two surfaces, 0 where they cross. Exact up to rounding: vertices against triangles both ways,
-/// then edges against edges of the triangles that could be nearer still.
+/// Returns the least distance between two surfaces, 0 where they intersect. Exact up to rounding. Vertices are measured
+/// against triangles in both directions, then edges against edges of triangles that could be nearer.
 double surfaceDistance(const ExactSurface& a, const ExactSurface& b, const Placement& bFromA);
 
 }  // namespace cairn::scenes

@@ -13,30 +13,31 @@
 
 namespace cairn::scenes {
 
-/// Two bodies by their numbers, the smaller first.
+/// Two bodies by number, the smaller first.
 using BodyPair = std::pair<int, int>;
 inline BodyPair bodyPair(int a, int b) {
   return std::minmax({a, b});
 }
 
-/// What is true of the bodies of one frame, by the exact check: no code of the shapes that are judged. Lengths in
-/// metres. Surface and model must outlive it.
+/// The exact state of the bodies of one frame, by the exact check, without any code of the judged shapes. Lengths in
+/// metres. Surface and model must outlive this object.
 class FrameTruth {
  public:
-  /// Finds the pairs that meet: tens of microseconds for each pair whose boxes overlap.
+  /// Finds the pairs that meet. Cost: tens of microseconds for each pair with overlapping boxes.
   FrameTruth(const ExactSurface& surface, const Model& model, std::span<const BodyMotion> motions);
 
-  /// Pairs whose meshes have a point in common, in order.
+  /// Returns the pairs whose meshes have a common point, in ascending order.
   const std::vector<BodyPair>& meeting() const { return meeting_; }
   bool meets(const BodyPair& pair) const;
 
-  /// How far apart the meshes of a pair are, 0 if they meet. Milliseconds the first time, then kept.
+  /// Returns the distance between the meshes of a pair, 0 if they meet. Takes milliseconds at the first call, then the
+  /// result is cached.
   double gap(const BodyPair& pair);
-  /// How deep either mesh of a pair reaches into the other, within `kDepthToleranceFraction` of body size.
+  /// Returns the larger penetration of the pair's meshes, within `kDepthToleranceFraction` of body size.
   double depth(const BodyPair& pair) const;
-  /// Distance of a point, world frame, from the mesh of a body.
+  /// Returns the distance from a body's mesh to a point in the world frame.
   double distanceFromMesh(int body, const Vec3d& point) const;
-  /// How far a point, world frame, is outside a body; 0 inside.
+  /// Returns the distance of a point (world frame) outside a body; 0 inside.
   double distanceFromSolid(int body, const Vec3d& point) const;
 
  private:

@@ -17,20 +17,20 @@ struct Box {
   bool overlaps(const Box& o) const;
 };
 
-/// A body of a model where a scene has put it, as the exact check sees it.
+/// A body of a model at its place in a scene, for the exact check.
 struct PlacedBody {
   Placement worldFromBody;
   std::vector<Vec3d> vertices;  ///< world frame
   Box box;                      ///< of the vertices
 };
 
-/// Bullet's pose in double precision, its rotation made orthonormal again: the check must not see single precision's
-/// stretch.
+/// Returns Bullet's pose in double precision with an orthonormal rotation, because single precision stretches the
+/// rotation slightly.
 Placement placementOf(const btTransform& pose);
 
 PlacedBody placeBody(const btTransform& pose, const Model& model);
 
-/// How body `a` stands in the frame of body `b`.
+/// Returns the pose of body `a` in the frame of body `b`.
 inline Placement relativePlacement(const Placement& worldFromA, const Placement& worldFromB) {
   return worldFromB.inverse() * worldFromA;
 }

@@ -9,8 +9,8 @@
 
 namespace cairn::scenes {
 
-/// Bodies of one model and one shape that fall on some ground. What the ground is, and when a body is lost, is said by
-/// whoever derives from it.
+/// Bodies of one model and one shape that fall on some ground. Derived classes define the ground and decide when a body
+/// is lost.
 class BodyScene {
  public:
   virtual ~BodyScene() = default;
@@ -22,15 +22,15 @@ class BodyScene {
   const Model& model() const { return model_; }
 
   std::uint32_t stepsWithoutBudget() const { return stepsWithoutBudget_; }
-  /// From now on the world's budget holds.
+  /// Applies the world's budget from now on.
   Status beginBudget() { return world_->setBudget(budget_); }
 
-  /// Bodies that have left the scene, or whose place is no longer a number.
+  /// Number of bodies that have left the scene or whose place is NaN.
   virtual std::uint32_t countLost() const = 0;
 
-  /// The ground is made of this many static bodies, numbered by `World::staticNumber`.
+  /// Number of static bodies that form the ground, numbered by `World::staticNumber`.
   virtual std::size_t groundParts() const = 0;
-  /// Room between a body and a part of the ground, metres; negative: how deep one is in the other. `surface` is the
+  /// Returns the distance between a body and a part of the ground, metres; negative for a penetration. `surface` is the
   /// model's.
   virtual double clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t part) const = 0;
 
@@ -38,9 +38,10 @@ class BodyScene {
   BodyScene(const Model& model, const bullet::StepBudget& budget, std::uint32_t stepsWithoutBudget)
       : model_(model), budget_(budget), stepsWithoutBudget_(stepsWithoutBudget) {}
 
-  /// Makes shape and world, without bodies. Fails for what the shape or the dispatcher refuses.
+  /// Makes shape and world, without bodies. Fails when the shape or the dispatcher refuses its options.
   Status begin(const WorldOptions& world, const ShapeOptions& shape);
-  /// Takes the world down. For destructors of what derives: the world must go before the ground it refers to.
+  /// Destroys the world. Destructors of derived classes call it, because the world must end before the ground it refers
+  /// to.
   void end() { world_.reset(); }
   btCollisionShape& shape() { return shape_->bullet(); }
   World& ownWorld() { return *world_; }
@@ -50,7 +51,7 @@ class BodyScene {
   bullet::StepBudget budget_;
   std::uint32_t stepsWithoutBudget_;
   std::unique_ptr<BodyShape> shape_;
-  std::unique_ptr<World> world_;  // after the shape, so that it goes first: it refers to it
+  std::unique_ptr<World> world_;  // declared after the shape, so that it is destroyed first: it refers to the shape
 };
 
 }  // namespace cairn::scenes

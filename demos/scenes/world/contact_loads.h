@@ -8,14 +8,14 @@
 
 namespace cairn::scenes {
 
-/// Which pairs of bodies press on each other: the sum of the impulses the solver last applied to all their contacts, N
+/// Finds the pairs of bodies that press on each other: the sum of the solver's last impulses at all their contacts, N
 /// s.
 ///
-/// It has to be followed step by step: when bodies fall asleep, shapes that make their contacts anew every step
-/// (GImpact) are left with contacts the solver never saw. A pair asleep keeps what it had when it was last solved.
+/// It must be updated after every step. When bodies fall asleep, shapes with new contacts every step (GImpact) keep
+/// contacts that the solver never saw. A sleeping pair keeps its load from the last step in which it was solved.
 class ContactLoads {
  public:
-  /// To be called after each step. Bodies are told apart by Bullet's user index.
+  /// Call it after each step. Bullet's user index identifies bodies.
   void update(const btCollisionDispatcher& dispatcher);
 
   /// 0 for a pair without contacts; the order does not matter.

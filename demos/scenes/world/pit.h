@@ -9,13 +9,13 @@
 
 namespace cairn::scenes {
 
-/// A half-space bodies must stay out of: its points p have dot(normal, p) < offset.
+/// A half-space that bodies must not enter: its points p have dot(normal, p) < offset.
 struct HalfSpace {
   Vec3d normal;  ///< unit, pointing into the pit
   double offset = 0;
 };
 
-/// A square pit: ground at z = 0 and four walls, open above. Inner faces are the same whatever it is made of.
+/// A square pit: ground at z = 0 and four walls, open above. The inner faces do not depend on the material of `build`.
 class Pit {
  public:
   /// `halfWidth` in metres, from the middle to a wall.
@@ -24,9 +24,9 @@ class Pit {
   double halfWidth() const { return halfWidth_; }
   std::array<HalfSpace, 5> faces() const;
 
-  /// Adds the pit to the world, made of what suits the bodies: planes for trees and GImpact (which is six times slower
-  /// on boxes), boxes `height` metres tall for hulls and compounds (which make several times the manifolds on planes).
-  /// The pit must outlive the world.
+  /// Adds the pit to the world, made of shapes that suit the bodies. Trees and GImpact get planes; GImpact is six times
+  /// slower on boxes. Hulls and compounds get boxes of `height` metres, because planes give them several times as many
+  /// manifolds. The pit must outlive the world.
   void build(World& world, ShapeKind bodies, double height);
 
  private:

@@ -23,8 +23,8 @@ Result<PriorityKind> parsePriority(std::string_view name);
 
 std::unique_ptr<Priority> makePriority(PriorityKind kind);
 
-/// Declares --priority, which says what each does. `name` must outlive the parsing and is understood by
-/// `parsePriority`.
+/// Declares --priority, whose help explains each value. `parsePriority` accepts every parsed `name`. `name` must
+/// outlive the parsing.
 void addPriorityOption(CLI::App& app, std::string& name);
 
 }  // namespace cairn::scenes

@@ -9,28 +9,29 @@
 
 namespace cairn::scenes {
 
-/// What only the sphere-tree narrow phase can say of itself, over all steps.
+/// Statistics of the sphere-tree narrow phase over all steps; other shapes have none.
 struct TreeRunStatistics {
-  Quantiles operations;               ///< of Eq. 2.1, a step
+  Quantiles operations;               ///< of Eq. 2.1, per step
   double meanErrorFraction = 0;       ///< certified, mean over the steps with contacts
   double maxErrorFraction = 0;        ///< certified, worst pair of any step
-  double meanSeenError = 0;           ///< of a watched scene, radians: mean over the steps with contacts
-  double maxSeenError = 0;            ///< of a watched scene, radians: worst pair of any step
-  double unresolvedPairFraction = 0;  ///< of all pairs of all steps
-  double exactContactFraction = 0;    ///< of all contacts of all steps: measured between source triangles
+  double meanSeenError = 0;           ///< radians, for a watched scene: mean over the steps with contacts
+  double maxSeenError = 0;            ///< radians, for a watched scene: worst pair of any step
+  double unresolvedPairFraction = 0;  ///< share of all pairs of all steps
+  double exactContactFraction = 0;    ///< share of all contacts of all steps: measured between source triangles
 };
 
-/// How the steps of a run kept their deadline, in elapsed time.
+/// The steps of a run against their deadline, in elapsed time.
 struct DeadlineKept {
-  Quantiles elapsedUs;          ///< a step
-  std::uint64_t lateSteps = 0;  ///< that took longer than their deadline
+  Quantiles elapsedUs;          ///< per step
+  std::uint64_t lateSteps = 0;  ///< steps that took longer than their deadline
   double worstMissUs = 0;
-  double worstMissOffCpuUs = 0;  ///< of the step that missed it by most: while the operating system ran others
+  double worstMissOffCpuUs =
+      0;  ///< of the step with the worst miss: time in which the operating system ran other programs
 };
 
-/// What the collision of a run cost, over its steps.
+/// The cost of a run's collision detection, over its steps.
 struct RunCost {
-  Quantiles narrowPhaseCpuUs, stepCpuUs, contacts, manifolds;  ///< a step
+  Quantiles narrowPhaseCpuUs, stepCpuUs, contacts, manifolds;  ///< per step
   std::optional<TreeRunStatistics> tree;                       ///< nothing for other shapes
   std::optional<DeadlineKept> deadline;                        ///< nothing where no step has one
 };

@@ -9,8 +9,8 @@
 
 namespace cairn::scenes {
 
-/// Bullet's task scheduler on oneTBB. Bullet's own is for an older TBB, and Debian builds Bullet without any.
-/// Sphere-trees need no more than this to be worked on by several threads; Bullet's own parts of a world stay on one.
+/// Bullet's task scheduler on oneTBB. Bullet's own scheduler needs an older TBB, and Debian builds Bullet without any.
+/// Sphere-trees need only this to use several threads. Bullet's own parts of a world stay on one thread.
 class TbbScheduler final : public btITaskScheduler {
  public:
   /// Precondition: at least one thread.
@@ -24,11 +24,12 @@ class TbbScheduler final : public btITaskScheduler {
   btScalar parallelSum(int begin, int end, int grain, const btIParallelSumBody& body) override;
 
  private:
-  std::unique_ptr<oneapi::tbb::global_control> most_;  // of the process: also more than the machine has, never fewer
+  std::unique_ptr<oneapi::tbb::global_control>
+      most_;  // raises the process's limit above the machine's cores if needed; never lowers it
   oneapi::tbb::task_arena arena_;
 };
 
-/// Has this program's worlds work on so many threads from now on.
+/// Sets the number of threads for this program's worlds from now on.
 void useThreads(int threads);
 
 }  // namespace cairn::scenes

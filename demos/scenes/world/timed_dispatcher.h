@@ -11,12 +11,12 @@ struct btDispatcherInfo;
 
 namespace cairn::scenes {
 
-/// A dispatcher that times its narrow phase, the same way for every shape: thread CPU time of
+/// A dispatcher that measures its narrow phase in the same way for every shape: the thread CPU time of
 /// `dispatchAllCollisionPairs`.
 template <class Base>
 class TimedDispatcher final : public Base {
  public:
-  /// Adds the time of every dispatch to `microseconds`, which must outlive this.
+  /// Adds the time of every dispatch to `microseconds`, which must outlive this object.
   template <class... Args>
   explicit TimedDispatcher(double& microseconds, Args&&... args)
       : Base(std::forward<Args>(args)...), microseconds_(microseconds) {}

@@ -18,13 +18,14 @@
 
 namespace cairn::scenes {
 
-/// One simulation step as it was measured.
+/// The measurements of one simulation step.
 struct StepRecord {
   double narrowPhaseCpuUs = 0;  ///< thread CPU time of the dispatch
   double stepCpuUs = 0;         ///< thread CPU time of the whole step
   std::uint32_t contacts = 0;   ///< points of all manifolds
-  std::uint32_t manifolds = 0;  ///< all manifolds the dispatcher holds, empty ones included: the solver looks at each
-  /// What the sphere-tree narrow phase says of itself; nothing for other shapes.
+  std::uint32_t manifolds =
+      0;  ///< all manifolds of the dispatcher, empty ones included, because the solver visits each
+  /// Statistics of the sphere-tree narrow phase; nothing for other shapes.
   std::optional<bullet::StepStatistics> tree;
 };
 
@@ -33,54 +34,59 @@ struct WorldOptions {
   bullet::StepBudget budget;
   bullet::Unresolved unresolved = bullet::Unresolved::guard;
   PriorityKind priority = PriorityKind::roundRobin;
-  std::optional<Viewer> viewer;  ///< whose seen error is measured, and whom priorities that care serve
+  std::optional<Viewer> viewer;  ///< for the seen error, and for priorities that depend on a viewer
   bool sleeping = true;
   double timeStep = 1.0 / 60;  ///< seconds
   double gravity = 9.81;       ///< m/s^2 along -z
 };
 
-/// Where a body is and how it moves, world frame.
+/// Pose and velocities of a body, world frame.
 struct BodyMotion {
   btTransform pose;
-  btVector3 linearVelocity;   ///< of its centre of mass, m/s
+  btVector3 linearVelocity;   ///< of the centre of mass, m/s
   btVector3 angularVelocity;  ///< rad/s
 };
 
-/// A point of a manifold: two bodies by their numbers, and the point each of them is said to have there, world frame.
+/// A point of a manifold: two bodies by number, and the contact's point on each of them, world frame.
 struct ReportedContact {
   int first = 0, second = 0;
   Vec3d onFirst, onSecond;
 };
 
-/// A plain Bullet world whose narrow phase is timed, default solver, and the bodies in it. Only its dispatcher depends
-/// on the shape its moving bodies have.
+/// A plain Bullet world with default solver and a timed narrow phase, and its bodies. Only the dispatcher depends on
+/// the shape of the moving bodies.
+///
+///     auto world = World::create({.shape = ShapeKind::tree}).value();
+///     world->addBody(shape, pose, 1, model.inertia);
+///     StepRecord record = world->step();
 class World {
  public:
-  /// Fails for a budget or a viewer the dispatcher refuses.
+  /// Fails for a budget or a viewer that the dispatcher refuses.
   static Result<std::unique_ptr<World>> create(const WorldOptions& options);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   /// Adds a body; `mass` 0 makes it static. `shape` must outlive the world. Bullet's user index is the body's number:
-  /// its place in `bodies()`, or `staticNumber(i)` for the i-th static one.
+  /// its index in `bodies()`, or `staticNumber(i)` for the i-th static body.
   btRigidBody& addBody(btCollisionShape& shape, const btTransform& pose, btScalar mass, const btVector3& inertia);
 
   StepRecord step();
 
   double timeStep() const { return options_.timeStep; }
 
-  /// Of every step from now on. Shapes other than the tree have none. Fails for one the dispatcher refuses.
+  /// Sets the budget of every step from now on. It has no effect for shapes other than the tree. Fails for a budget
+  /// that the dispatcher refuses.
   Status setBudget(const bullet::StepBudget& budget);
 
-  /// Puts every moving body where `motions` says, in the bodies' order, and looks for collisions alone: nothing
-  /// responds, nothing moves on. Precondition: one motion a body.
+  /// Moves every moving body to its pose in `motions`, in the bodies' order, and runs collision detection alone: no
+  /// response and no motion. Precondition: there is one motion for each body.
   StepRecord show(std::span<const BodyMotion> motions);
 
-  /// Every point of every manifold, as of the last step.
+  /// Returns every point of every manifold of the last step.
   std::vector<ReportedContact> contacts() const;
 
-  /// The moving bodies as they are now.
+  /// Returns the current motions of the moving bodies.
   std::vector<BodyMotion> motions() const;
   std::vector<btTransform> poses() const;
 
@@ -88,10 +94,10 @@ class World {
   std::span<btRigidBody* const> bodies() const { return moving_; }
   static constexpr int staticNumber(std::size_t i) { return -1 - static_cast<int>(i); }
 
-  /// As of the last step, by the bodies' numbers.
+  /// The loads of the last step, by the bodies' numbers.
   const ContactLoads& loads() const { return loads_; }
 
-  /// Feeds every moving body's pose and velocities to `hash`.
+  /// Adds every moving body's pose and velocities to `hash`.
   void addState(StateHash& hash) const;
 
  private:
@@ -114,11 +120,11 @@ class World {
   ContactLoads loads_;
 };
 
-/// Greatest speed among bodies, m/s.
+/// Returns the greatest speed of the bodies, m/s.
 double fastestSpeed(std::span<btRigidBody* const> bodies);
-/// Of translation and rotation, J. Precondition: a body that moves and turns.
+/// Returns the energy of translation and rotation, J. Precondition: the body can move and turn.
 double kineticEnergy(const btRigidBody& body);
-/// Kinetic energy per unit of mass, mean over bodies, J/kg.
+/// Returns the kinetic energy per unit of mass, mean over the bodies, J/kg.
 double meanKineticEnergy(std::span<btRigidBody* const> bodies);
 std::uint32_t countAsleep(std::span<btRigidBody* const> bodies);
 
