@@ -121,7 +121,7 @@ Ball descend(const Ball& start, const PointSet& points, const DepthField& solid,
       bundle.restart(best.gradient);
     } else {
       bundle.add(trial.gradient);
-      // A gradient that opposes nothing tells nothing: the step was too long.
+      // A gradient that opposes no other gradient gives no information: the step was too long.
       if (dot(trial.gradient, direction) > 0.5 * slope * slope) step *= kShrink;
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kPointsPerLeaf = 24;
 
-/// What nanoflann wants to know about a set of points.
+/// The interface of a point set that nanoflann requires.
 struct PointAdaptor {
   std::vector<Vec3d> points;
 
@@ -70,7 +70,8 @@ class OffsetSampling {
     const double reach = std::numbers::sqrt3 * halfEdge;
     if (distance(center, center_) > reach_ + reach) return;
     const double atMost = solid_.distanceToTriangle(known, center);
-    // So near that all of the cell is nearer than the offset surface, both distances' rounding included.
+    // True when the distance is so small that the whole cell is nearer than the offset surface, rounding of both
+    // distances included.
     if (atMost + 4 * solid_.roundingBound(center) + reach < scale_) return;
     const SignedDistance::Answer answer = solid_.query(center, atMost);
     const double height = -answer.depth;
@@ -124,7 +125,7 @@ struct ClosedDepth::OffsetSurface {
 
   explicit OffsetSurface(std::vector<Vec3d> points)
       : adaptor{std::move(points)}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kPointsPerLeaf)) {
-    // In the order of the leaves, so that a search reads on in memory instead of here and there.
+    // Points in the order of the leaves, so that a search reads memory in sequence.
     std::vector<Vec3d> byLeaf;
     byLeaf.reserve(adaptor.points.size());
     for (auto& index : tree.vAcc) {
@@ -164,7 +165,7 @@ DepthField::Sample ClosedDepth::nearestTo(const Vec3d& point, double withinSq) c
   double distanceSq = 0;
   nanoflann::KNNResultSet<double> result(1);
   result.init(&index, &distanceSq);
-  distanceSq = withinSq;  // the result set compares with what it is to overwrite
+  distanceSq = withinSq;  // the result set compares with the value it will overwrite
   offset_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
   return sampleFrom(index, distanceSq, point);
 }

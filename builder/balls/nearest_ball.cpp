@@ -47,7 +47,7 @@ void NearestBall::build(std::uint32_t begin, std::uint32_t end) {
   build(middle, end);
 }
 
-/// No ball of the node is nearer: every operation here is monotone, rounded too.
+/// Lower bound of the distance to all balls of the node. Every operation here is monotone, also after rounding.
 double NearestBall::bound(const Node& node, const Vec3d& point) {
   Vec3d gap;
   for (int axis = 0; axis < 3; ++axis)

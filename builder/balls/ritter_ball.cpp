@@ -22,7 +22,7 @@ EnclosingBall ritterBall(std::span<const Vec3d> points) {
     ball.center += (p - ball.center) * ((d - radius) / d);
     ball.radius = radius;
   }
-  // Rounding may leave a point on the surface outside; what is returned holds them all.
+  // Rounding may leave a point of the surface outside. The final pass makes the ball hold all points.
   for (const Vec3d& p : points) ball.radius = std::max(ball.radius, distance(p, ball.center));
   return ball;
 }

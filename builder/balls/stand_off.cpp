@@ -9,9 +9,9 @@ namespace cairn::builder {
 
 namespace {
 
-/// With more parts than these a search of the field is as fast.
+/// With more parts than this, a search of the field is equally fast.
 constexpr std::size_t kMaxParts = 256;
-/// What is kept is sorted out again when the reach has shrunk by this factor.
+/// Kept points and parts are filtered again when the reach has shrunk by this factor.
 constexpr double kNarrow = 0.6;
 
 StandOff::Value valueOf(const Vec3d& center, double radius, const Vec3d& farthest, const DepthField::Sample& sample) {
@@ -63,7 +63,7 @@ void StandOff::narrow(const Value& around, double reach) {
 }
 
 void StandOff::keepFar(const PointSet& points, double reach) {
-  // A point nearer than this is nearer than the farthest one to any centre within reach.
+  // For every centre within reach, a point nearer than this is nearer than the farthest one.
   const double nearest = (radius_ - 2 * reach) - kRoundingRoom * radius_;
   std::vector<double>& distances = memory_.farDistances;
   std::vector<std::uint32_t>& kept = memory_.kept;

@@ -16,7 +16,7 @@ namespace {
 /// Space is cut this often before lists are kept, and this often again for the nodes that are kept.
 constexpr int kFirstLevels = 3;
 constexpr int kKeptLevels = 2;
-/// What one kept node may report, and look at, in one search.
+/// Limits of one kept node in one search: cells to report and cells to examine.
 constexpr std::size_t kMaxFound = 2;
 constexpr int kMaxVisits = 1000;
 
@@ -33,8 +33,7 @@ CenterCell octantOf(const CenterCell& cell, int octant) {
   return {cell.center + Vec3d{octant & 1 ? h : -h, octant & 2 ? h : -h, octant & 4 ? h : -h}, h};
 }
 
-/// Which octant of which octant of the root `point` lies in, down to the nodes that are kept. Precondition: in the
-/// root.
+/// The path of octants from the root to the kept node that holds `point`. Precondition: the point lies in the root.
 std::uint32_t octantsOf(const Vec3d& point, double rootHalf) {
   CenterCell cell{{0, 0, 0}, rootHalf};
   std::uint32_t path = 0;
@@ -64,8 +63,8 @@ struct Obstacle {
 CenterSearch::CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement)
     : points_(std::move(points)), outside_(std::move(outside)), half_(roundedUp(half)) {
   const CenterCell root{{0, 0, 0}, half_};
-  // With D a bound of all lengths met (points lie in the root): two ends displaced change the difference of squares by
-  // less than 8 D displacement, and its some twenty operations round by less than 64 units of D^2.
+  // Let D bound all lengths that occur (points lie in the root). Displacement of two ends changes the difference of
+  // squares by less than 8 D displacement. The some twenty operations round by less than 64 units of D^2.
   const double longest = 2 * std::numbers::sqrt3 * root.half;
   guard_ = 8 * longest * displacement + 64 * 0x1p-53 * longest * longest;
   const std::vector<std::uint32_t> everyPoint = allOf(points_.size()), everyOutside = allOf(outside_.size());
@@ -122,7 +121,7 @@ CenterSearch::Node CenterSearch::narrowed(const CenterCell& cell, std::span<cons
     farthestSq = std::max(farthestSq, sq);
   }
   if (node.points.empty()) return node;
-  // Leaving an outside point out is always safe; beyond this reach it is no loss either.
+  // It is always safe to skip an outside point. Beyond this reach the skip loses nothing.
   node.reach = std::sqrt(farthestSq) + 2 * std::numbers::sqrt3 * cell.half;
   for (const Obstacle& q : obstacles) {
     if (q.sq > node.reach * node.reach) break;
@@ -167,7 +166,7 @@ struct CenterSearch::Descent {
       if (lengthSq(search.points_[p] - cell.center) < nearestSq) atCenter += weights[p];
     }
     if (atCenter > most) return found.push_back({{cell.center, 0}, atCenter});
-    // With something to report there is no proof, and the rest may be passed over.
+    // Once a cell is reported there is no proof, and the rest may be skipped.
     if (cell.half <= finest || found.size() >= kMaxFound || visits > kMaxVisits) return found.push_back({cell, load});
     for (int octant = 0; octant < 8 && found.size() < kMaxFound; ++octant)
       visit(octantOf(cell, octant), node.points, node.outside);

@@ -49,9 +49,9 @@ double largestCoordinate(const Vec3d& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// How far apart the first outside points may be. Between two of them a ball of radius r can slip past the offset
-/// surface by about spacing^2 / (4 r), which should stay below a fortieth of the error. That surface is as large as the
-/// solid's, or, around what is small against the error, as a sphere's.
+/// Spacing of the first outside points. A ball of radius r can pass between two of them beyond the offset surface by
+/// about spacing^2 / (4 r). This should stay below a fortieth of the error. The offset surface is as large as the
+/// solid's. Around a solid that is small against the error it is as large as a sphere's.
 double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double error) {
   const double area = surfaceArea(solid.mesh());
   const double ball = std::sqrt(area / (4 * spheres));

@@ -18,8 +18,8 @@ constexpr std::uint32_t kMaxSpheres = 100'000;
 /// Errors tried are 2^(-step / kStepsPerOctave) of the diagonal, for steps in [0, kLastStep].
 constexpr int kStepsPerOctave = 64;
 constexpr int kLastStep = 12 * kStepsPerOctave;
-/// With many spheres the search ends when what is proved and what is not are this many steps apart: the bound is weak
-/// then, and attempts near its limit are the dearest.
+/// With many spheres the search ends when the proved and the unproved step differ by this number. The bound is weak
+/// there, and attempts near its limit cost most.
 constexpr int kCoarseSteps = 8;
 /// The search strides this far at first, from where few balls usually fail.
 constexpr int kFirstStride = 16;
@@ -33,8 +33,8 @@ int firstStep(std::uint32_t spheres) {
   return std::clamp(static_cast<int>(-kStepsPerOctave * std::log2(fraction)), 0, kLastStep);
 }
 
-/// Looks for the smallest step (largest error) that can be proved: strides from the first guess until one step is
-/// proved and one is not, then halves what is between them.
+/// Finds the smallest step (largest error) that can be proved. It strides from the first guess until one step is proved
+/// and another is not, then halves the interval.
 class StepSearch {
  public:
   StepSearch(CoverRefuter& refuter, std::uint32_t spheres, double diagonal, const ProgressCallback& progress)
@@ -76,7 +76,7 @@ class StepSearch {
 
  private:
   std::optional<Refutation> attempt(int step) {
-    // How many attempts there will be is not known; the share done creeps towards one.
+    // The number of attempts is unknown, so the reported share approaches one without a final jump.
     const double share = 1 - std::pow(0.8, attempts_++);
     return refuter_.refute(spheres_, errorAt(step), [&] {
       cancelled_ = cancelled_ || (progress_ && !progress_("bounding", share));

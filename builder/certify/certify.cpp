@@ -17,8 +17,8 @@
 namespace cairn::builder {
 namespace {
 
-/// Of each node, the first with the same ball: what is known of that is known of it. Chains of nodes with one child
-/// repeat a ball, and a file from anywhere may repeat one as large as the mesh, which takes longest, for every node.
+/// For each node, the first node with the same ball; both share one result. Chains of nodes with one child repeat a
+/// ball. A file from any source may also repeat one ball as large as the mesh, the most expensive case, at every node.
 std::vector<std::size_t> firstOfSameBall(std::span<const NodeData> nodes) {
   const auto ball = [&](std::size_t i) {
     const NodeData& n = nodes[i];
@@ -45,14 +45,14 @@ void encloseProtrusion(const Vec3d& center, double radius, const SignedDistance&
   c.depth = found.depth;
 }
 
-/// What the node says of its ball against what was found of it.
+/// Compares the node's records of its ball with the certified results.
 void judge(const NodeData& node, double rounding, NodeCertificate& c) {
   c.errorHolds = node.error >= c.protrusionLower;
   c.errorProven = node.error >= c.protrusionUpper;
   c.innerHolds = node.innerRadius == 0 || node.innerRadius <= c.depth + rounding;
 }
 
-/// In slices, so that a cancelled call ends soon. False when cancelled.
+/// Works in slices, so that a cancelled call ends soon. False when cancelled.
 bool certifyNodes(const SphereTree& tree, const SignedDistance& solid, const ProgressCallback& progress,
                   std::vector<NodeCertificate>& certificates) {
   constexpr std::size_t kSlice = 256;

@@ -23,11 +23,11 @@ CoverProof::CoverProof(const SphereTree& tree, const TriangleMesh& mesh) : tree_
   for (const Vec3d& v : mesh.vertices) reach = std::max(reach, largestCoordinate(toTree(v)));
   for (const NodeData& node : tree.data().nodes)
     reach = std::max(reach, largestCoordinate(Vec3d(node.center)) + static_cast<double>(node.radius));
-  // With u = 2^-53 and every coordinate at most `reach`: a corner minus the origin rounds by u reach, each halving of
-  // an edge by as much again, and longest-edge bisection needs at most 52 of them (edges shrink below sqrt(3) 2^(-n/2),
-  // Adler 1983); a corner minus a centre rounds by 2 u reach, squares, sum and the comparison by 8 u of the distance,
-  // itself below 4 reach. That is less than 100 u reach a coordinate, times sqrt(3) for the vector: 2^-45 = 256 u
-  // covers it, with room for the arithmetic of the radii here.
+  // Let u = 2^-53, and every coordinate at most `reach`. A corner minus the origin rounds by u reach, and each halving
+  // of an edge rounds by u reach too. Longest-edge bisection needs at most 52 halvings (edges shrink below sqrt(3)
+  // 2^(-n/2), Adler 1983). A corner minus a centre rounds by 2 u reach. Squares, sum and the comparison round by 8 u of
+  // the distance, which is below 4 reach. The total is less than 100 u reach for each coordinate, times sqrt(3) for the
+  // vector. So 2^-45 = 256 u covers it, with room for the arithmetic of the radii here.
   guard_ = 0x1p-45 * reach;
   balls_.resize(std::size_t{kFamilyWidth} * tree.families().size());
   for (std::uint32_t i = 0; i < tree.nodeCount(); ++i) {
@@ -44,7 +44,7 @@ class CoverProof::Search {
   Search(const CoverProof& proof, std::uint32_t level, bool descend)
       : proof_(proof), level_(level), descend_(descend) {}
 
-  /// Nothing, or the middle of the first piece without a proof.
+  /// Returns the middle of the first piece without a proof; nothing when all are proved.
   std::optional<Vec3d> unproved(const Piece& piece, const std::vector<NodeId>& candidates) {
     std::vector<NodeId> partial;
     if (held(piece, candidates, partial)) return std::nullopt;
@@ -65,8 +65,8 @@ class CoverProof::Search {
 
   bool isEnd(NodeId node) const { return !descend_ || proof_.tree_.isLeaf(node) || proof_.tree_.level(node) == level_; }
 
-  /// Whether one chain of balls holds the whole piece. Otherwise `partial` gets the nodes that hold a part of it at
-  /// most, and below which, or in which, its parts must look.
+  /// True when one chain of balls holds the whole piece. Otherwise `partial` gets the nodes that hold at most a part of
+  /// it. The search for its parts continues in or below these nodes.
   bool held(const Piece& piece, const std::vector<NodeId>& candidates, std::vector<NodeId>& partial) {
     stack_ = candidates;
     const Vec3d middle = (piece[0] + piece[1] + piece[2]) / 3;

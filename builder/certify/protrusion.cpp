@@ -127,7 +127,7 @@ class BranchAndBound {
     std::push_heap(pieces_.begin(), pieces_.end());
   }
 
-  /// What is known of the piece already, or less.
+  /// Returns an upper bound for the piece: the known one or a smaller one.
   double boundOnHull(const Piece& piece, const Vec3d& point, const SignedDistance::Answer& answer) const {
     const auto& [a, b, c] = piece.directions;
     // The plane through a, b, c passes the centre at `cosine`: a unit direction between them is a combination of

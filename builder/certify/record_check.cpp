@@ -14,10 +14,10 @@ namespace cairn::builder {
 namespace {
 
 constexpr double kMassTolerance = 1e-9;
-/// Of a cosine or a squared length in double, with room.
+/// Tolerance for a cosine or a squared length in double, with a margin.
 constexpr double kRounding = 0x1p-46;
 
-/// What the first difference of the stored mesh is, if there is one.
+/// Describes the first difference of the stored mesh, if any.
 std::optional<std::string> meshFailure(const SphereTree& tree, const TriangleMesh& mesh) {
   if (tree.vertices().size() != mesh.vertices.size() || tree.triangles().size() != mesh.triangles.size())
     return fmt::format("the tree stores a mesh of {} vertices and {} triangles, the mesh has {} and {}",

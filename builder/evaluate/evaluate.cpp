@@ -77,7 +77,7 @@ class Measured {
   explicit Measured(const TriangleMesh& mesh)
       : mesh_(mesh), solid_(mesh), lines_(mesh), volume_(massPropertiesOf(mesh).volume) {}
 
-  /// Fills in the sampled measures. `report` is told the share done; false once it says no.
+  /// Fills in the sampled measures. `report` receives the finished share; false once it returns false.
   bool sample(const std::vector<CutBall>& balls, std::uint64_t seed, LevelFit& fit,
               const std::function<bool(double)>& report) const {
     if (!report(0)) return false;

@@ -25,8 +25,8 @@ std::vector<Rectangle> shadowsOf(const std::vector<CutBall>& balls) {
   return shadows;
 }
 
-/// Whether the ray from (x, y) towards +x meets the projected edge, and the way the edge goes there: 1 up, -1 down.
-/// Computed from the same corner whichever triangle asks.
+/// Tests whether the ray from (x, y) towards +x meets the projected edge. Returns the edge's direction there: 1 up, -1
+/// down, 0 without a meeting. The computation starts from the same corner for both triangles.
 int edgeCrossing(const TriangleMesh& mesh, std::uint32_t from, std::uint32_t to, double x, double y) {
   const Vec3d &a = mesh.vertices[from], &b = mesh.vertices[to];
   if ((a.y <= y) == (b.y <= y)) return 0;

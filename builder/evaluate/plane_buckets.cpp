@@ -36,7 +36,7 @@ PlaneBuckets::PlaneBuckets(std::span<const Rectangle> rectangles) : bounds_(hull
     forCells(rectangles[i], [&](std::size_t cell) { list_[next[cell]++] = i; });
 }
 
-/// Of all lists together, with cells as large as they are now.
+/// Number of entries in all lists for the present size of cells.
 std::size_t PlaneBuckets::entriesFor(std::span<const Rectangle> rectangles) const {
   std::size_t sum = 0;
   for (const Rectangle& r : rectangles) {
@@ -46,8 +46,8 @@ std::size_t PlaneBuckets::entriesFor(std::span<const Rectangle> rectangles) cons
   return sum;
 }
 
-/// Rounds the same way for queries and rectangles, and never falls as a coordinate grows: a rectangle that holds a
-/// point is listed in the point's cell whatever the rounding.
+/// Rounds alike for queries and rectangles, and never falls as a coordinate grows. So rounding cannot move a point out
+/// of the cells of a rectangle that holds it.
 std::array<std::uint32_t, 2> PlaneBuckets::cellOf(const std::array<double, 2>& point) const {
   std::array<std::uint32_t, 2> cell{};
   for (int axis = 0; axis < 2; ++axis) {

@@ -42,7 +42,7 @@ Vec3d uniformPoint(const std::array<Vec3d, 3>& corners, RandomStream& random) {
   return corners[0] * (1 - root) + corners[1] * (root * (1 - along)) + corners[2] * (root * along);
 }
 
-/// Balls that reach a triangle, by its bounding sphere.
+/// The balls that meet a triangle's bounding sphere.
 void collectNear(const std::array<Vec3d, 3>& corners, const std::vector<CutBall>& balls, std::vector<CutBall>& near) {
   near.clear();
   const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3;

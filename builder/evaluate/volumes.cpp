@@ -26,7 +26,7 @@ double totalLength(const LineParts& parts) {
   return sum;
 }
 
-/// What is integrated: the length of `from` without `what` along one line.
+/// The integrand: the length of `from` without `what` along one line.
 struct Difference {
   const SolidLines& solid;
   const BallLines& balls;

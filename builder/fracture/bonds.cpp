@@ -24,7 +24,7 @@ double areaOf(const Polygon& polygon) {
   return std::abs(twice) / 2;
 }
 
-// What of a convex polygon lies to the left of a -> b (Sutherland and Hodgman 1974).
+// Clips a convex polygon to the left of a -> b (Sutherland and Hodgman 1974).
 Polygon leftOf(const Polygon& polygon, const Point& a, const Point& b) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

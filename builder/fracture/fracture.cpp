@@ -26,7 +26,7 @@ struct Ball {
 // by a few hundredths of a per cent of the balls.
 constexpr double kStray = 2e-3;
 
-// In [-1, 1].
+// Returns a random number in [-1, 1].
 double stray(std::uint64_t number) {
   return static_cast<double>(mixBits(number) >> 11) * 0x1p-52 - 1;
 }
@@ -45,7 +45,7 @@ std::vector<Ball> branchesOf(const SphereTree& tree, std::uint64_t attempt) {
   return balls;
 }
 
-// Where the power distance to `own` is no greater than that to `other`. Precondition: different centres.
+// The half-space in which the power distance to `own` is at most that to `other`. Precondition: the centres differ.
 HalfSpace nearerTo(const Ball& own, const Ball& other) {
   const Vec3d across = other.center - own.center;
   const double distance = length(across);

@@ -13,10 +13,10 @@ namespace {
 
 /// A vertex this near to the farthest one counts as that far.
 constexpr double kAboutAsFar = 0.999;
-/// Triangles whose least altitude is below this many steps of the grid (`kBodyRounding`, of which half along each axis
-/// is less than the whole) are too narrow to round their corners.
+/// Triangles whose least altitude is below this number of grid steps are too narrow to round their corners. A step is
+/// `kBodyRounding`. Rounding by half a step along each axis moves a corner by less than a step.
 constexpr double kNarrow = 16;
-/// Of a solid's volume, what rounding may take from it.
+/// Largest fraction of a solid's volume that rounding may change.
 constexpr double kVolumeLost = 0.01;
 
 struct Farthest {

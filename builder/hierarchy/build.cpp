@@ -27,7 +27,7 @@ namespace {
 /// tell it from a perfect one.
 constexpr double kNegligibleFraction = 1e-6;
 
-/// Concavities up to this part of the diagonal are not closed: it is what the certificate leaves open.
+/// Concavities up to this fraction of the diagonal are not closed; the certificate has the same tolerance.
 constexpr double kNegligibleConcavity = 1e-4;
 
 /// Points of Hubbard's sampling beside those on edges and of repairs: 2400 samples in all on a model of 1500 triangles,
@@ -41,13 +41,13 @@ BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
   return {mesh.name, mesh.sha256, std::move(method), options.branching, options.depth, options.samples, options.seed};
 }
 
-/// Splitting takes nearly all the time, and each level about as much per region; what follows is the last tenth.
+/// Splits take nearly all the time, and each level takes about as much per region. The later steps are the last tenth.
 double fractionDone(std::uint32_t depth, std::uint32_t level, std::size_t done, std::size_t count) {
   const double within = static_cast<double>(done) / static_cast<double>(count);
   return 0.9 * (static_cast<double>(level) + within) / static_cast<double>(depth);
 }
 
-/// Passes progress on from one thread at a time, and remembers that it was told to stop.
+/// Forwards progress from one thread at a time, and remembers a cancellation.
 class Reporter {
  public:
   explicit Reporter(const ProgressCallback& callback) : callback_(callback) {}
@@ -94,7 +94,7 @@ RegionTree growRegions(const SignedDistance& solid, const BuildOptions& options,
               });
 }
 
-/// Nothing when cancelled.
+/// Returns nothing when cancelled.
 std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOptions& options,
                                         const ProgressCallback& report) {
   Reporter reporter(report);

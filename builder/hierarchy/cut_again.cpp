@@ -54,7 +54,7 @@ WantedPieces wantedBySource(RegionTree& tree, std::size_t triangles) {
   return wanted;
 }
 
-/// A piece and what the same cuts make of the triangle it comes from in the other mesh.
+/// A piece, and the piece that the same cuts make of the same triangle in the other mesh.
 struct Twins {
   Piece from, to;
 };

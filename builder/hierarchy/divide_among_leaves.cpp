@@ -11,11 +11,11 @@ namespace cairn::builder {
 
 namespace {
 
-/// What a piece may need beyond a level's limit before it is bisected; the balls were fitted to points, and between
-/// those a little more is needed.
+/// Factor on a level's limit up to which a piece is not bisected. The balls were fitted to points, and the surface
+/// between points needs a little more.
 constexpr double kSeamAllowance = 1.01;
-/// Pieces are bisected down to this part of the leaves' limit: what is left of a seam costs its width times the sine of
-/// the angle at which the balls leave the surface.
+/// Pieces are bisected down to this fraction of the leaves' limit. The rest of a seam costs its width times the sine of
+/// the angle between the balls and the surface.
 constexpr double kFinestSeam = 0.2;
 constexpr std::size_t kChunks = 64;
 
@@ -115,7 +115,7 @@ std::vector<Pieces> divide(const Pieces& pieces, const BallTree& tree) {
   return parts;
 }
 
-/// By level, by ball: what its leaves got.
+/// By level, by ball: the pieces of its leaves.
 std::vector<std::vector<Pieces>> piecesByLevel(std::vector<Pieces> leaves, std::span<const CoverLevel> levels) {
   std::vector<std::vector<Pieces>> parts(levels.size());
   parts.back() = std::move(leaves);

@@ -30,8 +30,8 @@ PointSet pointsFor(const TriangleMesh& mesh, double balls) {
   return PointSet(cornersOf(pieces));
 }
 
-/// The level below `levels`: each family for itself first, then all at once, then where it is worst and for what lies
-/// between the points. Its limit holds for the dense points.
+/// Fits the level below `levels`: each family alone, then all at once, then where the level is worst and between the
+/// points. Its limit holds for the dense points.
 CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const PointSet& dense,
                      const SignedDistance& solid, const SplitSettings& settings) {
   const SolidDepth field(solid);

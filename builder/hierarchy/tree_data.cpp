@@ -15,7 +15,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// What one node contributes, before the records are laid end to end.
+/// The records of one node, before all records are joined.
 struct NodeParts {
   NodeData record;
   std::vector<Vec3> supportPoints, faceNormals;

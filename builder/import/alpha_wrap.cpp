@@ -37,7 +37,7 @@ struct Watch : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
     constexpr std::size_t kStepsPerReport = 512;
     if (steps++ % kStepsPerReport != 0) return;
     if (wrapper.triangulation().number_of_vertices() > kMaxVertices) throw TooFine{};
-    // How much there is to do shows only at the end.
+    // The amount of work is known only at the end.
     if (progress && !progress("wrapping", 0)) throw Cancelled{};
   }
 

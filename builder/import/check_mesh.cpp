@@ -21,8 +21,9 @@ std::string text(const Vec3d& p) {
 
 // A tree keeps lengths as float: their squares must not overflow, nor those of a thousandth of it, small leaves, lose
 // digits.
-constexpr double kMaxDiagonal = 1e14, kMinDiagonal = 1e-15;
-// Of its diagonals a mesh may lie from the origin: beyond, the sixteen digits of a coordinate leave less than six.
+constexpr double kLargestDiagonal = 1e14, kMinDiagonal = 1e-15;
+// Largest distance of a mesh from the origin, in its diagonals. Beyond it, fewer than six of a coordinate's sixteen
+// digits remain.
 constexpr double kFarthest = 1e10;
 
 class Checker {

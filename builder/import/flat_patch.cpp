@@ -44,7 +44,7 @@ bool isFlat(std::span<const Vec3d> polygon, const Vec3d& normal, double toleranc
   return high - low <= 2 * tolerance;
 }
 
-/// What is outside the constraints, from the infinite face on.
+/// Marks the faces outside the constraints, from the infinite face on.
 void markOutside(Planar& planar) {
   for (const auto face : planar.all_face_handles()) face->info() = false;
   std::vector<Planar::Face_handle> open{planar.infinite_face()};

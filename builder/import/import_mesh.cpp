@@ -31,14 +31,14 @@ Status checkFinite(const std::string& file, const TriangleSoup& soup) {
   return {};
 }
 
-/// What follows a UTF-8 byte order mark, which some editors put before a text.
+/// The text after a UTF-8 byte order mark, which some editors write.
 std::span<const std::byte> withoutMark(std::span<const std::byte> bytes) {
   constexpr std::array kMark{std::byte{0xEF}, std::byte{0xBB}, std::byte{0xBF}};
   const bool marked = bytes.size() >= kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin());
   return marked ? bytes.subspan(kMark.size()) : bytes;
 }
 
-/// In double precision where the text was read here, in single precision where assimp reads.
+/// Coordinates are in double precision where this library reads the text, in single precision where assimp reads.
 Result<TriangleSoup> readSoup(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   const std::span<const std::byte> text = withoutMark(bytes);
   const Result<std::optional<PolygonSoup>> polygons = readMeshText(path, text);

@@ -17,7 +17,7 @@
 namespace cairn::builder {
 namespace {
 
-/// What a file turned out to hold; nothing when assimp is to read it.
+/// The content of a file; nothing when assimp must read it.
 using Polygons = std::optional<PolygonSoup>;
 
 Result<Polygons> asPolygons(Result<PolygonSoup> soup) {

@@ -12,15 +12,15 @@
 namespace cairn::builder {
 namespace {
 
-/// What of an OFF is read here; nothing when assimp is to read it.
+/// The content of an OFF; nothing when assimp must read it.
 using OffPolygons = std::optional<PolygonSoup>;
 
 struct OffCounts {
   std::size_t vertices = 0, faces = 0;
 };
 
-/// Whether the first word promises three coordinates at the front of a vertex' line; normals, colours and texture
-/// coordinates follow them.
+/// True when the first word announces three coordinates at the front of each vertex line. Normals, colours and texture
+/// coordinates may follow them.
 bool isPlainOff(std::string_view word) {
   for (const std::string_view prefix : {"ST", "C", "N"}) {
     if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
@@ -34,7 +34,7 @@ std::string_view nextWordOnAnyLine(LineReader& line) {
   return word;
 }
 
-/// The counts may stand on one line or each on its own; that of the edges, which nobody needs, may be missing.
+/// The counts may share one line or have a line each. The number of edges may be missing, because no reader needs it.
 Result<OffCounts> readCounts(LineReader& line) {
   const auto vertices = parseNumber<std::size_t>(nextWordOnAnyLine(line));
   const auto faces = parseNumber<std::size_t>(nextWordOnAnyLine(line));

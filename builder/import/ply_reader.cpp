@@ -28,7 +28,7 @@ class TextValues {
 
   bool nextItem() { return line_.nextContent(); }
   bool goesOn() { return line_.nextContent(); }
-  /// Nothing at the end of the line and for words that are no number.
+  /// Returns nothing at the end of the line and for words that are no number.
   std::optional<double> number(Type) { return parseNumber<double>(line_.nextWord()); }
   /// False when so many are not there.
   bool skip(Type, std::uint64_t count) {
@@ -58,7 +58,7 @@ class BinaryValues {
   bool nextItem() { return true; }
   /// Some files end with a line's end, or are padded.
   bool goesOn() const { return bytes_.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos; }
-  /// Nothing at the end of the file.
+  /// Returns nothing at the end of the file.
   std::optional<double> number(Type type) {
     if (bytes_.size() < type.size) return std::nullopt;
     const std::uint64_t bits = frontBits(type.size);
@@ -92,12 +92,12 @@ class BinaryValues {
   Encoding encoding_;
 };
 
-/// Whether it is an integer of 32 bits.
+/// True for an integer of 32 bits.
 bool isWhole(double value) {
   return value >= 0 && value < 0x1p32 && value == std::floor(value);
 }
 
-/// One item after the other into a soup; no value but what we need is looked at.
+/// Reads one item after the other into a soup. Only values of the needed properties are parsed.
 template <class Values>
 class Reader {
  public:

@@ -45,7 +45,7 @@ Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts) {
   joinBorders(stitched, tolerance, found);
   dropDuplicates(stitched, found);
   splitAtBorderVertices(stitched, tolerance, found);
-  Result<TriangleMesh> closed = closeSurface(settled(stitched), found);  // without the vertices nobody uses any more
+  Result<TriangleMesh> closed = closeSurface(settled(stitched), found);  // settling drops vertices without triangles
   if (counts != nullptr) *counts = found;
   const auto refused = [&](const std::string& why) {
     return Error{fmt::format("{}: after repair ({}): {}", surface.name, found.text(), why)};

@@ -12,7 +12,7 @@
 namespace cairn::builder {
 namespace {
 
-/// Little-endian, whatever the machine.
+/// Little-endian on every machine.
 void appendBits(std::string& bytes, std::uint32_t bits) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(bits >> shift & 0xFF));
 }

@@ -24,8 +24,8 @@ std::vector<std::uint32_t> verticesOf(const std::vector<HalfEdge>& edges) {
   return vertices;
 }
 
-/// For every vertex the lowest-numbered border vertex it can be reached from in steps of at most `tolerance`, itself
-/// when there is none.
+/// For every vertex: the lowest-numbered border vertex that can be reached from it in steps of at most `tolerance`;
+/// itself without any.
 std::vector<std::uint32_t> nearbyVertices(const TriangleMesh& mesh, double tolerance) {
   std::vector<std::uint32_t> leader(mesh.vertices.size());
   std::iota(leader.begin(), leader.end(), 0U);
@@ -71,7 +71,8 @@ class BorderVertices {
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(at(a), a) < std::pair(at(b), b); });
   }
 
-  /// Those within `tolerance` of the inside of an edge, in order from its start; never the triangle's third corner.
+  /// The border vertices within `tolerance` of the inside of an edge, in order from its start; never the triangle's
+  /// third corner.
   std::vector<std::uint32_t> on(const HalfEdge& edge, double tolerance) const {
     const Vec3d from = mesh_.vertices[edge.from], along = mesh_.vertices[edge.to] - from;
     const double reach = length(along);

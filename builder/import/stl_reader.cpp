@@ -15,7 +15,7 @@
 namespace cairn::builder {
 namespace {
 
-/// What of an STL is read here; nothing when assimp is to read it.
+/// The content of an STL; nothing when assimp must read it.
 using StlPolygons = std::optional<PolygonSoup>;
 
 std::string lowered(std::string_view word) {
@@ -24,7 +24,7 @@ std::string lowered(std::string_view word) {
   return lower;
 }
 
-/// What is open where a statement stands.
+/// The block that is open at a statement.
 enum class Open { Nothing, Solid, Facet, Loop, FacetWithLoop };
 
 struct Statement {
@@ -81,7 +81,7 @@ class TextStl {
     return {};
   }
 
-  /// Where a statement stands that must not.
+  /// The place of a statement that is not allowed there.
   std::string whatIsMissing() const {
     const std::size_t facet = soup_.ends.size() + (open_ == Open::FacetWithLoop ? 0 : 1);
     switch (open_) {

@@ -84,7 +84,8 @@ void appendPolygon(std::span<const Vec3d> p, TriangleSoup& soup) {
   for (const auto& [a, b, c] : patch) soup.push_back({corner(a), corner(b), corner(c)});
 }
 
-/// Leaves out corners that lie where the one before does; three are left, without area, of what has fewer places.
+/// Drops corners at the position of the one before. A polygon with fewer than three positions keeps three corners,
+/// without area.
 void dropRepeated(std::vector<Vec3d>& polygon) {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();

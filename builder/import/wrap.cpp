@@ -23,8 +23,8 @@ Status checkOption(const char* name, double value, double least, double most) {
   return Error{fmt::format("the wrap's {} is {} of the diagonal; choose {} to {}", name, value, least, most)};
 }
 
-/// The first triangle of `surface` that is not proved to lie strictly inside the closed mesh `skin`: it meets none of
-/// the skin's triangles, so it lies on one side, and one corner tells which.
+/// Returns the first triangle of `surface` without a proof that it lies strictly inside the closed mesh `skin`. A
+/// triangle that meets none of the skin's triangles lies on one side of it, and one corner decides which.
 std::optional<std::uint32_t> firstOutside(const TriangleMesh& surface, const TriangleMesh& skin) {
   if (const auto pair = findCrossing(surface, skin)) return pair->first;
   const SignedDistance solid(skin);

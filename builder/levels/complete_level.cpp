@@ -11,7 +11,7 @@ namespace {
 constexpr int kRounds = 8;
 /// Attempts of each relief after the first: those repair, and most points need one attempt.
 constexpr std::size_t kRepairs = 20;
-/// Within this factor of what the points need, the dense points have nothing to add.
+/// Dense points within this factor of the points' need are not added.
 constexpr double kComplete = 1.01;
 
 }  // namespace
@@ -20,7 +20,7 @@ CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, const Re
   const Reach denseReach = reachThrough(surface.above, surface.dense);
   CoverLevel best;
   const ReliefEffort repair{std::min(effort.attempts, kRepairs), effort.redraws};
-  double settled = surface.negligible;  // what the first relief ended at: the next ones repair, they do not try again
+  double settled = surface.negligible;  // stand-off after the first relief; later reliefs only repair the level
   for (int round = 0; round < kRounds; ++round) {
     const Reach reach = reachThrough(surface.above, surface.points);
     LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};

@@ -9,7 +9,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// What counts as nearly the limit, and how many such points are kept for each ball, about.
+/// The fraction of the limit that counts as nearly the limit, and the approximate number of such points for each ball.
 constexpr double kNearlyWorst = 0.97;
 constexpr std::size_t kWorstPerBall = 10, kMaxWorst = 1000;
 

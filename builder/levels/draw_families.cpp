@@ -17,8 +17,8 @@ namespace cairn::builder {
 
 namespace {
 
-/// Sizes of the flat covers, in parts of a full lower level: the fewer balls, the easier to group; families are filled
-/// up afterwards, which lowers what they need by about this power of the part.
+/// Sizes of the flat covers, as fractions of a full lower level. Fewer balls are easier to group. Families are filled
+/// up afterwards, which lowers their stand-off by about this power of the fraction.
 constexpr std::array kFlatShares{0.625, 0.75, 0.8125, 0.875};
 constexpr double kFilling = 0.25;
 /// Points of a flat cover.
@@ -41,7 +41,7 @@ class Drawing {
                       problem_.negligible};
     flat.keepGoing = problem_.keepGoing;
     const std::vector<ChildBall> balls = optimiseLevel(flat, {firstBall({problem_.seed, k})});
-    // Nobody looks at what a cancelled search ends with, and families of a cover that was cut short take longest.
+    // The result of a cancelled search is not used, and families of an incomplete cover take longest.
     if (problem_.keepGoing != nullptr && !(*problem_.keepGoing)())
       return {uppers_.covers[0], balls, std::numeric_limits<double>::infinity()};
     DrawnFamilies drawn = families(balls);
@@ -74,7 +74,7 @@ class Drawing {
     return {std::move(upper), std::move(children), 0};
   }
 
-  /// By ball of a flat cover: the points it holds most cheaply.
+  /// By ball of a flat cover: the points that it holds most cheaply.
   std::vector<PointSet> partsOf(const std::vector<ChildBall>& flat) const {
     std::vector<PointSet> parts(flat.size());
     const Reach owned = ownedBy({flat, 0}, uppers_.points, all_);

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::uint32_t kNowhere = ~0U;
 
-/// What a step asks to save of the worst stand-off, and what it has to save to be kept. Asking for little lets most
-/// points be held by families outside.
+/// The saving of the worst stand-off that a step requests, and the saving it needs to be kept. A small request lets
+/// families outside hold most points.
 constexpr double kRequest = 0.02, kWorthAStep = 0.002;
-/// Families optimised together, if those that reach the worst point are fewer.
+/// Least number of families optimised together: those that may hold the worst point, filled up to this number.
 constexpr std::size_t kFamilies = 3;
 /// Balls taken away in turn before the family is drawn anew.
 constexpr std::size_t kSwaps = 12;
@@ -33,13 +33,13 @@ struct Part {
   std::vector<ChildBall> balls;                   // by parent of the part
 };
 
-/// The cheapest ball for a point and what the second costs.
+/// The cheapest ball for a point, and the cost of the second cheapest.
 struct Holder {
   std::size_t ball = 0;
   double cost = kInfinity, secondCost = kInfinity;
 };
 
-/// Balls in order of what their points would cost the others at most.
+/// Balls, ordered by the largest cost of their points for the other balls.
 std::vector<std::size_t> mostDispensableFirst(const Part& part) {
   std::vector<Holder> holders(part.points.size());
   for (std::size_t i = 0; i < part.balls.size(); ++i)
@@ -100,7 +100,7 @@ class Relief {
     }
   }
 
-  /// By point: the least cost over all families but those named (ascending).
+  /// By point: the least cost over all families except the named ones (ascending).
   std::vector<double> leastCosts(const std::vector<std::uint32_t>& but) const {
     std::vector<double> least(problem_.points.size(), kInfinity);
     for (std::uint32_t k = 0; k < families_.size(); ++k) {
@@ -134,7 +134,7 @@ class Relief {
     return parents;
   }
 
-  /// What is left to these families; those to whom nothing is are not in it.
+  /// The points that remain for these families; families without such points are left out.
   Part partOf(const std::vector<std::uint32_t>& parents, double goal) const {
     const std::vector<double> outside = leastCosts(parents);
     std::vector<char> left(problem_.points.size(), 0);
@@ -179,7 +179,7 @@ class Relief {
     return true;
   }
 
-  /// The family that pays most begins anew, from first balls spread over what it may hold.
+  /// Starts the family with the most to gain anew, from first balls spread over its reach.
   std::optional<std::vector<ChildBall>> redrawn(const Part& part, double goal, double worst) {
     const std::uint32_t k = mostStrained(part);
     PointSet reached;
@@ -222,7 +222,7 @@ class Relief {
   std::size_t attempts_ = 0;                // left
   std::size_t redraws_ = 0;                 // of a family, before a point is given up
   std::vector<SphereSet> families_;         // by parent
-  std::vector<std::vector<double>> costs_;  // by parent, by slot of its reach: of its family's cheapest ball
+  std::vector<std::vector<double>> costs_;  // by parent, by slot of its reach: cost of its family's cheapest ball
   std::vector<PointSet> reachPoints_;       // by parent
 };
 

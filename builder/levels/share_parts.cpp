@@ -22,7 +22,7 @@ constexpr int kSteps = 6000;
 constexpr double kLongestStep = 0.6, kShortestStep = 0.02;
 /// Factors by which the limit is raised until all parts have room, and lowered while they have.
 constexpr double kLoosening = 1.05, kTightening = 0.996;
-/// Of each part, so many points are looked at, the extreme ones first.
+/// Number of points examined of each part, the extreme ones first.
 constexpr std::size_t kPointsPerPart = 40;
 
 /// The places below the parents. Balls with a choice are placed by augmenting paths.
@@ -151,7 +151,7 @@ class Sharing {
     for (std::uint32_t k = 0; k < parents_.size(); ++k) see(k);
   }
 
-  /// Whether all parts find places; which ones, if asked for.
+  /// True when all parts find places; `parentsOf`, if given, receives their parents.
   bool hasRoom(std::vector<std::vector<std::uint32_t>>* parentsOf) const {
     if (std::find(masks_.begin(), masks_.end(), 0U) != masks_.end()) return false;
     const std::size_t parts = begin_.size() - 1;

@@ -18,26 +18,27 @@ namespace cairn::builder {
 
 namespace {
 
-/// Of two pairs of levels the better has the smaller product of limits, the upper's to this power: a traversal stopped
-/// early sees the upper one, so what that gives up has to buy three times as much below. Upper levels within `kAsGood`
-/// of the best are all as good: which one is found is chance, and the level below should decide.
+/// The better of two pairs of levels has the smaller product of limits, with the upper limit to this power. A traversal
+/// that stops early sees the upper level. So a loss there must gain three times as much below. Upper levels within
+/// `kAsGood` of the best count as equal: chance decides which one is found, and the level below should decide instead.
 constexpr double kUpperWeight = 3, kAsGood = 1.03;
-/// What the third level would need counts as well, to this power: it differs from pair to pair twice as much as the
-/// second does, and what is looked ahead at is only an estimate.
+/// Exponent for the estimated limit of the third level. It varies between pairs twice as much as the second limit does,
+/// but it is only an estimate.
 constexpr double kNextWeight = 0.5;
 /// Families drawn; of these the most promising are filled up, and the best of the pairs gone on with.
 constexpr std::size_t kDraws = 12, kFilledUp = 6, kTightened = 4;
-/// The upper level's limit on its way down: this factor a step, to this part of what it needs for itself at least.
+/// The upper level's limit falls by this factor a step, down to this fraction of its own need.
 constexpr double kUpperTightening = 0.975, kTightest = 1.02;
 /// Pairs that are completed between the points, and attempts to relieve their lower levels.
 constexpr std::size_t kCompleted = 3;
 constexpr ReliefEffort kRelief{.attempts = 25, .redraws = 0};
-/// Looked ahead at: this part of the dense points, and most points of a family that is fitted alone.
+/// The estimate of the third level uses this fraction of the dense points, and at most this many points of a family
+/// that is fitted alone.
 constexpr std::size_t kAheadPart = 3, kFamilyPoints = 150;
 
 struct TwoLevels {
   CoverLevel upper, lower;
-  double next = 1;  // about what the level below needs; the same for all while unknown
+  double next = 1;  // estimated need of the level below; equal for all while unknown
 };
 
 class Search {
@@ -112,8 +113,8 @@ class Search {
     return {std::move(upper), std::move(lower), 1};
   }
 
-  /// Lowers the upper level's limit step by step towards what it needs for itself, as far as its balls follow, and
-  /// returns the best pair on the way. Balls move only as far as each step asks, so the families survive.
+  /// Lowers the upper level's limit step by step towards its own need, as far as its balls follow, and returns the best
+  /// pair on the way. Balls move only as far as each step requires, so the families survive.
   TwoLevels tightened(TwoLevels levels) const {
     TwoLevels best = levels;
     const double lowest = kTightest * tightest();
@@ -129,8 +130,8 @@ class Search {
     return best;
   }
 
-  /// Takes in what lies between the points, and lowers the lower level where it is worst. The upper level stays, or
-  /// families would fall apart; its limit is raised to what the dense points need.
+  /// Adds the surface between the points, and lowers the lower level where it is worst. The upper level stays, or
+  /// families would fall apart. Its limit is raised to the dense points' need.
   TwoLevels completed(TwoLevels levels) const {
     const Reach dense = reachOfAll(problem_.dense.size());
     levels.upper.limit = std::max(standOffOf(levels.upper, problem_.dense, dense), levels.upper.limit);
@@ -148,8 +149,8 @@ class Search {
     return levels;
   }
 
-  /// About what a third level needs, on few points: one family that is left with more than its share, and neighbours
-  /// that cannot reach it, would decide that level's error, and neither limit tells.
+  /// Estimates the need of a third level, on few points. One family with more than its share, which its neighbours
+  /// cannot relieve, would decide that level's error. Neither limit shows this.
   double nextStandOff(const TwoLevels& levels) const {
     const PointSet& points = ahead_;
     std::vector<CoverLevel> above{levels.upper, levels.lower};

@@ -20,7 +20,7 @@ namespace {
 /// Points, starts and rounds of swaps of the first search, and how many of its covers are gone on with.
 constexpr std::size_t kPoints = 1500, kCoverStarts = 6, kCovers = 3;
 constexpr int kSwapRounds = 6;
-/// How often the covers are fitted to the dense points that cost most.
+/// Number of times the covers are fitted to the costliest dense points.
 constexpr int kSeamRounds = 3;
 
 SphereSet randomBalls(const PointSet& points, const DepthField& field, std::size_t count, RandomStream random) {

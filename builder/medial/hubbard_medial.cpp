@@ -28,7 +28,7 @@ void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::ve
   }
 }
 
-/// Far above the rounding of a point of the surface, far below what a mesh tells apart; of the diagonal.
+/// Fraction of the diagonal, far above the rounding of a surface point and far below a mesh's details.
 constexpr double kOnTriangle = 1e-9;
 
 std::vector<std::uint32_t> clustersAt(const SignedDistance& solid, const PlanarClusters& clusters, const Vec3d& point) {

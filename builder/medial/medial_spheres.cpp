@@ -16,7 +16,7 @@ namespace {
 /// Outside vertices farther from the middle than this many diagonals belong to the enclosing sites.
 constexpr double kMaxReach = 1.0;
 
-/// How often coverage that is improved is found anew, at most.
+/// Largest number of times that improved coverage is computed anew.
 constexpr std::size_t kRounds = 1000;
 /// It ends within the last such part of its insertions, as soon as no coverage is worse than the medial spheres.
 constexpr std::size_t kEnding = 20;
@@ -134,7 +134,7 @@ class AdaptiveSampling {
 
   /// Which outside sphere is to hold a point that no inside one does.
   enum class Preference {
-    mostDeletable,  ///< the one most easily removed by further sampling: the largest reach over its distance outside
+    mostDeletable,  ///< the one that further sampling removes most easily: the largest reach over its distance outside
     leastStandOff,
   };
 
@@ -149,7 +149,7 @@ class AdaptiveSampling {
     return list;
   }
 
-  /// Points of the region that none of these spheres holds.
+  /// Points of the region that lie in none of these spheres.
   Indices uncoveredBy(const Indices& inside) const {
     std::vector<double> distances(region_.size());
     std::vector<bool> covered(region_.size(), false);
@@ -165,7 +165,7 @@ class AdaptiveSampling {
 
   static constexpr std::uint32_t kNone = ~0U;
 
-  /// For each of these points the preferred one of the outside spheres that hold it, or `kNone`.
+  /// For each of these points: the preferred outside sphere among those that hold it, or `kNone`.
   Indices coverageOf(const Indices& uncovered, const Indices& outside, Preference preference) const {
     PointSet points;
     points.assign(region_, uncovered);

@@ -60,7 +60,7 @@ class Sampling {
     }
   }
 
-  /// How far points along the edges are from each other at most.
+  /// Largest distance between neighbouring points along the edges.
   double edgeSpacing() const {
     double points = 0;
     visitEdges([&](std::uint32_t from, std::uint32_t to, const auto&) {

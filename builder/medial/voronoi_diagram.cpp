@@ -25,7 +25,7 @@ constexpr std::uint32_t kUnbounded = ~0U;
 /// outside.
 constexpr double kEnclosingDistance = 4;
 
-/// Not finite for coplanar points. CGAL's own construction would refuse these instead, in debug builds only.
+/// The result is not finite for coplanar points. CGAL's own construction refuses these, in debug builds only.
 Vec3d circumcenter(const Vec3d& origin, const Vec3d& p, const Vec3d& q, const Vec3d& r) {
   const Vec3d a = p - origin, b = q - origin, c = r - origin;
   const Vec3d normals = cross(b, c) * lengthSq(a) + cross(c, a) * lengthSq(b) + cross(a, b) * lengthSq(c);

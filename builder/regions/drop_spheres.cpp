@@ -31,8 +31,8 @@ SphereSet oneLess(const CoverProblem& problem, const SphereSet& balls) {
   return best;
 }
 
-/// A division into one child less with errors of at most `allowed`. First against the solid, then, when that fails,
-/// against its closing at about the allowed error, which is what a ball of that error may fill.
+/// Returns a division into one child less with errors of at most `allowed`. It is fitted against the solid first. If
+/// that fails, it is fitted against the closing at about the allowed error, because a ball of that error may fill it.
 std::optional<Split> withOneLess(const Split& split, const Region& region, double allowed, const SignedDistance& solid,
                                  SplitSettings settings) {
   settings.branching = split.balls.size() - 1;
@@ -59,7 +59,7 @@ Split dropSpheres(const Split& full, const Region& region, const SignedDistance&
   best.allowed = full.worst() * (1 + settings.balance->excess);
   while (best.children.size() > kMin) {
     std::optional<Split> fewer = withOneLess(best, region, allowed(best.children.size() - 1), solid, settings);
-    // A ball that was left nothing is dropped too, and what is allowed need not grow with what is dropped.
+    // A ball without pieces is dropped too. The allowed error need not grow with the number of dropped balls.
     if (!fewer || fewer->worst() > allowed(fewer->children.size())) break;
     fewer->allowed = allowed(fewer->children.size());
     best = *std::move(fewer);

@@ -16,8 +16,7 @@ namespace {
 constexpr int kSwapRounds = 1;
 /// First and last step of a bias, in parts of the stand-off at which seams are divided.
 constexpr double kFirstStep = 0.2, kLastStep = 0.02;
-/// With the mean of the children's worst errors above this part of the largest, siblings have nothing to offer each
-/// other.
+/// When the mean of the children's worst errors exceeds this fraction of the largest, siblings cannot help each other.
 constexpr double kBalanced = 0.85;
 constexpr double kStepAfterFailure = 0.5, kStepAfterSuccess = 1.5;
 /// An attempt has to lower the worst by this factor to count.
@@ -94,7 +93,8 @@ void Lookahead::moveSeams(std::size_t child, double limit, const SignedDistance&
   const auto stayed = [&](std::size_t i) { return moved->children[i].pieces == split_.children[i].pieces; };
   if (stayed(child)) return;
   const double goal = worstGrandchild() * kWorthwhile;
-  // What balancing drops is measured against what the part's own division comes to, so then it starts from nothing.
+  // Balance compares the errors after a drop with those of the part's own division, so it then starts without a former
+  // division.
   const Split nothing;
   std::vector<std::optional<SplitBelow>> next(next_.size());
   for (const std::size_t i : likelyWorstFirst(child)) {

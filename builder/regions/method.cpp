@@ -26,7 +26,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
 };
 
-/// In the order of the enumeration.
+/// Rows are in the order of the enumeration.
 constexpr std::array<const char*, 3> kOptimisers{"none", "thesis", "cairn"};
 
 }  // namespace

@@ -40,7 +40,7 @@ MedialSpheres medialSpheresOf(const CoverProblem& problem, const Region& region,
   return approximateMedialAxis(solid, problem.points, spacing, sites, goal);
 }
 
-/// What the reductions of a medial axis start from.
+/// The candidates from which the reductions of a medial axis start.
 struct Candidates {
   std::vector<Ball> covering;  ///< hold the region together
   std::vector<Ball> all;       ///< further ones that may hold much of it once they are grown

@@ -30,10 +30,10 @@ constexpr std::size_t kMinPieces = 400;
 constexpr std::size_t kMaxPoints = 1500;
 /// Seams are cut down to this part of the longest edge of the region's pieces.
 constexpr double kFinestSeam = 0.1;
-/// And not below this part of the stand-off: what is left of a seam costs its width times the sine of the angle at
-/// which the balls leave the surface, a few percent.
+/// Lower limit, as a fraction of the stand-off. The rest of a seam costs its width times the sine of the angle between
+/// the balls and the surface, a few percent.
 constexpr double kFinestSeamOfStandOff = 0.2;
-/// Stand-off allowed to a piece before it is bisected, over what the points need.
+/// Factor on the points' stand-off up to which a piece is not bisected.
 constexpr double kSeamAllowance = 1.01;
 /// A corner that needs more than this part of the stand-off joins the points, and how often they are completed so.
 constexpr double kNearlyWorst = 0.97;
@@ -122,8 +122,8 @@ void settle(Split& split, SphereSet balls, const SignedDistance& solid, const Sp
   makeChildren(split, nullptr, solid, traitsOf(settings.method).refit, kInfinity);
 }
 
-/// Divides the region among the balls. The seams show what the points between the pieces' corners cost; the balls are
-/// optimised for the worst of them as well, then the pieces are divided for good. False as with `makeChildren`.
+/// Divides the region among the balls. The seams show the cost of the surface between the pieces' corners. The balls
+/// are optimised for the worst of these points too, then the pieces are divided finally. False as with `makeChildren`.
 bool settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem, const SignedDistance& solid,
                      const SplitSettings& settings, double ofInterest) {
   take(split, std::move(balls), settings.negligible);
@@ -148,14 +148,15 @@ bool splitByBalls(Split& split, const Region& region, const SignedDistance& soli
   if (settings.optimiser != Optimiser::cairn) {
     settle(split, balls, solid, settings);
     if (split.children.size() >= 2) return true;
-    // A set of which one ball takes everything does not divide; the optimisation completes it and spreads it out.
+    // A set in which one ball takes everything does not divide the region. The optimisation completes the set and
+    // spreads it.
     split.children.clear();
     balls = optimise(problem, std::move(balls));
   }
   return settleOptimised(split, std::move(balls), problem, solid, settings, ofInterest);
 }
 
-/// The same for a region much like that of `like`, from whose balls it starts.
+/// Divides a region similar to that of `like`, starting from the balls of `like`.
 bool splitLike(Split& split, const Region& region, const Split& like, const SignedDistance& solid,
                const SplitSettings& settings, double ofInterest) {
   split.pieces = region.pieces;
@@ -212,8 +213,8 @@ bool isPointless(const Region& region, const SplitSettings& settings) {
   return region.pieces.empty() || region.ball.standOff() <= settings.negligible;
 }
 
-/// The closing of the solid that balls of about this stand-off may fill in the region; null when nothing tells it from
-/// all of space.
+/// Returns the closing of the solid that balls of about this stand-off may fill in the region; null when it cannot be
+/// distinguished from all of space.
 std::unique_ptr<DepthField> closingAround(const Region& region, const SignedDistance& solid,
                                           const SplitSettings& settings, const SphereSet& balls, double standOff) {
   if (settings.convex) return std::make_unique<SolidDepth>(solid);
@@ -223,7 +224,8 @@ std::unique_ptr<DepthField> closingAround(const Region& region, const SignedDist
   return closed;
 }
 
-/// `refineSplit` of a division of which only the children may be missing, when it brings the worst error below `goal`.
+/// Applies `refineSplit` to a division, whose children may be missing, and returns it when its worst error is below
+/// `goal`.
 std::optional<Split> refinedBelow(const Split& split, const Region& region, const SignedDistance& solid,
                                   const SplitSettings& settings, int swapRounds, double goal) {
   const double standOff = coverStandOff(split.points, split.balls);

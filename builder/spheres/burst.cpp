@@ -31,7 +31,7 @@ struct Share {
   bool sameAs(const Share& other) const { return heir == other.heir && points == other.points; }
 };
 
-/// What the removal of one ball would do.
+/// The effect of the removal of one ball.
 struct Removal {
   std::vector<Share> shares;     // sorted by heir
   double before = 0, after = 0;  // worst stand-off of the balls involved

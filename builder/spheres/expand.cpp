@@ -29,8 +29,9 @@ PointSet thinned(const PointSet& points, std::size_t most) {
   return PointSet(farthestPointSample(list, most, 0));
 }
 
-/// Where one ball suffices earlier than the wanted number of smaller ones, as for the cube, the search above can only
-/// end with that one. Without balls that hold everything the smaller ones get their turn (5.3.3).
+/// For some shapes, such as the cube, one ball suffices at a lower stand-off than the wanted number of smaller ones.
+/// The search above then always ends with that ball. Without the balls that hold everything, the smaller ones are
+/// considered (5.3.3).
 Expanded divided(const ExpandCosts& costs, std::size_t count, Expanded single) {
   double standOff = single.standOff;
   for (int step = 0; step < kMaxSteps; ++step, standOff *= kNextStandOff) {

@@ -17,11 +17,11 @@ namespace {
 
 /// Factor from one size of cells to the next (Alg. 1).
 constexpr double kShrink = 0.9;
-/// The search is over when this many sizes needed too many balls: what one size needs is not a monotone function of it,
-/// because its own search may end badly.
+/// The search ends when this many sizes needed too many balls. The need is no monotone function of the size, because
+/// the search at one size may end badly.
 constexpr int kMaxMisses = 2;
-/// Or when cells are this part of the first: of a rod's region few points are left to cover long before, and the number
-/// of a block's cells stays far below what 64 bits hold.
+/// The search also ends when cells are this fraction of the first ones. In a rod's region few points are left to cover
+/// long before. The number of a block's cells then stays far below 2^64.
 constexpr double kMinPart = 1e-3;
 constexpr std::size_t kEvaluations = 60;
 /// First steps of the search: a part of a cell along its axes, and radians about them.

@@ -35,7 +35,7 @@ std::uint64_t bitsWithin(const double* HWY_RESTRICT costs, double standOff) {
   return word;
 }
 
-/// By column: its bits.
+/// By column: its number of bits.
 void countColumns(const std::uint64_t* HWY_RESTRICT bits, std::size_t words, std::size_t stride,
                   std::uint64_t* HWY_RESTRICT counts) {
   const Words d;
@@ -128,7 +128,7 @@ void HeldSets::drop(std::span<const std::size_t> barred) {
   if (kept.size() == size()) return;
   const std::size_t stride = (kept.size() + kWidest - 1) / kWidest * kWidest;
   for (std::size_t w = 0; w < words_; ++w) {
-    // In place: a row's new start and columns never lie behind its old ones.
+    // Moves rows in place: a row's new start and columns never lie after the old ones.
     for (std::size_t k = 0; k < kept.size(); ++k) bits_[w * stride + k] = bits_[w * stride_ + kept[k]];
     std::fill(bits_.begin() + static_cast<std::ptrdiff_t>(w * stride + kept.size()),
               bits_.begin() + static_cast<std::ptrdiff_t>((w + 1) * stride), 0);

@@ -109,8 +109,8 @@ double HubbardError::ofPoint(const EnclosingBall& ball, const SampleSet& samples
   std::uint32_t decisive = begin;
   for (std::uint32_t n = begin; n < end; ++n)
     if (const double height = dot(ball.center - point, normals_[n]); height > highest) highest = height, decisive = n;
-  // For a point in the ball the stand-off grows with the height above it, so one normal decides: also as rounded, as
-  // long as the height is not negative.
+  // For a point in the ball the stand-off grows with the height above it, so one normal decides. Rounding keeps this
+  // true while the height is not negative.
   if (highest >= 0) return normalStandOff(ball.center, ball.radius, point, normals_[decisive]);
   double worst = 0;
   for (std::uint32_t n = begin; n < end; ++n)

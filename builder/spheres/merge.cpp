@@ -30,7 +30,7 @@ struct Pair {
   Ball merged;
 };
 
-/// A pair by what its ball stands off; the older one first on a tie.
+/// A pair, ordered by the stand-off of its ball; the older pair first on a tie.
 struct QueuedPair {
   double standOff = 0;
   std::uint32_t index = 0;

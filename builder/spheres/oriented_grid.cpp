@@ -16,13 +16,13 @@ namespace {
 
 /// The ball around a cell reaches this many cells at most beyond it: (sqrt(3) - 1) / 2 < 1.
 constexpr int kReach = 1;
-/// Widens the balls, so that a point on a cell's corner is in that cell's ball whatever rounding does.
+/// Widens the balls, so that a point on a cell's corner lies in that cell's ball despite rounding.
 constexpr double kSlack = 1 + 1e-12;
 
 /// Room for rounding around the points, in parts of the first cell.
 constexpr double kMargin = 1e-7;
 
-/// Where the points lie in the grid, and which cells' balls hold each of them. The cells that may are those of a block,
+/// The positions of the points in the grid, and the cells whose balls hold each point. Candidate cells form a block,
 /// numbered with x slowest.
 class Holdings {
  public:
@@ -156,7 +156,7 @@ namespace {
 /// A table of all cells of a block is worth its room up to so many for each point.
 constexpr std::size_t kCellsAPoint = 256;
 
-/// Cells with a point in their balls, numbered anew in the same order, and what their balls hold.
+/// Cells with a point in their balls, renumbered in order, and the points of their balls.
 class Cells {
  public:
   /// Renumbers the cells of `holdings`.

@@ -20,9 +20,9 @@ namespace cairn::builder {
 
 namespace {
 
-/// Where balls meet, pieces are cut down to this part of the longest edge of all.
+/// Where balls meet, pieces are cut down to this fraction of the longest edge of all.
 constexpr double kFinestSeam = 0.1;
-/// The stand-off of hundreds of balls is some hundredths of what one ball needs: as precise for them.
+/// Hundreds of balls have some hundredths of one ball's stand-off; this precision suffices for them.
 constexpr ExpandLimits kUnlimited{.candidates = ~std::size_t{0}, .points = ~std::size_t{0}, .bisections = 20};
 
 SphereSet byHubbard(const MedialAxis& axis, const SignedDistance& solid, std::size_t count,

@@ -13,7 +13,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Halvings of the interval of the stand-off: it then is known to 0.1 % of what one ball alone needs.
+/// Halvings of the stand-off's interval: they give 0.1 % of the stand-off of one ball alone.
 constexpr int kBisections = 10;
 constexpr std::size_t kSpawnEvaluations = 40;
 /// First step of a centre, in parts of the radius it starts with: far enough to leave the points held already.
@@ -25,7 +25,7 @@ class Growth {
   Growth(const CoverProblem& problem, double standOff)
       : problem_(problem), standOff_(standOff), uncovered_(problem.points) {}
 
-  /// Nothing when the problem's count does not suffice.
+  /// Returns nothing when the problem's count does not suffice.
   std::optional<SphereSet> run() {
     while (!uncovered_.empty()) {
       Ball best;

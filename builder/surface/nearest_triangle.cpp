@@ -41,7 +41,8 @@ HWY_INLINE void distancesSq(const HierarchyNode& node, const Vec3d& query, doubl
   }
 }
 
-/// What each of four children is at least from the query, squared: the greater of `boxes` and its distance to the slab.
+/// Lower bounds of the squared distance from the query to each of four children: the greater of `boxes` and the
+/// distance to the slab.
 HWY_INLINE void slabBoundsSq(const HierarchyNode& node, const Vec3d& query, const double* boxes, double* out) {
   const Lanes d;
   for (std::size_t i = 0; i < HierarchyNode::kWidth; i += hn::Lanes(d)) {
@@ -147,7 +148,7 @@ struct TiedPackets {
   }
   std::uint32_t all() const { return ~std::uint32_t{0} >> (list.size() - size); }
 
-  /// Of the packets `which` below a node: those of each child. Returns the children that have any, a bit each.
+  /// Divides the packets `which` below a node among its children. Returns one bit for each child that has any.
   unsigned below(const HierarchyNode& node, std::uint32_t which, std::array<std::uint32_t, 4>& byChild) const {
     byChild = {};
     unsigned children = 0;

@@ -16,9 +16,10 @@ namespace cairn::builder {
 
 namespace {
 
-/// A pseudonormal is a sum of unit normals, each rounded by a few 2^-52 over the sine of its triangle's angle: at edges
-/// and corners sharper than a hundred-thousandth of a degree they nearly cancel, and rounding is what is left. A
-/// product with it below this part of the offset says nothing; triangles of angles down to 2^-14 are within it.
+/// A pseudonormal is a sum of unit normals. Each is rounded by a few 2^-52 over the sine of its triangle's angle. At
+/// edges and corners sharper than a hundred-thousandth of a degree they nearly cancel, and mostly rounding remains. A
+/// product with the pseudonormal below this fraction of the offset decides nothing. The fraction covers triangles with
+/// angles down to 2^-14.
 constexpr double kSignInDoubt = 0x1p-36;
 
 }  // namespace
@@ -59,8 +60,9 @@ SignedDistance::Answer SignedDistance::query(const Vec3d& query, double atMost) 
 
 std::optional<double> SignedDistance::gather(const Vec3d& center, double distance, double reach, std::size_t most,
                                              std::vector<NearPacket>& parts) const {
-  // A triangle farther from the centre than distance + 2 reach is farther from any point within reach of it than the
-  // one nearest to the centre. Four distances take part, each rounded; twice that covers the reach's own rounding.
+  // For any point within reach of the centre, a triangle farther from the centre than distance + 2 reach is farther
+  // than the triangle nearest to the centre. Four distances take part, each rounded. Twice their rounding also covers
+  // the reach's own.
   const double guard = 8 * roundingBound(center + Vec3d{reach, reach, reach});
   const double within = distance + 2 * reach + guard;
   parts.clear();
@@ -70,8 +72,8 @@ std::optional<double> SignedDistance::gather(const Vec3d& center, double distanc
 
 SignedDistance::Answer SignedDistance::queryAmong(std::span<const NearPacket> parts, const Vec3d& point,
                                                   double moved) const {
-  // The rounding of the packets' distances from the centre and of the one compared with; the same again for what
-  // decides.
+  // Covers the rounding of the packets' distances from the centre and of the compared distance; doubled for the
+  // decision itself.
   const double rounding = roundingBound(point);
   const double guarded = moved * (1 + 0x1p-50) + 8 * rounding;
   const NearestAmong nearest = nearestAmong(hierarchy_->triangles, parts, point, guarded, 4 * rounding);

@@ -21,11 +21,11 @@ double SurfaceDistance::distanceToTriangle(std::uint32_t triangle, const Vec3d& 
 }
 
 double distanceRoundingBound(const Bounds& bounds, const Vec3d& query) {
-  // With q the query, m the largest coordinate vector of the mesh and u = 2^-53, to first order: the frame of a
-  // triangle is orthonormal within 8 u, its corners are reproduced within 12 u |edge|, the offset from the corner
-  // within 4 u |q - a|, and projecting it and taking the in-plane part off again adds 24 u |q - a|; squaring, the
-  // comparison of boxes (4 u of the distance) and the root add 8 u. With |edge| <= 2 |m| and |q - a| <= |q| + |m| that
-  // is below 128 u (|q| + |m|); twice that covers what is not first order.
+  // Let q be the query, m the largest coordinate vector of the mesh and u = 2^-53; to first order: the frame of a
+  // triangle is orthonormal within 8 u. Its corners are reproduced within 12 u |edge|, and the offset from the corner
+  // within 4 u |q - a|. The projection and the removal of the in-plane part add 24 u |q - a|. Squares, the comparison
+  // of boxes (4 u of the distance) and the root add 8 u. With |edge| <= 2 |m| and |q - a| <= |q| + |m| the sum is below
+  // 128 u (|q| + |m|). Twice that covers the higher orders.
   constexpr double kUnits = 256 * 0x1p-53;
   const auto largest = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   const double mesh = std::max(largest(bounds.lower), largest(bounds.upper));

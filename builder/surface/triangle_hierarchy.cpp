@@ -93,7 +93,7 @@ class TriangleHierarchy::Builder {
       sum += cross(b - a, c - a);
     }
     const double norm = length(sum);
-    if (!(norm > 0)) return;  // it is closed, or its area is below what can be told
+    if (!(norm > 0)) return;  // the surface is closed, or its area vanishes in double precision
     const Vec3d normal = sum / norm;
     double lower = kInfinity, upper = -kInfinity;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {

@@ -49,7 +49,7 @@ Result<RunReport> make(const RunCommand& command, const Experiment& experiment, 
   return report;
 }
 
-/// An experiment with every seed; what it found is added to `all`.
+/// Runs an experiment with every seed and adds its results to `all`.
 Status makeWithSeeds(const RunCommand& command, const Experiment& experiment, const std::string& label,
                      nlohmann::ordered_json& all) {
   std::vector<nlohmann::ordered_json> documents;

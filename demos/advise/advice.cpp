@@ -23,7 +23,7 @@ std::string budgetText(const Rung& rung) {
   return rung.budget > 0 ? fmt::format("{} operations", rung.budget) : std::string("no budget");
 }
 
-// What a budget that cuts nothing would cost, for whoever wants steps bounded.
+// The cost of a budget that cuts nothing, for users who want bounded steps.
 std::string boundText(const Candidate& candidate) {
   for (const Rung& rung : candidate.rungs)
     if (rung.budget > 0 && !rung.cuts)

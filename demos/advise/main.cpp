@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kProgram = "cairn advise";
 
-/// What can be refused before minutes of measuring.
+/// Checks everything that can fail before minutes of measurement.
 Status checkOutputs(const Options& options) {
   std::vector<std::filesystem::path> files;
   if (options.json) files.push_back(*options.json);

@@ -19,7 +19,7 @@
 namespace cairn::advise {
 namespace {
 
-/// Metres: what Bullet is at ease with.
+/// Metres: a size that suits Bullet.
 constexpr double kBodySize = 1;
 /// Budgets, operations a body and step.
 constexpr std::array<std::uint64_t, 9> kBudgets{25, 50, 100, 200, 400, 800, 1600, 3200, 6400};
@@ -81,7 +81,7 @@ Result<std::vector<Contender>> buildTrees(const builder::TriangleMesh& mesh, con
     candidate.spheres = tree.value().nodeCount();
     contenders.push_back(
         {candidate, scenes::makeModel(std::make_shared<const SphereTree>(std::move(tree).value()), kBodySize), {}});
-    // Poses are of the body frame: all trees have to mean the same by it.
+    // Poses refer to the body frame, so all trees must have the same one.
     if (contenders.back().model.vertices != contenders.front().model.vertices)
       return Error{nameOf(candidate) + ": the tree's body frame is not that of the others"};
   }
@@ -104,8 +104,8 @@ class Race {
     return trial_.sieveUs || frames_.empty() ? Status() : playUpTo(all(), full());
   }
 
-  /// Plays the better half again as often as they have been played, and the better half of these, until few are left;
-  /// these, and whoever would then be chosen, as often as all may be. Precondition: there are busy frames.
+  /// Doubles the plays of the better half, then of the better half of these, until few are left. These trees, and every
+  /// tree that would then be chosen, get the full number of plays. Precondition: there are busy frames.
   Status sieve() {
     std::vector<std::size_t> running = all();
     for (std::uint32_t playings = 2; running.size() > kFinalists; playings *= 2) {
@@ -175,7 +175,7 @@ class Race {
     return {};
   }
 
-  /// Those that have been played less often, in turns.
+  /// Plays the trees with fewer plays, in turns.
   Status playUpTo(const std::vector<std::size_t>& places, std::uint32_t playings) {
     for (std::uint32_t done = 1; done < playings; ++done)
       for (const std::size_t place : places) {

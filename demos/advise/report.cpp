@@ -15,12 +15,12 @@
 namespace cairn::advise {
 namespace {
 
-/// Curves of a figure that can be told apart.
+/// Largest number of curves that can be distinguished in a figure.
 constexpr std::size_t kCurves = 6;
 /// Letters of the longest bar.
 constexpr double kBar = 48;
 
-/// Empty, of a name nobody else has, gone with this. Its path is empty where none could be made.
+/// A temporary empty folder with a unique name, removed with this object. Its path is empty where none could be made.
 class ScratchFolder {
  public:
   ScratchFolder() {

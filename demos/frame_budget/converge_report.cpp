@@ -57,7 +57,7 @@ nlohmann::ordered_json accuracyToJson(const ContactAccuracy& a) {
 
 namespace {
 
-/// What only a simulation has: null, so that every scene's report has the same keys.
+/// Keys of simulations are null here, so that every scene's report has the same keys.
 nlohmann::ordered_json nothingSimulated() {
   nlohmann::ordered_json json;
   for (const char* key : {"penetration_end_fraction", "gap_end_fraction"})

@@ -20,10 +20,10 @@ using scenes::CrushCourse;
 using scenes::CrushStart;
 using scenes::HeapReport;
 
-/// What the slowest step in a thousand may take: this times the budget, and an empty step.
+/// The limit for the slowest step in a thousand: this factor of the budget, plus an empty step.
 constexpr double kBudgetAllowance = 1.10;
 
-/// So many microseconds over what the narrow phase may take; nothing without a budget in microseconds.
+/// Microseconds above the limit of the narrow phase; nothing without a budget in microseconds.
 std::optional<double> shareOfAllowance(const Options& options, const HeapRun& run, std::optional<double> cpuUs) {
   const auto& budget = options.heap.world.budget.microseconds;
   if (!budget || !scenes::isSphereTree(run.shape) || !run.course || !cpuUs) return {};

@@ -46,7 +46,7 @@ Result<scenes::ContactAccuracy> judge(const scenes::BodyScene& scene, std::span<
   return judge.result();
 }
 
-// As many loops as there are steps, but for a second at most.
+// One loop for each step, but at most a second in total.
 std::optional<double> bareDeadline(double microseconds, std::uint32_t steps) {
   constexpr double kMaxMicroseconds = 1e6;
   if (!(microseconds <= kMaxMicroseconds)) return {};

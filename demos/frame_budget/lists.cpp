@@ -53,7 +53,7 @@ std::uint32_t defaultBodies(Scene scene) {
   return scene == Scene::heap || scene == Scene::rockfall ? 100 : 20;
 }
 
-/// Ten seconds of what is simulated, five of what is recorded.
+/// Ten seconds of a simulation, five of a recording.
 std::uint32_t defaultSteps(Scene scene) {
   switch (scene) {
     case Scene::converge:
@@ -104,7 +104,7 @@ Status setShape(const std::string& item, Options& options) {
   return {};
 }
 
-/// In the order they are told by `combinationsOf`.
+/// Dimensions in the order of `combinationsOf`.
 std::vector<Choices> allChoices(const ListTexts& texts, const std::optional<std::uint32_t>& steps) {
   return {choicesOf(texts.scenes, [steps](const auto& item, Options& o) { return setScene(item, steps, o); }),
           choicesOf(texts.bodies,
@@ -138,8 +138,8 @@ bool hasMargin(ShapeKind shape) {
   return shape == ShapeKind::gimpact || shape == ShapeKind::hull || shape == ShapeKind::compound;
 }
 
-/// Whether a combination differs from an earlier one in nothing its shape depends on: the choices it does not depend on
-/// count by their first item alone.
+/// True when a combination equals an earlier one in every option that its shape depends on. Other options count by
+/// their first item alone.
 bool isRepeated(ShapeKind shape, const std::vector<std::size_t>& chosen) {
   enum { scene, bodies, method, shapePlace, margin, operations, microseconds, priority, unresolved };
   const bool isTree = scenes::isSphereTree(shape);
@@ -159,7 +159,7 @@ bool advance(std::vector<std::size_t>& chosen, const std::vector<Choices>& choic
   return false;
 }
 
-/// What the shape does not depend on is not said of it.
+/// Options that the shape does not depend on are not reported.
 void leaveOutUnused(Options& options) {
   const ShapeKind shape = options.shapes.front();
   if (!scenes::isSphereTree(shape)) options.heap.world.budget = {};

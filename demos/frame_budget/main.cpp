@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// frame_budget: what a scene's collision costs and how right it is, for one shape or several in the same run.
+// frame_budget measures the cost and the accuracy of a scene's collision detection, for one shape or several in one
+// run.
 #include "converge_scene.h"
 #include "heap_scenes.h"
 #include "options.h"

@@ -44,7 +44,7 @@ constexpr const char* kExamples =
     "  from the exact run, the distance of a body from where it is in the same scene of gimpact at a margin of 0.1 %,\n"
     "  mean over bodies, after one second and at the end (where that run is in the sweep; it is made first).";
 
-/// What the command line says, before it is understood.
+/// The texts of the command line before they are parsed.
 struct RawOptions {
   ListTexts lists;
   std::string meeting = scenes::meetingName(scenes::Meeting::bounce);
@@ -79,7 +79,7 @@ std::string refuseNoBodies(const std::string& text) {
   return bodies >= 1 && bodies <= 100000 ? std::string() : "'" + text + "' is not a number of bodies from 1 to 100000";
 }
 
-/// Whether anything but the shapes has several items.
+/// True when any list but that of the shapes has several items.
 bool isList(const ListTexts& t) {
   const auto several = [](const std::string& text) { return text.find(',') != std::string::npos; };
   return several(t.scenes) || several(t.bodies) || several(t.budgetOperations) || several(t.budgetMicroseconds) ||
@@ -178,7 +178,7 @@ void declareOutput(CLI::App& app, Options& options) {
                  "heap and crush: render the end to this PNG (needs POV-Ray; first shape)");
 }
 
-/// What one scene has and another has not.
+/// The options that only some scenes have.
 Status checkCombination(const RawOptions& raw, const Options& options) {
   if (options.scene == Scene::converge) {
     if (options.picture) return Error{"--picture draws how bodies come to rest: use it with --scene heap or crush"};

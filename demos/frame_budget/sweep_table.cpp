@@ -71,7 +71,7 @@ void flatten(const Json& object, const std::string& prefix, Cells& cells) {
   }
 }
 
-/// The name of a mesh may hold what separates.
+/// The name of a mesh may hold separators.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string escaped = "\"";

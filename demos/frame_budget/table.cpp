@@ -53,7 +53,7 @@ void printTimes(const Table& table, Costs costs) {
   timeRow("  99 %", &RunCost::stepCpuUs, &Quantiles::p99);
 }
 
-/// In elapsed time; left out where no shape has a deadline.
+/// Elapsed time; left out where no shape has a deadline.
 void printDeadline(const Table& table, Costs costs) {
   if (std::ranges::none_of(costs, [](const RunCost* cost) { return cost->deadline.has_value(); })) return;
   const auto row = [&](const char* title, const std::function<std::string(const scenes::DeadlineKept&)>& cell) {
@@ -79,7 +79,7 @@ void printRatios(const Table& table, Costs costs) {
   });
 }
 
-/// What only the sphere-tree can say is left out for the others.
+/// Rows of figures that only the sphere-tree has; other shapes show "-".
 void printWork(const Table& table, Costs costs) {
   using scenes::TreeRunStatistics;
   const auto treeRow = [&](const char* title, const std::function<std::string(const TreeRunStatistics&)>& cell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// make_rock: a concave rock as an OBJ file, for whoever has no mesh at hand.
+// make_rock writes a concave rock as an OBJ file, for users without a mesh.
 #include <CLI/CLI.hpp>
 #include <string>
 

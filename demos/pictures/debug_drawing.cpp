@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// debug_drawing: what Bullet's debug drawing shows of a body with a sphere-tree: its triangles, then level by level its
-// spheres.
+// debug_drawing shows Bullet's debug drawing of a body with a sphere-tree: its triangles, then its spheres level by
+// level.
 #include <btBulletCollisionCommon.h>
 
 #include <CLI/CLI.hpp>

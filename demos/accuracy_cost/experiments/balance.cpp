@@ -17,7 +17,7 @@ using builder::Balance;
 using builder::Method;
 using builder::Optimiser;
 
-/// What a tree may lose for fewer spheres.
+/// The loss that a tree may take for fewer spheres.
 struct Allowance {
   const char* name;
   Optimiser optimiser;
@@ -73,7 +73,7 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
   return table;
 }
 
-/// What an allowance does to the deepest level, against the tree as its method leaves it.
+/// The effect of an allowance on the deepest level, compared with the tree as its method makes it.
 struct Change {
   std::string tree;
   double dropped = 0;  ///< share of the spheres
@@ -97,7 +97,7 @@ std::vector<Change> changesOf(const Table& table, const char* allowance) {
   return changes;
 }
 
-/// What claims are about: all methods, of which some were not measured.
+/// The scope of the claims: all methods; some were not measured.
 Scope scopeOf(const Table& table, Reach reach) {
   Scope scope{.reach = reach, .settingReach = reach};
   const std::vector<std::string> measured = table.texts("method");

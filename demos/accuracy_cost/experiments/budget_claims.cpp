@@ -41,7 +41,7 @@ void follow(const Table& table, std::vector<std::size_t> rows, const Key& key, C
   }
 }
 
-/// Of ours in a scene: those another of ours is faster than and errs less than.
+/// The dominated settings of Cairn in a scene: another of its settings is faster and has a smaller error.
 void addDominated(const Table& table, const Where& scene, std::vector<std::string>& names, std::size_t& all) {
   const auto rows = table.select(scene);
   for (const std::size_t row : rows) {

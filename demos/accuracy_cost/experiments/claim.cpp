@@ -19,7 +19,7 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::ranges::find(list, name) != list.end();
 }
 
-/// Those that decide on a verdict.
+/// The claims that decide the verdict.
 std::vector<Standing> standingsThatCount(const std::vector<Claim>& claims) {
   const bool areOwn = std::ranges::all_of(claims, &Claim::isOwn);
   std::vector<Standing> standings;

@@ -9,12 +9,12 @@ namespace {
 
 using scenes::ShapeKind;
 
-/// What a build may be without.
+/// The shapes that a build may lack.
 bool isOptional(ShapeKind shape) {
   return shape == ShapeKind::compound || shape == ShapeKind::fcl;
 }
 
-/// Those who play, and which contenders they are.
+/// The players, and the contender of each.
 struct Players {
   std::vector<std::unique_ptr<scenes::Player>> players;
   std::vector<std::size_t> numbers;

@@ -15,7 +15,7 @@ namespace {
 using scenes::ShapeKind;
 
 constexpr double kBodySize = 1;
-/// What a figure with a logarithmic axis shows of smaller errors, of body size.
+/// The value at which a figure with a logarithmic axis shows smaller errors, as a fraction of body size.
 constexpr double kMinDrawn = 1e-4;
 
 ContestExtent extentOf(const Settings& settings) {
@@ -66,7 +66,7 @@ void addTrees(std::vector<Contender>& list, Contender like, const Budgets& budge
   }
 }
 
-// At margins of one to none: with a margin more pairs meet, earlier.
+// At margins from one down to none: with a margin more pairs meet, and earlier.
 void addRivals(std::vector<Contender>& list, const scenes::Model* finest, const std::string& method, unsigned depth) {
   const auto add = [&](const char* series, ShapeKind shape, std::optional<double> margin) {
     list.push_back({series, shape, "", 0, {}, margin, false, finest});

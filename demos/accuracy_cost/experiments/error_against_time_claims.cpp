@@ -12,8 +12,8 @@
 namespace cairn::accuracy_cost {
 namespace {
 
-/// Errors that matter, of body size: below nobody sees it, above nobody wants it.
-constexpr double kMinError = 0.001, kMaxError = 0.05;
+/// The range of errors that matter, as fractions of body size: smaller ones are invisible, larger ones unacceptable.
+constexpr double kMinError = 0.001, kGreatestError = 0.05;
 
 /// A row's time over the tree's, with its interval.
 struct Time {
@@ -40,7 +40,7 @@ std::string nameOf(const Table& table, std::size_t row) {
   return fmt::format("{} in {} of {}", table.text(row, "series"), table.text(row, "scene"), table.text(row, "model"));
 }
 
-/// What became of all rivals beside our front.
+/// The results of all other shapes against our front.
 struct Fronts {
   std::size_t rivals = 0;
   std::vector<std::string> exceptions, ties;
@@ -71,7 +71,8 @@ void compare(const Table& table, const Where& scene, const std::string& column, 
   }
 }
 
-/// How sure times are. No claim: it is the machine's, and what is said of shapes goes by the intervals.
+/// States the uncertainty of times. It is no claim, because it depends on the machine. Statements about shapes use the
+/// intervals.
 std::string noiseText(const Table& table) {
   std::vector<double> widths;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -86,7 +87,7 @@ std::string noiseText(const Table& table) {
       100 * widths[widths.size() / 2], 100 * widths.back());
 }
 
-/// Where the 99 % quantile is the greatest error, because fewer than a hundred pairs have one.
+/// Notes where the 99 % quantile equals the greatest error, because fewer than a hundred pairs have one.
 std::string fewPairsText(const Table& table) {
   std::size_t few = 0;
   for (std::size_t row = 0; row < table.rows(); ++row)
@@ -127,12 +128,12 @@ void addFront(const Table& table, const std::string& column, const char* which, 
        true});
 }
 
-/// That what a tree is silent about is no deeper than it says it may be.
+/// Claims that pairs without a contact are no deeper than the tree certifies.
 void addMissed(const Table& table, std::vector<Claim>& claims) {
   double distinct = 0, shown = 0, missed = 0, beyond = 0, deepest = 0;
   for (const std::string& model : table.texts("model"))
     for (const std::string& scene : table.texts("scene")) {
-      double meeting = 0;  // the same for all that are shown the scene
+      double meeting = 0;  // equal for all shapes that play the scene
       for (const std::size_t row : table.select({{"model", model}, {"scene", scene}, {"side", "ours"}})) {
         meeting = std::max(meeting, table.number(row, "meeting_pairs"));
         shown += table.number(row, "meeting_pairs");

@@ -28,7 +28,7 @@ struct Heuristic {
 constexpr std::array kHeuristics{Heuristic{"max-cover", ExpandRank::maxCover},
                                  Heuristic{"max-elim", ExpandRank::maxElim}};
 
-/// How fine the experiment is.
+/// The resolution of the experiment.
 struct Scale {
   unsigned candidates, surfacePieces, standOffs;
   std::span<const unsigned> counts;
@@ -44,7 +44,7 @@ constexpr unsigned kMaxSamples = 2000;
 /// Stand-offs end where max-cover needs no more than these, the branching of the thesis's trees.
 constexpr unsigned kMin = 8;
 
-/// What one heuristic did on one model: rows in order, from work in any order.
+/// The results of one heuristic on one model. Rows are in order, although the work was not.
 struct Measured {
   std::vector<double> standOffs, spheres;  // by stand-off
   std::vector<double> least;               // by count
@@ -60,7 +60,7 @@ bool measureOne(Measured& measured, const ExpandChoices& choices, double high, c
   const auto goesOn = [&] { return going.load(); };
   tbb::parallel_for(0U, scale.standOffs, [&](unsigned i) {
     if (!goesOn()) return;
-    // The last one is the upper end itself, whatever the rounding of the steps.
+    // The last value is exactly the upper end, despite the rounding of the steps.
     measured.standOffs[i] = i + 1 == scale.standOffs ? high : low + (high - low) * i / (scale.standOffs - 1);
     measured.spheres[i] = static_cast<double>(choices.ballsAt(measured.standOffs[i]));
     if (!keepGoing()) going = false;
@@ -83,7 +83,7 @@ void addRows(Table& table, const Model& model, const Heuristic& heuristic, const
     table.add(model.name, heuristic.name, "least stand-off", measured.least[i] / diagonal, scale.counts[i]);
 }
 
-/// Adds what both heuristics do on one model.
+/// Adds the results of both heuristics on one model.
 Status measureModel(Table& table, const Model& model, const Scale& scale, std::uint64_t seed, Steps& steps) {
   const auto axis = builder::medialAxis(
       model.mesh,
@@ -168,8 +168,8 @@ Claim anovaClaim(const Table& table) {
           static_cast<double>(same)};
 }
 
-/// Both heuristics are measured at the same stand-offs, so what varies from one to the next hides no difference of the
-/// pair; that of independent groups it does.
+/// Both heuristics are measured at the same stand-offs. So the variation between stand-offs hides no difference of a
+/// pair. It does hide a difference of independent groups.
 Claim pairedClaim(const Table& table) {
   std::size_t same = 0;
   std::vector<std::string> texts;

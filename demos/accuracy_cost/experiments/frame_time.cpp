@@ -17,9 +17,9 @@ namespace {
 using scenes::ShapeKind;
 
 constexpr double kBodySize = 1, kStepsPerSecond = 60;
-/// What the slowest step in a thousand may take: this times the budget, and a step that has nothing to do.
+/// The limit for the slowest step in a thousand: this factor of the budget, plus the time of an empty step.
 constexpr double kAllowance = 1.10;
-/// So many times its median a shape's slowest step in a thousand is a spike.
+/// A shape's slowest step in a thousand is a spike above this multiple of its median.
 constexpr double kSpike = 3;
 constexpr std::array kShapes{ShapeKind::tree, ShapeKind::gimpact, ShapeKind::hull, ShapeKind::compound};
 
@@ -32,7 +32,7 @@ FrameTimeExtent extentOf(const Settings& settings) {
   return extent;
 }
 
-/// What one scene of one mesh is: all shapes start alike.
+/// One scene of one mesh; all shapes start alike.
 struct Setting {
   const char* name;
   scenes::HeapOptions options;
@@ -101,7 +101,7 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
   return measureFrameTime(models, extentOf(settings), settings.seed, progress);
 }
 
-/// How one shape's time goes over one scene: of each run, and over the runs their medians.
+/// The time of one shape over one scene: of each run, and its medians over the runs.
 struct Course {
   std::string shape;
   bool isOurs = false;
@@ -149,7 +149,7 @@ std::string microsecondsText(const MedianInterval& m) {
   return fmt::format("{:.0f} ({:.0f} to {:.0f}) µs", m.median, m.low, m.high);
 }
 
-/// What all claims go by, in one clause.
+/// The rule of all claims, as one clause.
 std::string courseText(const Course& course) {
   return fmt::format(
       "the slowest step in a thousand takes {}, {} times its median and {} times the budget of {:.0f} µs; {} % of "
@@ -158,7 +158,7 @@ std::string courseText(const Course& course) {
       intervalText(course.late));
 }
 
-/// Where a course is run.
+/// A model in a scene.
 struct Place {
   std::string model, scene;
   std::string name() const { return fmt::format("{} of {}", scene, model); }

@@ -12,10 +12,10 @@ namespace {
 
 /// Contacts of a frame that are checked at each interruption.
 constexpr std::uint64_t kChecked = 32;
-/// What single precision leaves open of poses and spheres, of body size.
+/// The uncertainty of poses and spheres in single precision, as a fraction of body size.
 constexpr double kRounding = 1e-5;
 
-/// The middle of what two balls have in common, on the line through their centres; where they are apart by rounding,
+/// The middle of the intersection of two balls, on the line through their centres. Where rounding separates them, it is
 /// the middle between them.
 Vec3d middleOf(const Vec3d& a, double radiusA, const Vec3d& b, double radiusB) {
   const double apart = distance(a, b);
@@ -39,7 +39,7 @@ std::vector<Interrupted> InterruptedFrame::interrupt(std::span<const scenes::Bod
   findPairs();
   std::vector<Interrupted> found;
   for (const std::uint64_t limit : operations) {
-    // What is resolved stays as it is, whatever more is allowed.
+    // A resolved traversal stays unchanged, whatever more is allowed.
     if (!found.empty() && found.back().isResolved) {
       found.push_back(found.back());
       continue;

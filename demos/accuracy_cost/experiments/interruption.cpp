@@ -41,13 +41,13 @@ const std::array kConstructions{
 };
 
 constexpr unsigned kDepth = 3;
-/// Metres: what Bullet is at ease with.
+/// Metres: a size that suits Bullet.
 constexpr double kBodySize = 1;
 /// Recorded frames from one that the exact check judges to the next: it takes most of the time.
 constexpr std::uint32_t kTruthEvery = 30;
 constexpr std::uint64_t kInterval = 500, kLastInterruption = 15000;
 
-/// How much is measured.
+/// The extent of the measurement.
 struct Extent {
   scenes::ConvergeOptions converge;
   std::vector<std::uint64_t> operations;
@@ -92,14 +92,14 @@ Result<std::vector<Contender>> buildTrees(const Model& model, const Settings& se
     if (!tree) return about(what, tree.error());
     contenders.push_back(
         {&construction, scenes::makeModel(std::make_shared<const SphereTree>(std::move(tree).value()), kBodySize)});
-    // Poses are of the body frame: all trees have to mean the same by it.
+    // Poses refer to the body frame, so all trees must have the same one.
     if (contenders.back().model.vertices != contenders.front().model.vertices)
       return about(what, Error{"the tree's body frame is not that of the others"});
   }
   return contenders;
 }
 
-/// Motions that depend on no tree, and what is true of them.
+/// Motions that depend on no tree, and their exact truth.
 struct Scene {
   scenes::Recording recording;
   scenes::ExactSurface surface;
@@ -160,7 +160,7 @@ PluginOutcome outcomeOf(const scenes::ConvergeReport& report) {
   return outcome;
 }
 
-/// The same poses through Bullet's dispatcher, budget by budget: what a game gets.
+/// Plays the same poses through Bullet's dispatcher, budget by budget, as a game would.
 Result<std::vector<PluginOutcome>> playPlugin(const Scene& scene, const scenes::Model& model, const Extent& extent,
                                               const builder::ProgressCallback& progress) {
   std::vector<std::unique_ptr<scenes::Player>> players;

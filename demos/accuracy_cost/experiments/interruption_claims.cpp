@@ -76,7 +76,7 @@ std::string textOf(const std::vector<Least>& list, double limit) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// That the least ratio comes down to `limit`: in every model, or in any.
+/// Claims that the least ratio falls to `limit`: in every model, or in any.
 struct DownTo {
   const char* thesis;
   const char* what;  ///< "worst error over Hubbard's"
@@ -178,8 +178,8 @@ void addHybrid(const Table& table, const Names& models, std::vector<Claim>& clai
                     static_cast<double>(lower)});
 }
 
-/// The pairs that meet are the same for every tree and interruption of a model: told once, and how often they are
-/// shown.
+/// The pairs that meet are equal for every tree and interruption of a model. They are reported once, with the number of
+/// times they were played.
 std::string missedText(const Table& table, double missed, double shown) {
   double distinct = 0;
   for (const std::string& model : table.texts("model")) {
@@ -192,7 +192,7 @@ std::string missedText(const Table& table, double missed, double shown) {
       distinct, shown, missed);
 }
 
-/// Not of the thesis's conclusions, but of what makes them worth anything.
+/// These are no conclusions of the thesis, but the conditions for their validity.
 void addUpperBound(const Table& table, std::vector<Claim>& claims) {
   const auto sum = [&](const char* column) {
     double all = 0;

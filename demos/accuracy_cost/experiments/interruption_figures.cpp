@@ -23,7 +23,7 @@ Panel panelOf(const Table& table, const std::string& model, const std::vector<st
   return panel;
 }
 
-/// Errors as they are, all trees: certified, true, and what the plugin makes of the same budget.
+/// Absolute errors of all trees: certified, true, and the plugin's with the same budget.
 Figure overview(const Table& table) {
   Figure figure{"interruption", "Collision detection of 20 bodies, interrupted: errors and pairs", 3, {}};
   const auto trees = table.texts("construction");

@@ -10,7 +10,7 @@ namespace {
 
 using Value = double (*)(const Interrupted&);
 
-/// What is compared with the reference trees.
+/// The quantities that are compared with the reference trees.
 struct Compared {
   const char* name;
   Value value;

@@ -77,7 +77,7 @@ double valueAt(const Table& table, const std::string& model, const std::string& 
 
 constexpr std::array kColumns{"sampled_max_fraction", "sampled_rms_fraction"};
 
-/// How many times larger the error of the first construction is than the second's, for all models and levels, worst and
+/// The factor by which the error of the first construction exceeds the second's, for all models and levels, worst and
 /// RMS.
 std::vector<double> ratiosOf(const Table& table, const char* first, const char* second) {
   std::vector<double> ratios;

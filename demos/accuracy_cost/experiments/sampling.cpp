@@ -97,7 +97,7 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::ranges::max_element(values);
 }
 
-/// What is told of the most samples, where `--quick` or a mesh's own corners end before them.
+/// The note on the largest number of samples, where `--quick` or a mesh's own corners end before it.
 Scope scopeAtMostSamples(const Table& table) {
   Scope scope{.reach = Reach::every};
   const std::vector<double> samples = table.numbers("samples", {});
@@ -181,7 +181,7 @@ Claim linearClaim(const Table& table) {
           leastPower};
 }
 
-/// In how many of all models and numbers of samples the adaptive value is below `most` times the regular one.
+/// Counts the models and numbers of samples for which the adaptive value is below `most` times the regular one.
 struct Lower {
   std::size_t count = 0, all = 0;
   std::vector<std::string> found;
@@ -213,7 +213,7 @@ Claim lowerClaim(const Table& table, const char* column, const char* what, doubl
           static_cast<double>(lower)};
 }
 
-/// The worst sphere is not the whole of a fit: the others are told beside it.
+/// The worst sphere alone does not describe a fit, so the other measures are reported too.
 Claim worstErrorClaim(const Table& table) {
   Claim claim = lowerClaim(table, "sampled_max_fraction", "worst error", 1,
                            "the adaptive algorithm generally has the lower worst error at equal samples");

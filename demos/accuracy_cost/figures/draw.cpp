@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kMissing =
     "gnuplot is needed to draw figures: install the package gnuplot-nox, or use --no-figures";
 
-/// What gnuplot said first.
+/// The first message of gnuplot.
 std::string complaintIn(const fs::path& log) {
   std::ifstream stream(log);
   for (std::string line; std::getline(stream, line);)

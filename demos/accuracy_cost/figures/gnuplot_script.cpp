@@ -14,7 +14,7 @@ namespace {
 
 /// Okabe and Ito's, the ones light on white last; black among them.
 constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9"};
-/// Gnuplot's numbers of filled and open markers that look the same in both terminals.
+/// Gnuplot's numbers of filled and open markers that look alike in both terminals.
 constexpr std::array kMarkers{7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
 constexpr std::array kDashes{1, 2, 4, 5, 3};
 

@@ -42,7 +42,7 @@ struct Solid {
   TriangleMesh (*make)();
 };
 
-/// Of 60 and more sides where round, so that facets are small beside the errors of sphere sets.
+/// Round solids have 60 or more sides, so that facets are small beside the errors of sphere sets.
 const std::array kSolids{
     Solid{"s-shape", [] { return sShape(); }},     Solid{"cube", [] { return box({1, 1, 1}); }},
     Solid{"block", [] { return box({1, 1, 3}); }}, Solid{"cylinder", [] { return cylinder(3, 64); }},

@@ -92,7 +92,8 @@ TriangleMesh torus(double major, double minor, std::uint32_t around, std::uint32
 TriangleMesh sShape() {
   constexpr std::uint32_t kSides = 16, kRings = 33;
   constexpr double kReach = 225 * std::numbers::pi / 180, kThickness = 0.35;
-  // At s along the S from its middle the tube runs towards (sin |s|, cos |s|); the turn of s < 0 mirrors that of s > 0.
+  // At length s along the S from its middle, the tube points towards (sin |s|, cos |s|). The half with s < 0 mirrors
+  // the half with s > 0.
   TriangleMesh mesh;
   std::array<Vec3d, 2> ends;
   for (std::uint32_t i = 0; i < kRings; ++i) {

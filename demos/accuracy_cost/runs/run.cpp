@@ -61,7 +61,7 @@ std::optional<Json> kept(const fs::path& file, const fs::path& csv, const Json& 
   return document;
 }
 
-/// Whether it has figures, and all of them are as they were drawn.
+/// True when figures exist and all of them are unchanged since they were drawn.
 bool hasFigures(const Json& document, const fs::path& folder) {
   const auto names = document["figures"].get<std::vector<std::string>>();
   return !names.empty() && areWhole(names, document["files"], folder);

@@ -15,7 +15,7 @@ namespace {
 
 using builder::TriangleMesh;
 
-/// Where the surface of a rock is, as a function of direction.
+/// The surface of a rock as a function of direction.
 class RockProfile {
  public:
   explicit RockProfile(std::uint64_t seed) : worn_(mixBits(seed)) {

@@ -47,7 +47,7 @@ int refuseUsage(std::string_view program, const Error& error) {
 }
 
 std::string refuseNoWholeNumber(const std::string& text) {
-  // CLI11's own conversion takes 0x10, and what is too large for the largest number.
+  // CLI11's own conversion accepts 0x10, and numbers above the largest one.
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool isNumber = error == std::errc() && end == text.data() + text.size() && value >= 0;

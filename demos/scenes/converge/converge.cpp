@@ -11,7 +11,7 @@ namespace cairn::scenes {
 namespace {
 
 constexpr double kTimeStep = 1.0 / 60;
-/// Seconds until a body would reach the centre.
+/// Seconds until a body alone would reach the centre.
 constexpr double kEarliest = 5.0 / 3, kLatest = 10.0 / 3;
 constexpr double kFastestSpin = 2;  // rad/s
 
@@ -21,7 +21,7 @@ double startRadius(const Model& model, std::uint32_t bodies) {
   return std::max(3 * model.size, model.reach * std::sqrt(bodies / (4 * kShareTaken)));
 }
 
-/// Where one body starts and how it would fly alone.
+/// The start of one body, and its undisturbed flight.
 struct Flight {
   Vec3d start, velocity, spinAxis;
   double spin = 0;

@@ -10,7 +10,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// How far a recording is played: in each run the truth of its frames is one turn, and every player has one.
+/// The progress of a recording. In each run, the truth of its frames is one turn, and every player has one.
 class Turns {
  public:
   Turns(const PlayCallback& tell, std::size_t count) : tell_(tell), count_(static_cast<double>(count)) {}
@@ -24,7 +24,7 @@ class Turns {
   double count_, done_ = 0;
 };
 
-/// One player and what became of it so far.
+/// One player and its results so far.
 struct Entrant {
   Player& player;
   AccuracyJudge judge;

@@ -9,7 +9,7 @@ namespace cairn::scenes {
 Quantiles quantilesOf(std::vector<double> sample) {
   if (sample.empty()) return {};
   std::ranges::sort(sample);
-  // In ten-thousandths, so that the rank is an integer computation.
+  // The share in ten-thousandths, so that the rank is an integer computation.
   const auto at = [&](std::size_t tenThousandths) {
     const std::size_t rank = (sample.size() * tenThousandths + 9999) / 10000;
     return sample[std::max<std::size_t>(rank, 1) - 1];

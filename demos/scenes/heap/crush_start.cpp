@@ -12,7 +12,7 @@ namespace cairn::scenes {
 namespace {
 
 constexpr double kSpacingFraction = 0.33;
-/// Of the spacing: how far a body may be from its grid point.
+/// Largest distance of a body from its grid point, as a fraction of the spacing.
 constexpr double kShakeFraction = 0.15;
 constexpr double kWidening = 1.05;
 /// Room between ground and lowest body, as a fraction of body size.

@@ -13,7 +13,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// A second, to see what the bodies cost before the budget held.
+/// One second, which shows the bodies' cost before the budget applied.
 constexpr std::size_t kBefore = 60;
 
 BudgetCut::Part partOf(std::span<const StepRecord> records) {

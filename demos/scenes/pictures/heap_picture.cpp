@@ -13,8 +13,8 @@
 namespace cairn::scenes {
 namespace {
 
-/// Muted stone and earth colours, sRGB, told apart also by people with a colour vision deficiency (they differ in
-/// lightness).
+/// Muted stone and earth colours, sRGB. They differ in lightness, so readers with a colour vision deficiency can
+/// distinguish them.
 constexpr std::array<const char*, 7> kPalette = {"<0.36,0.55,0.66>", "<0.93,0.76,0.47>", "<0.82,0.45,0.33>",
                                                  "<0.53,0.66,0.50>", "<0.93,0.89,0.80>", "<0.33,0.38,0.47>",
                                                  "<0.72,0.62,0.70>"};
@@ -43,7 +43,7 @@ std::string skyLights(double distance) {
   return text;
 }
 
-/// Height of the heap's top, so that the camera frames what is there.
+/// Height of the heap's top, so that the camera frames the whole heap.
 double topOf(const Heap& heap) {
   double top = heap.model().size;
   for (const btRigidBody* body : heap.world().bodies())

@@ -72,7 +72,7 @@ std::vector<Vec3d> cornerNormals(std::span<const Vec3d> vertices,
   return normals;
 }
 
-/// The line of POV-Ray's output that says what went wrong.
+/// The line of POV-Ray's output that names the error.
 std::string complaintIn(const fs::path& log) {
   std::ifstream stream(log);
   for (std::string line; std::getline(stream, line);)
@@ -113,7 +113,8 @@ Status renderWithPovray(const std::string& scene, const PictureSize& size, const
   if (const Status status = writeFileAtomically(scratch.path() / "scene.pov", scene); !status) return status;
   return writeFileAtomically(png, [&](const fs::path& temporary) -> Status {
     const fs::path log = scratch.path() / "povray.log";
-    // POV-Ray splits its options at spaces and quotes and replaces what is not ASCII: it sees no names but these.
+    // POV-Ray splits its options at spaces and quotes and replaces characters outside ASCII. So it only gets these
+    // names.
     const int code = runCommand({"povray", "+Iscene.pov", "+Opicture.png", fmt::format("+W{}", size.width),
                                  fmt::format("+H{}", size.height), "+A0.15", "+R3", "-D", "+FN"},
                                 log, scratch.path());

@@ -9,7 +9,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// In diagonals of the mesh's bounding box.
+/// In units of the bounding box's diagonal.
 constexpr double kPanel = 1.12, kRow = 1.34, kLabelBelow = 0.6, kScaleRoom = 0.62, kMinWidth = 3.4;
 
 double widthOf(const SphereSheet& sheet) {

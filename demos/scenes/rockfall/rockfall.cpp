@@ -12,10 +12,10 @@ namespace {
 
 constexpr btScalar kRestitution = btScalar(0.55);  // Bullet multiplies the two bodies': about 0.3 for rock on rock
 
-/// Rocks start on a lattice above the shelf, wide enough to be apart at any orientation: wider than this, metres, for
-/// rocks that reach farther than `kRoomiest` across.
+/// Rocks start on a lattice above the shelf, wide enough to separate them at any orientation. Its spacing is this,
+/// metres, and larger for rocks more than `kRoomiest` across.
 constexpr double kSpacing = 1.5, kRoomiest = 1.3;
-/// Of the lattice's width: how far a rock may be from its place.
+/// Largest displacement of a rock from its lattice point, as a fraction of the spacing.
 constexpr double kShake = 1.0 / 15;
 constexpr std::uint32_t kAcross = 9, kAlong = 4;
 

@@ -72,7 +72,7 @@ double profileHeight(double x) {
   return kCorners.back()[1];
 }
 
-/// How far the banks rise over a point beyond the part that is meant to be walked on.
+/// Height of the banks at a point beyond the usable width.
 double bankHeight(double x, double y) {
   const double outside = std::max({std::abs(y) - Slope::kHalfWidth, -x, x - kBasinEnd, 0.0});
   return kBankHeight * std::min(outside / (2 * kCell), 1.0);
@@ -117,7 +117,7 @@ Vec3d Slope::corner(std::uint32_t column, std::uint32_t row) const {
 
 double Slope::signedDistance(const Vec3d& p) const {
   const double height = p.z - heightAt(p.x, p.y);
-  // Nothing farther away along the map than straight down can be nearer.
+  // No point can be nearer if its horizontal distance exceeds the vertical distance.
   const double reach = std::abs(height) / kCell, column = (p.x - xOf(0)) / kCell, row = (p.y - yOf(0)) / kCell;
   const Range columns = gridLines(std::floor(column - reach), column + reach, kColumns - 1),
               rows = gridLines(std::floor(row - reach), row + reach, kRows - 1);

@@ -4,7 +4,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// Thickness of ground and walls made of boxes, metres: several times what a falling body moves in a step.
+/// Thickness of ground and walls made of boxes, metres: several times the path of a falling body in one step.
 constexpr double kBoxThickness = 2;
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using Geometry = fcl::BVHModel<fcl::OBBRSSd>;
 
-/// As many as btPersistentManifold keeps of a pair.
+/// The number of contacts that btPersistentManifold keeps for a pair.
 constexpr std::size_t kMaxContacts = 4;
 
 fcl::Transform3d toFcl(const Placement& placement) {
