@@ -19,7 +19,7 @@ constexpr int kMaxEvaluations = 60;
 /// A hull whose shortest vector is below this holds nearly opposing gradients: the centre is optimal at this step
 /// length.
 constexpr double kFlat = 0.02;
-/// Part of the decrease a linear model promises that a step must bring to count as one.
+/// Fraction of a linear model's predicted decrease that a step must reach to count as one.
 constexpr double kSufficient = 0.1;
 constexpr double kGrow = 1.6, kShrink = 0.35;
 
@@ -40,8 +40,8 @@ class Bundle {
     ++size_;
   }
 
-  /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction. To be
-  /// asked after each `add`: it goes the way of the time before, up to where the gradient added leads elsewhere.
+  /// The shortest vector of the gradients' convex hull (Gilbert 1966); a dozen rounds are ample for a direction. Call
+  /// it after each `add`. It repeats the path of the last call up to the point where the new gradient leads elsewhere.
   Vec3d shortest() {
     std::size_t round = 0;
     for (const Vec3d added = at(size_ - 1); !(dot(way_[round].v, added) < way_[round].lowest); ++round)
@@ -62,7 +62,7 @@ class Bundle {
  private:
   static constexpr std::size_t kMax = 8, kRounds = 12;
 
-  /// A vector of the hull on the way to the shortest, and the least dot product of a gradient with it.
+  /// A vector of the hull on the path to the shortest one, and the least dot product of a gradient with it.
   struct Stop {
     Vec3d v;
     double lowest = 0;
@@ -84,7 +84,7 @@ class Bundle {
 
   std::array<double, kMax> x_{}, y_{}, z_{};
   std::size_t size_ = 0;
-  std::array<Stop, kRounds + 1> way_;  // up to `end_`; beyond the last round no gradient leads elsewhere
+  std::array<Stop, kRounds + 1> way_;  // valid up to `end_`; after the last round no gradient leads elsewhere
   std::size_t end_ = 0;
 };
 
@@ -134,7 +134,7 @@ Ball fitBall(const Vec3d& center, const PointSet& points, const DepthField& soli
   const Ball smallest = ballAround(smallestEnclosingBall(list).center, points, solid);
   const Ball around = ballAround(center, points, solid);
   const Ball& start = smallest.standOff() < around.standOff() ? smallest : around;
-  if (start.radius == 0) return start;  // around a single point, which no step improves
+  if (start.radius == 0) return start;  // a single point; no step improves its ball
   StandOffMemory memory;
   return descend(start, points, solid, 0.2 * start.radius, 1e-4 * start.radius, memory);
 }

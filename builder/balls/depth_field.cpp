@@ -49,9 +49,9 @@ struct PartsWithin {
   }
 };
 
-/// Walks an octree around the solid down to cells of edge `spacing` that the offset surface may cross. The nearest
-/// surface point of a cell's centre outside is also that of every point on the way to it, so the point of that way at
-/// the distance `scale` lies exactly on the offset surface.
+/// Walks an octree around the solid down to cells of edge `spacing` that the offset surface may cross. Take the segment
+/// from an outside cell's centre to its nearest surface point: that point is nearest to the whole segment. So the point
+/// of the segment at the distance `scale` lies exactly on the offset surface.
 class OffsetSampling {
  public:
   OffsetSampling(const SignedDistance& solid, double scale, double spacing, const Vec3d& center, double reach)

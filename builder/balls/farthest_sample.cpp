@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kBoxPoints = 64;
 
-/// The points by boxes, and how far each is from the nearest one taken, squared.
+/// The points by boxes, and the squared distance of each from the nearest point taken.
 class Boxes {
  public:
   explicit Boxes(std::span<const Vec3d> points)
@@ -27,7 +27,7 @@ class Boxes {
   /// Takes a point.
   void take(const Vec3d& point) {
     for (Box& box : boxes_) {
-      // Rounding is monotone, so no point of a box is nearer than the box, as computed.
+      // Rounding is monotone, so the computed distance of a box is a lower bound for its points.
       if (distanceSq(box, point) >= box.farthestSq) continue;
       box.farthestSq = 0;
       for (std::uint32_t i = box.begin; i < box.end; ++i) {
@@ -37,7 +37,7 @@ class Boxes {
     }
   }
 
-  /// The point farthest from those taken and its distance squared; distances that are equal as rounded tie.
+  /// The point farthest from those taken, and its squared distance. Distances that are equal after rounding tie.
   std::pair<std::size_t, double> farthest() const {
     double mostSq = 0;
     for (const Box& box : boxes_) mostSq = std::max(mostSq, box.farthestSq);
@@ -57,7 +57,7 @@ class Boxes {
   struct Box {
     std::uint32_t begin = 0, end = 0;
     Vec3d lower, upper;
-    double farthestSq = std::numeric_limits<double>::infinity();  // most of `nearestSq_` in it
+    double farthestSq = std::numeric_limits<double>::infinity();  // largest `nearestSq_` in it
   };
 
   static double distanceSq(const Box& box, const Vec3d& point) {

@@ -87,7 +87,7 @@ void refinePieces(Pieces& pieces, std::size_t count) {
 
 namespace {
 
-/// A list of points without repetitions. Of zeros of either sign the first counts.
+/// A list of points without repetitions. Of zeros with different signs, the first one stays.
 class DistinctPoints {
  public:
   explicit DistinctPoints(std::size_t most)
@@ -126,7 +126,7 @@ class DistinctPoints {
 }  // namespace
 
 std::vector<Vec3d> cornersOf(std::span<const Piece> pieces) {
-  // Most corners belong to several pieces: leaving out the repetitions first saves most of the sorting.
+  // Most corners belong to several pieces, so the removal of repetitions first saves most of the sorting.
   DistinctPoints distinct(3 * pieces.size() + 1);
   for (const Piece& piece : pieces)
     for (const Vec3d& corner : piece.corners) distinct.add(corner);

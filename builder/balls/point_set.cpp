@@ -144,7 +144,7 @@ std::size_t PointSet::farthestAlong(const Vec3d& direction) const {
 }
 
 bool PointSet::anyWithin(const Vec3d& center, double reach) const {
-  // Roots are taken only where rounding might matter.
+  // Roots are computed only where rounding may matter.
   constexpr double kSlack = 1e-12;
   const double surelySq = reach * reach * (1 - kSlack), perhapsSq = reach * reach * (1 + kSlack);
   for (std::size_t i = 0; i < size(); ++i) {

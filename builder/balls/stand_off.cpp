@@ -84,7 +84,7 @@ void StandOff::gatherParts(double depth, double reach) {
   const std::optional<double> within = solid_.gather(around_, depth, reach, kMaxParts, memory_.parts);
   partsKept_ = within.has_value();
   decided_ = within.value_or(0) - 2 * reach;
-  // The nearest part goes first: most of the others need not be looked at then.
+  // The nearest part goes first, so that most others can be skipped.
   if (partsKept_ && !memory_.parts.empty())
     std::iter_swap(memory_.parts.begin(), std::ranges::min_element(memory_.parts, {}, &DepthField::Part::distance));
 }

@@ -13,15 +13,14 @@
 namespace cairn::builder {
 namespace {
 
-/// Space is cut this often before lists are kept, and this often again for the nodes that are kept.
+/// Number of octree levels before lists are kept, and of further levels for the kept nodes.
 constexpr int kFirstLevels = 3;
 constexpr int kKeptLevels = 2;
 /// Limits of one kept node in one search: cells to report and cells to examine.
 constexpr std::size_t kMaxFound = 2;
 constexpr int kMaxVisits = 1000;
 
-/// The least number not below `x` with 10 significant bits, so that dividing it by two some forty times, and adding up
-/// such parts, stays exact.
+/// The least number not below `x` with 10 significant bits. Some forty halvings and sums of the parts stay exact.
 double roundedUp(double x) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
@@ -53,7 +52,7 @@ std::vector<std::uint32_t> allOf(std::size_t count) {
 }
 
 struct Obstacle {
-  double sq;  // of its distance from the cell's centre
+  double sq;  // squared distance from the cell's centre
   Vec3d offset;
   std::uint32_t index;
 };
@@ -210,7 +209,7 @@ Vec3d CenterSearch::grown(const Vec3d& center) const {
   });
   if (nearest == outside_.end()) return center;
   const Vec3d away = normalized(center - *nearest);
-  // |q - c - t u| = r + t, r the distance of the nearest: t = (|q - c|^2 - r^2) / (2 (r + (q - c) u)).
+  // Solves |q - c - t u| = r + t, where r is the distance of the nearest: t = (|q - c|^2 - r^2) / (2 (r + (q - c) u)).
   const double radius = distance(center, *nearest);
   double step = std::numeric_limits<double>::infinity();
   for (const Vec3d& q : outside_) {

@@ -25,9 +25,9 @@ using Weights = std::vector<std::uint64_t>;
 constexpr int kMaxRounds = 30;
 /// Outside points the search starts with, at most; more are found where they matter.
 constexpr double kMaxOutside = 8000;
-/// Weights are fractions of this: sums of 20000 of them, times any number of spheres that makes sense, fit 64 bits.
+/// Weights are fractions of this number. The sum of 20000 of them, times any sensible number of spheres, fits 64 bits.
 constexpr double kUnitWeight = 0x1p32;
-/// Balls and cells a round learns from, and twice the number of spheres as many again.
+/// Number of balls and cells that a round adds; twice the number of spheres is added to it.
 constexpr std::size_t kMaxLessons = 100;
 
 std::uint64_t loadOf(const Points& points, const Weights& weights) {
@@ -62,8 +62,8 @@ double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double
 CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points, std::vector<Vec3d> outside,
                           double error) {
   const Vec3d origin = solid.bounds().center();
-  // A ball's centre is one of its points, so it is no farther than `error` from the solid. As much again makes room for
-  // the outside points that are found later.
+  // A ball's centre is one of its points, so it is at most `error` from the solid. The same length again makes room for
+  // outside points found later.
   double half = largestCoordinate(solid.bounds().upper - origin) + 2 * error;
   for (Vec3d& p : points) p -= origin;
   for (Vec3d& q : outside) {
@@ -71,13 +71,13 @@ CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points
     half = std::max(half, largestCoordinate(q));
   }
   const double extent = std::max(largestCoordinate(solid.bounds().lower), largestCoordinate(solid.bounds().upper));
-  // Making a point of the surface, and moving it to the origin, rounds by less than this.
+  // A surface point and its move to the origin round by less than this.
   const double displacement = 128 * 0x1p-53 * (extent + 2 * half);
   return {std::move(points), std::move(outside), half * (1 + 1e-9), displacement};
 }
 
-/// One error, one number of spheres. A ball that is in the way of a proof is looked at again: when it protrudes too far
-/// after all, because it slipped between the outside points, its farthest point becomes one of them.
+/// The attempt for one error and one number of spheres. A ball that prevents a proof is tested again. If it protrudes
+/// too far, because it slipped between the outside points, its farthest point becomes one of them.
 class Attempt {
  public:
   Attempt(const SignedDistance& solid, const std::vector<Vec3d>& points, std::uint32_t spheres, double error)
@@ -88,7 +88,7 @@ class Attempt {
         search_(searchAround(solid, points, outsidePoints(solid, error, outsideSpacing(solid, spheres, error)), error)),
         program_(points.size()) {}
 
-  /// Takes account of balls that were in the way at another error.
+  /// Adds the balls that prevented a proof at another error.
   void remember(const std::vector<Vec3d>& centers) {
     std::vector<HeavyCell> balls;
     for (const Vec3d& center : centers) balls.push_back({{center, 0}, 0});
@@ -97,10 +97,11 @@ class Attempt {
   }
 
   enum class Outcome { proved, hopeless, open };
-  /// Solves for weights and looks for balls that hold too much of them; `centers` receives those it learns from.
+  /// Solves for weights and searches for balls that hold too much of them. `centers` receives the balls that the next
+  /// round uses.
   Outcome round(Refutation& proof, std::vector<Vec3d>& centers) {
     const std::vector<double> shares = program_.solve();
-    // The program knows only some balls; with all of them its value would be smaller still.
+    // The program has only some balls as rows. With all of them its value would be smaller.
     if (std::accumulate(shares.begin(), shares.end(), 0.0) <= spheres_) return Outcome::hopeless;
     proof.weights.clear();
     for (const double share : shares) proof.weights.push_back(static_cast<std::uint64_t>(share * kUnitWeight));
@@ -113,7 +114,7 @@ class Attempt {
   }
 
  private:
-  /// Against the error, because a cell's slack grows with its size; coarser where fractional covers are weak anyway.
+  /// Relative to the error, because a cell's slack grows with its size. It is coarser where fractional covers are weak.
   double finestCell() const { return error_ / (spheres_ <= kFewSpheres ? 100 : 24); }
 
   std::vector<HeavyCell> heaviest(std::vector<HeavyCell> heavy) const {
@@ -122,7 +123,7 @@ class Attempt {
     return heavy;
   }
 
-  /// A point of the ball around `center` that holds `held`, if that ball protrudes too far.
+  /// Returns a point of the ball around `center` that holds `held`, if that ball protrudes too far.
   std::optional<Vec3d> beyond(const Vec3d& center, const Points& held) const {
     double radius = 0;
     for (const std::uint32_t p : held) radius = std::max(radius, distance(center, search_.points()[p]));
@@ -132,8 +133,8 @@ class Attempt {
     return protrusion.witness - origin_;
   }
 
-  /// Cells whose balls may hold too much are searched for outside points that were missed, in the ball around the
-  /// cell's centre and in the larger one that centre grows to. What still holds too much becomes a row.
+  /// Searches cells whose balls may hold too much for missed outside points. The search covers the ball around the
+  /// cell's centre and the larger ball to which that centre grows. Cells that still hold too much become rows.
   bool learnFrom(const std::vector<HeavyCell>& heavy, std::uint64_t most, const Weights& weights,
                  std::vector<Vec3d>& centers) {
     std::vector<std::array<std::optional<Vec3d>, 2>> missed(heavy.size());

@@ -21,7 +21,7 @@ constexpr int kLastStep = 12 * kStepsPerOctave;
 /// With many spheres the search ends when the proved and the unproved step differ by this number. The bound is weak
 /// there, and attempts near its limit cost most.
 constexpr int kCoarseSteps = 8;
-/// The search strides this far at first, from where few balls usually fail.
+/// First stride of the search, and its start, where few balls usually fail.
 constexpr int kFirstStride = 16;
 
 std::uint32_t pointsFor(std::uint32_t spheres) {
@@ -42,7 +42,7 @@ class StepSearch {
 
   double errorAt(int step) const { return diagonal_ * std::exp2(-static_cast<double>(step) / kStepsPerOctave); }
 
-  /// The proof and its step, if any; ends early when cancelled.
+  /// Returns the proof and its step, if any; ends early when cancelled.
   std::optional<Refutation> run(int& provedStep) {
     int failed = -1, proved = kLastStep + 1;
     int stride = kFirstStride;

@@ -12,8 +12,8 @@
 namespace cairn::builder {
 namespace {
 
-/// Walks an octree towards the shell that lies `error` to `error + spacing` outside, and draws the shell's grid points
-/// onto its inner side along the line to their nearest surface point: on that line the distance is exact.
+/// Walks an octree towards the shell from `error` to `error + spacing` outside. Moves the shell's grid points to its
+/// inner side, along the line to their nearest surface point. The distance is exact on that line.
 class ShellWalk {
  public:
   ShellWalk(const SignedDistance& solid, double error, double spacing)

@@ -37,8 +37,8 @@ CoverProof::CoverProof(const SphereTree& tree, const TriangleMesh& mesh) : tree_
   }
 }
 
-/// The proof for one triangle: depth-first over its pieces. Each piece carries the nodes that may yet hold it or a part
-/// of it.
+/// The proof for one triangle, depth-first over its pieces. Each piece carries the nodes that may still hold it or a
+/// part of it.
 class CoverProof::Search {
  public:
   Search(const CoverProof& proof, std::uint32_t level, bool descend)

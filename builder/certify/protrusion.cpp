@@ -14,10 +14,10 @@ struct Piece {
   std::array<Vec3d, 3> directions;
   double inner = 0, outer = 0;
   double upper = 0;            ///< proved: no point of the piece is farther from the solid
-  std::uint32_t triangle = 0;  ///< the one nearest to a point of the piece it was split from
+  std::uint32_t triangle = 0;  ///< the triangle nearest to a point of the parent piece
 
-  /// Orders a heap: the largest bound on top. Ties keep no order that matters to the result's validity, and the heap's
-  /// own order is a function of the input alone.
+  /// Orders a heap with the largest bound on top. The order of ties does not affect the result's validity. The heap's
+  /// order is a function of the input alone.
   friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
 };
 
@@ -39,8 +39,8 @@ class BranchAndBound {
       offerFarPoint(atCenter.nearest);
       if (!closeEnough(upper)) upper = refine(whole, atCenter.nearest.triangle);
     }
-    // The guard covers the queries, and the pieces' corners and witness, which are rounded to a few units of the same
-    // lengths.
+    // The guard covers the queries, and the rounding of the pieces' corners and of the witness by a few units of the
+    // same lengths.
     const double guard = 2 * solid_.roundingBound(center_ + Vec3d{radius_, radius_, radius_});
     result_.upper = whole + guard <= 0 ? 0 : upper + guard;
     result_.lower = std::max(0.0, best_ - guard);
@@ -65,8 +65,8 @@ class BranchAndBound {
     }
   }
 
-  /// Beyond the surface point nearest to the centre, or away from it when the centre is outside, is a good first
-  /// witness.
+  /// A good first witness lies beyond the surface point nearest to the centre, or away from it when the centre is
+  /// outside.
   void offerFarPoint(const SurfacePoint& nearest) {
     const Vec3d away = depth_ > 0 ? nearest.point - center_ : center_ - nearest.point;
     const double reach = length(away);
@@ -107,10 +107,11 @@ class BranchAndBound {
     push({{c, ca, bc}, piece.inner, piece.outer, piece.upper, piece.triangle});
   }
 
-  /// Points this near the centre are no farther from the solid than the witness: dist(x) <= |x - c| - s(c).
+  /// Points within this distance of the centre are no farther from the solid than the witness: dist(x) <= |x - c| -
+  /// s(c).
   double settledRadius() const { return std::max(0.0, best_ + depth_); }
 
-  /// Bounds a piece by one query and keeps it if it may hold something farther than the witness.
+  /// Bounds a piece by one query, and keeps it if it may hold a point farther than the witness.
   void push(Piece piece) {
     piece.inner = std::max(piece.inner, settledRadius());
     piece.upper = std::min(piece.upper, piece.outer - depth_);
@@ -151,7 +152,7 @@ class BranchAndBound {
     return toTriangle;
   }
 
-  static constexpr double kMaxHeightToWidth = 2;  // from 0.5 to 8 the cost is the same within noise
+  static constexpr double kMaxHeightToWidth = 2;  // costs from 0.5 to 8 are equal within noise
 
   const SignedDistance& solid_;
   Vec3d center_;

@@ -43,7 +43,7 @@ double largestDifference(const Mat3d& a, const Mat3d& b) {
   return largest;
 }
 
-/// The inertia that principal axes and moments stand for.
+/// The inertia tensor of the principal axes and moments.
 Mat3d inertiaFrom(const MassProperties& mass) {
   Mat3d scaled = mass.principalAxes;
   for (int i = 0; i < 3; ++i)
@@ -74,7 +74,7 @@ class NodeCheck {
     }
   }
 
-  /// Triangles are named by the stored mesh, which must have been compared.
+  /// Triangle numbers refer to the stored mesh, which must have been compared.
   std::optional<std::string> coneFailure(std::uint32_t record) const {
     const NormalCone& cone = tree_.data().nodes[record].normalCone;
     if (cone.cosine <= -1) return std::nullopt;

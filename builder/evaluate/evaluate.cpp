@@ -71,7 +71,7 @@ void measureVolumes(const SignedDistance& distance, const SolidLines& solid, dou
   fit.uncoveredDepthRmsFraction = depth.rms / diagonal;
 }
 
-/// A solid made ready to be compared with sets of spheres.
+/// A solid prepared for comparison with sets of spheres.
 class Measured {
  public:
   explicit Measured(const TriangleMesh& mesh)

@@ -39,7 +39,7 @@ int edgeCrossing(const TriangleMesh& mesh, std::uint32_t from, std::uint32_t to,
 double heightAt(const std::array<Vec3d, 3>& c, double x, double y) {
   const Vec3d normal = cross(c[1] - c[0], c[2] - c[0]);
   const double height = c[0].z - (normal.x * (x - c[0].x) + normal.y * (y - c[0].y)) / normal.z;
-  // A steep triangle's plane may be far off within rounding, the triangle is not; a NaN becomes its lowest corner.
+  // Rounding may move a steep triangle's plane far off, but not the triangle. A NaN becomes its lowest corner.
   const auto [low, high] = std::minmax({c[0].z, c[1].z, c[2].z});
   return height > low ? std::min(height, high) : low;
 }

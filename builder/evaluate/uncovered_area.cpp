@@ -21,7 +21,7 @@ std::vector<double> cumulated(const std::vector<double>& weights) {
   return sums;
 }
 
-/// The interval that holds `position`, at or after `from`: positions come in ascending order.
+/// Returns the interval that holds `position`, at or after `from`; calls have ascending positions.
 std::size_t intervalAt(const std::vector<double>& sums, double position) {
   const auto after = std::upper_bound(sums.begin(), sums.end(), position);
   const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - sums.begin() - 1, 0));
@@ -49,7 +49,7 @@ void collectNear(const std::array<Vec3d, 3>& corners, const std::vector<CutBall>
   double reach = 0;
   for (const Vec3d& c : corners) reach = std::max(reach, distance(c, middle));
   for (const CutBall& ball : balls) {
-    const double touch = (ball.radius + reach) * (1 + 1e-12);  // rounding: too many does no harm
+    const double touch = (ball.radius + reach) * (1 + 1e-12);  // rounding; extra balls do no harm
     if (lengthSq(ball.center - middle) <= touch * touch) near.push_back(ball);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only file that sees the GNU Scientific Library.
+// The only file that includes the GNU Scientific Library.
 #include "evaluate/volumes.h"
 
 #include <gsl/gsl_errno.h>
@@ -56,12 +56,12 @@ double integrand(double* point, std::size_t, void* difference) {
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
 
-/// The integral of a difference over the plane, which is 0 outside `bounds`.
+/// Returns the integral of a difference over the plane; the difference is 0 outside `bounds`.
 VolumeEstimate integrated(Difference difference, const Rectangle& bounds, std::uint64_t seed) {
   constexpr std::size_t kDimensions = 2;
   const Owned<gsl_rng> random(gsl_rng_alloc(gsl_rng_mt19937), gsl_rng_free);
   const Owned<gsl_monte_miser_state> miser(gsl_monte_miser_alloc(kDimensions), gsl_monte_miser_free);
-  // Seeds of this generator have 32 bits: mix all 64 into them, so that near seeds differ.
+  // Seeds of this generator have 32 bits. All 64 bits are mixed into them, so that similar seeds differ.
   gsl_rng_set(random.get(), static_cast<unsigned long>(RandomStream(seed, 0).uniform() * 0x1p32));
   std::array<double, kDimensions> lower = bounds.lower, upper = bounds.upper;
   gsl_monte_function function{&integrand, kDimensions, &difference};
@@ -69,7 +69,7 @@ VolumeEstimate integrated(Difference difference, const Rectangle& bounds, std::u
   [[maybe_unused]] const int status =
       gsl_monte_miser_integrate(&function, lower.data(), upper.data(), kDimensions, kLines, random.get(), miser.get(),
                                 &estimate.value, &estimate.standardError);
-  assert(status == GSL_SUCCESS);  // it fails for an empty box only, and a solid has an extent
+  assert(status == GSL_SUCCESS);  // it fails only for an empty box, and a solid has an extent
   return estimate;
 }
 

@@ -33,7 +33,7 @@ class Cut {
  private:
   bool isBelow(std::uint32_t v) const { return heights_[v] <= 0; }
 
-  // Between a vertex below and one above; the same from both triangles of the edge.
+  // The crossing of an edge from a vertex below to one above; both triangles of the edge share it.
   std::uint32_t crossing(std::uint32_t below, std::uint32_t above) {
     const auto [at, isNew] = crossings_.try_emplace({below, above}, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (isNew) {
@@ -47,7 +47,7 @@ class Cut {
     const auto below = std::ranges::count_if(t, [&](std::uint32_t v) { return isBelow(v); });
     if (below == 3) mesh_.triangles.push_back(t);
     if (below == 0 || below == 3) return;
-    int first = 0;  // the one that is alone on its side
+    int first = 0;  // the vertex that is alone on its side
     while (isBelow(t[first]) != (below == 1)) ++first;
     const std::uint32_t a = t[first], b = t[(first + 1) % 3], c = t[(first + 2) % 3];
     if (below == 1) {
@@ -64,7 +64,7 @@ class Cut {
 
   TriangleMesh& mesh_;
   const HalfSpace& space_;
-  std::vector<double> heights_;  // of the vertices there were before
+  std::vector<double> heights_;  // of the original vertices
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
   std::vector<BorderEdge> border_;
 };
@@ -72,7 +72,7 @@ class Cut {
 }  // namespace
 
 Result<std::vector<TriangleMesh>> cut(const TriangleMesh& solid, std::span<const HalfSpace> spaces) {
-  // Corners are rounded by less.
+  // Corners round by less than this.
   const double tolerance = 1e-12 * boundsOf(solid).diagonal();
   TriangleMesh mesh{solid.vertices, solid.triangles, {}, {}};
   for (const HalfSpace& space : spaces) {

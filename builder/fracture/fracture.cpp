@@ -18,12 +18,12 @@ namespace {
 
 struct Ball {
   Vec3d center;
-  double weight = 0;  // squared radius, more or less
+  double weight = 0;  // squared radius, slightly changed
 };
 
-// Symmetric solids have symmetric trees, whose cuts would run through the mesh's own corners and through each other's
-// edges, where rounding leaves pieces without soundness. Weights that differ by about this part of a mean one move cuts
-// by a few hundredths of a per cent of the balls.
+// Symmetric solids have symmetric trees. Their cuts would run through the mesh's own corners and each other's edges,
+// where rounding gives invalid pieces. Weights that differ by about this fraction of the mean move cuts by a few
+// hundredths of a per cent of the balls.
 constexpr double kStray = 2e-3;
 
 // Returns a random number in [-1, 1].
@@ -54,7 +54,7 @@ HalfSpace nearerTo(const Ball& own, const Ball& other) {
   return {normal, dot(normal, own.center) + along};
 }
 
-// Balls about the same point: the heavier one takes all, of equal ones the first.
+// For balls with one centre, the heavier one takes all; of equal ones the first.
 bool isHiddenBy(const std::vector<Ball>& balls, std::size_t i, std::size_t j) {
   if (!(balls[i].center == balls[j].center)) return false;
   return balls[j].weight > balls[i].weight || (balls[j].weight == balls[i].weight && j < i);

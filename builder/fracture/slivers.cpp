@@ -22,7 +22,7 @@ class Turning {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) enter(t);
   }
 
-  // One pass; false when nothing was turned.
+  // One pass; false when no edge was flipped.
   bool pass() {
     bool turned = false;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -73,7 +73,7 @@ class Turning {
   std::map<Edge, std::uint32_t> owner_;
 };
 
-// The vertex each one becomes: the first of those it hangs together with by short edges.
+// The vertex that each one becomes: the first of those connected to it by short edges.
 std::vector<std::uint32_t> joinedNames(const TriangleMesh& mesh, double tolerance) {
   std::vector<std::uint32_t> name(mesh.vertices.size());
   std::iota(name.begin(), name.end(), 0U);
@@ -102,7 +102,7 @@ TriangleMesh joined(const TriangleMesh& mesh, double tolerance) {
 }
 
 void turnCaps(TriangleMesh& mesh) {
-  // A row of caps on one long edge is passed on from each to the next.
+  // Each of a row of caps on one long edge passes it on to the next.
   constexpr int kPasses = 16;
   Turning turning(mesh);
   for (int pass = 0; pass < kPasses && turning.pass(); ++pass) {

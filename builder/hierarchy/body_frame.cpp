@@ -11,7 +11,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// A vertex this near to the farthest one counts as that far.
+/// Vertices beyond this fraction of the largest distance count as equally far.
 constexpr double kAboutAsFar = 0.999;
 /// Triangles whose least altitude is below this number of grid steps are too narrow to round their corners. A step is
 /// `kBodyRounding`. Rounding by half a step along each axis moves a corner by less than a step.
@@ -24,7 +24,7 @@ struct Farthest {
   double distance = 0;
 };
 
-/// The first vertex about as far as the farthest.
+/// The first vertex that is about as far as the farthest.
 Farthest firstFarthest(const TriangleMesh& mesh, const std::function<double(const Vec3d&)>& distanceOf) {
   double most = 0;
   for (const Vec3d& v : mesh.vertices) most = std::max(most, distanceOf(v));
@@ -34,7 +34,7 @@ Farthest firstFarthest(const TriangleMesh& mesh, const std::function<double(cons
 }
 
 Vec3d meanOf(const std::vector<Vec3d>& points) {
-  Vec3d sum;  // of differences, or a mesh far from the origin would lose digits
+  Vec3d sum;  // of differences, because a mesh far from the origin would lose digits
   for (const Vec3d& p : points) sum += p - points[0];
   return points[0] + sum / static_cast<double>(points.size());
 }

@@ -23,15 +23,15 @@ namespace cairn::builder {
 
 namespace {
 
-/// A ball that fits its region within this part of the mesh's diagonal is not split further: the certificate cannot
-/// tell it from a perfect one.
+/// A ball that fits its region within this fraction of the mesh's diagonal is not split further. The certificate cannot
+/// distinguish it from a perfect one.
 constexpr double kNegligibleFraction = 1e-6;
 
 /// Concavities up to this fraction of the diagonal are not closed; the certificate has the same tolerance.
 constexpr double kNegligibleConcavity = 1e-4;
 
-/// Points of Hubbard's sampling beside those on edges and of repairs: 2400 samples in all on a model of 1500 triangles,
-/// about as many as the thesis author's own program takes there.
+/// Points of Hubbard's sampling, beside those on edges and those of repairs. In all it takes 2400 samples on a model of
+/// 1500 triangles, about as many as the thesis author's own program.
 constexpr std::size_t kHubbardSamples = 500;
 
 BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
@@ -58,7 +58,7 @@ class Reporter {
     if (!stopped_ && !callback_("fitting spheres", fraction_)) stopped_ = true;
     return !stopped_;
   }
-  /// Asks whether to go on, without progress to tell.
+  /// Asks whether to continue, without a progress report.
   bool keepGoing() { return report(0); }
 
  private:
@@ -68,7 +68,7 @@ class Reporter {
   bool stopped_ = false;
 };
 
-/// Empty when cancelled.
+/// Returns an empty tree when cancelled.
 RegionTree growRegions(const SignedDistance& solid, const BuildOptions& options, Reporter& reporter) {
   const KeepGoing keepGoing = [&] { return reporter.keepGoing(); };
   HubbardMedial medial;

@@ -8,7 +8,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// A level of 4096 spheres takes a gigabyte: its matrices of costs, and eight times as many points between its own.
+/// A level of 4096 spheres takes a gigabyte, mostly for its cost matrices with eight times as many points.
 constexpr double kMaxAdaptiveLeaves = 4096;
 
 Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, std::uint64_t most) {

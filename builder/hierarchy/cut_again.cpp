@@ -16,7 +16,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// A piece of some region, and whether no region below has it cut further.
+/// A piece of some region; the flag says that no region below has it cut further.
 struct Wanted {
   Piece* piece = nullptr;
   bool ofLeaf = false;
@@ -36,7 +36,7 @@ struct Before {
   bool operator()(const Piece& a, const Wanted& b) const { return before(a, *b.piece); }
 };
 
-/// The pieces of all regions, those of triangle t from place `first[t]` on.
+/// The pieces of all regions; those of triangle t start at `first[t]`.
 struct WantedPieces {
   std::vector<Wanted> list;
   std::vector<std::size_t> first;
@@ -59,7 +59,7 @@ struct Twins {
   Piece from, to;
 };
 
-/// Makes all cuts that lead from a whole triangle to the pieces of it, and replaces these by their twins.
+/// Makes all cuts from a whole triangle down to its pieces, and replaces the pieces by their twins.
 void cutTriangle(const Twins& whole, std::span<Wanted> wanted) {
   std::sort(wanted.begin(), wanted.end(), Before());
   Pieces cut(wanted.size());

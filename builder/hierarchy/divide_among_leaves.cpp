@@ -41,11 +41,11 @@ class BallTree {
   std::vector<std::vector<std::vector<std::uint32_t>>> children_;  // by level, by ball of the level above
 };
 
-/// The leaf a piece would go to.
+/// The leaf that would take a piece.
 struct Home {
   std::uint32_t leaf = 0;
   double cost = std::numeric_limits<double>::infinity();    // at the leaf
-  double strain = std::numeric_limits<double>::infinity();  // most, over the chain, of cost in parts of the limit
+  double strain = std::numeric_limits<double>::infinity();  // largest ratio of cost and limit over the chain
 
   bool fits() const { return strain <= kSeamAllowance; }
 };
@@ -54,7 +54,8 @@ class Homes {
  public:
   explicit Homes(const BallTree& tree) : tree_(tree) {}
 
-  /// The cheapest leaf whose whole chain holds the piece; with `force`, else the one of least strain.
+  /// Returns the cheapest leaf whose whole chain holds the piece. With `force` and without such a leaf, returns the one
+  /// of least strain.
   Home of(const Piece& piece, bool force) const {
     Home best;
     visit(piece, 0, 0, 0, force, best);

@@ -14,7 +14,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Points a level is fitted to, for each ball a full level has; and in all at least.
+/// Points that a level is fitted to: for each ball of a full level, and the least total.
 constexpr std::size_t kPointsPerBall = 100, kMinPoints = 1500;
 /// Points of one family's first fit, and swaps tried to improve it.
 constexpr std::size_t kFamilyPoints = 400;
@@ -22,7 +22,7 @@ constexpr int kFamilySwapRounds = 1;
 /// Attempts to relieve a level.
 constexpr ReliefEffort kRelief{.attempts = 80, .redraws = 8};
 
-/// Points of the surface, close enough for a level of `balls` balls.
+/// Surface points dense enough for a level of `balls` balls.
 PointSet pointsFor(const TriangleMesh& mesh, double balls) {
   Pieces pieces = piecesOf(mesh);
   const auto points = static_cast<std::size_t>(kPointsPerBall * balls);

@@ -44,9 +44,9 @@ class Writer {
       reach = std::max({reach, std::abs(local.x), std::abs(local.y), std::abs(local.z)});
     }
     for (const Triangle& t : solid.mesh().triangles) data_.triangles.push_back(t);
-    // A vertex rounded to float moves by at most sqrt(3) 2^-25 of the largest coordinate, the corners of pieces (forty
-    // midpoints in double) and the distances measured here by less than 2^-46 of it; 2^-23 covers all, so that the
-    // balls hold both the mesh as given and the mesh as the tree stores it.
+    // A vertex rounded to float moves by at most sqrt(3) 2^-25 of the largest coordinate. The corners of pieces (forty
+    // midpoints in double) and the distances measured here differ by less than 2^-46 of it. 2^-23 covers both. So the
+    // balls hold the given mesh and the stored mesh.
     guard_ = 0x1p-23 * reach;
   }
 
@@ -100,9 +100,8 @@ class Writer {
     return corners;
   }
 
-  /// A leaf inside the solid holds no surface. Its cube's corners stand for it in contacts, and of its parent's
-  /// triangles the one nearest to its centre is named as the surface that is left first on the way out; it faces
-  /// everywhere.
+  /// A leaf inside the solid holds no surface. Its cube's corners represent it in contacts. It names the triangle of
+  /// its parent that is nearest to its centre, as the first exit surface; its normal cone is the whole sphere.
   NodeParts insideParts(const RegionNode& node) const {
     NodeParts parts;
     parts.record.parent = node.parent;
@@ -144,7 +143,7 @@ class Writer {
     data_.nodes.push_back(record);
   }
 
-  /// Leaves in depth-first order, so that a node's range is its descendants' laid end to end.
+  /// Leaves are in depth-first order, so a node's range is the concatenation of its descendants' ranges.
   void layOutTriangles(std::uint32_t index, const std::vector<NodeParts>& parts) {
     const auto first = static_cast<std::uint32_t>(data_.regionTriangles.size());
     const RegionNode& node = regions_[index];

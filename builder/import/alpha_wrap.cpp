@@ -28,7 +28,7 @@ constexpr std::size_t kMaxVertices = 1'000'000;
 struct Cancelled {};
 struct TooFine {};
 
-/// Follows the wrap as it digs towards the surface; the only way out of CGAL's loop is to throw.
+/// Follows the progress of the wrap. An exception is the only way out of CGAL's loop.
 struct Watch : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
   explicit Watch(const ProgressCallback& callback) : progress(callback) {}
 

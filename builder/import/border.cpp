@@ -17,13 +17,13 @@ std::vector<HalfEdge> borderEdges(const TriangleMesh& mesh) {
 }
 
 std::vector<std::vector<HalfEdge>> borderLoops(const TriangleMesh& mesh) {
-  std::map<std::uint32_t, std::vector<HalfEdge>> leaving;  // by vertex, not yet walked
+  std::map<std::uint32_t, std::vector<HalfEdge>> leaving;  // by vertex, not yet visited
   for (const HalfEdge& e : borderEdges(mesh)) leaving[e.from].push_back(e);
   std::vector<std::vector<HalfEdge>> loops;
   for (auto& [start, edges] : leaving) {
     while (!edges.empty()) {
       std::vector<HalfEdge> path;
-      std::map<std::uint32_t, std::size_t> position;  // of the vertices the path has left
+      std::map<std::uint32_t, std::size_t> position;  // of the vertices on the path
       for (std::uint32_t at = start;;) {
         if (const auto seen = position.find(at); seen != position.end()) {
           const auto first = path.begin() + static_cast<std::ptrdiff_t>(seen->second);

@@ -19,8 +19,8 @@ std::string text(const Vec3d& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
 }
 
-// A tree keeps lengths as float: their squares must not overflow, nor those of a thousandth of it, small leaves, lose
-// digits.
+// A tree stores lengths as floats. Their squares must not overflow, and the squares of small leaves, a thousandth of
+// the size, must not lose digits.
 constexpr double kLargestDiagonal = 1e14, kMinDiagonal = 1e-15;
 // Largest distance of a mesh from the origin, in its diagonals. Beyond it, fewer than six of a coordinate's sixteen
 // digits remain.
@@ -53,7 +53,7 @@ class Checker {
     return text(mesh_.vertices[h.from]) + " - " + text(mesh_.vertices[h.to]);
   }
 
-  /// A triangle without area may have closed a gap without width: two short edges against a long one.
+  /// A dropped triangle without area may have closed a crack of no width: two short edges against a long one.
   std::string omission() const {
     if (leftOut_ == 0) return {};
     return leftOut_ == 1 ? " after 1 triangle without area was left out"
@@ -113,8 +113,8 @@ class Checker {
 
   Status checkVolume() const {
     const double volume = signedVolume(mesh_);
-    // Each of the n signed tetrahedra, taken from the box's centre, rounds by a few units of the box's volume: every
-    // product in it is one length along each axis, none longer than the box.
+    // Each of the n signed tetrahedra, taken from the box's centre, rounds by a few units of the box's volume. Every
+    // product in it has one length along each axis, and none exceeds the box.
     const Bounds bounds = boundsOf(mesh_);
     const Vec3d size = bounds.upper - bounds.lower;
     const double rounding = 0x1p-50 * static_cast<double>(mesh_.triangles.size()) * size.x * size.y * size.z;

@@ -38,8 +38,8 @@ Point pointOf(const Vec3d& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Corners in CGAL's form with sides made consistent. Vertices where sheets of different sides, more than two triangles
-/// or two cones of surface meet are doubled, so that each sheet has its own.
+/// Corners in CGAL's form with consistent sides. Vertices are doubled where sheets of different sides, more than two
+/// triangles or two cones of surface meet. So each sheet has its own vertices.
 struct OrientedSoup {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> faces;
@@ -51,7 +51,7 @@ struct OrientedSoup {
   }
 };
 
-/// The same triangles with sides made consistent where that is possible, doubled vertices made one again.
+/// Makes sides consistent where that is possible, and joins the doubled vertices again.
 TriangleMesh oriented(const TriangleMesh& mesh) {
   const OrientedSoup soup(mesh);
   TriangleMesh result;
@@ -62,8 +62,8 @@ TriangleMesh oriented(const TriangleMesh& mesh) {
   return settled(result);
 }
 
-/// Triangles over a rim, as places along it, facing either way. Long rims get no search of all triangulations, whose
-/// cost is the cube of their edges.
+/// Triangles over a rim, as indices along it, in either direction. Long rims get no search of all triangulations,
+/// because its cost is the cube of their edges.
 Patch patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
   if (rim.size() == 3) return {{0, 1, 2}};
   std::vector<Vec3d> corners;
@@ -71,7 +71,8 @@ Patch patchOf(const TriangleMesh& mesh, const std::vector<HalfEdge>& rim) {
   if (Patch flat = flatPatch(corners, kStitchTolerance * boundsOf(mesh).diagonal()); !flat.empty()) return flat;
 
   constexpr std::size_t kMaxCubicEdges = 300;
-  std::vector<Point> points, beside;  // of the triangles along the rim, which the patch should continue
+  std::vector<Point> points,
+      beside;  // `beside`: corners of the triangles along the rim, which the patch should continue
   for (const HalfEdge& e : rim) {
     points.push_back(pointOf(mesh.vertices[e.from]));
     beside.push_back(pointOf(mesh.vertices[mesh.triangles[e.triangle][(e.side + 2) % 3]]));
@@ -109,7 +110,8 @@ Vec3d positionOf(const Surface& surface, Surface::Vertex_index v) {
   return {p.x(), p.y(), p.z()};
 }
 
-/// Faces in the order they were made, so those of the source keep their numbers. Vertices are those of the surface.
+/// Faces keep the order of their creation, so those of the source keep their numbers. Vertices are those of the
+/// surface.
 TriangleMesh meshOf(const Surface& surface) {
   TriangleMesh mesh;
   for (const Surface::Vertex_index v : surface.vertices()) mesh.vertices.push_back(positionOf(surface, v));
@@ -128,8 +130,8 @@ bool sameSide(const Corners& a, const Corners& b) {
   return false;
 }
 
-/// Precondition: no triangles cross, for which shell lies in which is undefined then. Empty when the surface is not
-/// closed.
+/// Empty when the surface is not closed. Precondition: no triangles intersect, because the nesting of shells is
+/// undefined then.
 Surface outwardSurface(const TriangleMesh& mesh) {
   const OrientedSoup soup(mesh);
   Surface surface;

@@ -18,13 +18,13 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Projected = CGAL::Projection_traits_3<Kernel>;
-using Corner = CGAL::Triangulation_vertex_base_with_info_2<int, Projected>;  // its place
+using Corner = CGAL::Triangulation_vertex_base_with_info_2<int, Projected>;  // its index
 using Face = CGAL::Constrained_triangulation_face_base_2<
     Projected, CGAL::Triangulation_face_base_with_info_2<bool, Projected>>;  // whether it is outside
 using Planar = CGAL::Constrained_Delaunay_triangulation_2<Projected, CGAL::Triangulation_data_structure_2<Corner, Face>,
                                                           CGAL::No_constraint_intersection_tag>;
 
-/// Newell's: perpendicular to the plane around which the polygon turns left, twice its area long.
+/// Newell's normal: perpendicular to the plane in which the polygon turns left, with a length of twice its area.
 Vec3d turningNormal(std::span<const Vec3d> polygon) {
   Vec3d normal;
   for (std::size_t i = 0; i < polygon.size(); ++i)

@@ -44,7 +44,7 @@ Result<TriangleSoup> readSoup(const std::filesystem::path& path, std::span<const
   const Result<std::optional<PolygonSoup>> polygons = readMeshText(path, text);
   if (!polygons) return polygons.error();
   if (polygons.value()) return triangulated(*polygons.value());
-  // The readers of assimp take a mark for a part of the first line.
+  // assimp's readers treat a byte order mark as a part of the first line.
   const bool marked = text.size() != bytes.size();
   return marked ? readTriangles(path, text) : readTriangles(path);
 }

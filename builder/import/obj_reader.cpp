@@ -14,7 +14,7 @@
 namespace cairn::builder {
 namespace {
 
-/// A fourth number and no fifth is a weight to divide by; more are colours.
+/// A fourth number without a fifth is a weight to divide by; more numbers are colours.
 Status divideByWeight(LineReader& line, Vec3d& point) {
   const std::optional<double> weight = parseNumber<double>(line.nextWord());
   if (!weight || !line.nextWord().empty()) return {};
@@ -24,8 +24,8 @@ Status divideByWeight(LineReader& line, Vec3d& point) {
 }
 
 struct ObjFaces {
-  std::vector<std::int64_t> vertices;    // of all faces in turn, from 1, as written; negative ones already resolved
-  std::vector<std::size_t> ends, lines;  // of each face: behind its last vertex, where it is written
+  std::vector<std::int64_t> vertices;    // of all faces in turn, from 1, as in the file; negative ones are resolved
+  std::vector<std::size_t> ends, lines;  // for each face: the position after its last vertex, and its line
 };
 
 Status readObjFace(LineReader& line, std::int64_t verticesSoFar, ObjFaces& faces) {
@@ -46,7 +46,7 @@ Status readObjFace(LineReader& line, std::int64_t verticesSoFar, ObjFaces& faces
   return {};
 }
 
-/// Faces may name vertices that come after them, so they are resolved when all are known.
+/// Faces may name later vertices, so they are resolved at the end.
 Status resolve(const std::string& file, const ObjFaces& faces, PolygonSoup& soup) {
   const auto vertices = static_cast<std::int64_t>(soup.points.size());
   soup.corners.reserve(faces.vertices.size());

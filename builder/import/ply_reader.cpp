@@ -30,7 +30,7 @@ class TextValues {
   bool goesOn() { return line_.nextContent(); }
   /// Returns nothing at the end of the line and for words that are no number.
   std::optional<double> number(Type) { return parseNumber<double>(line_.nextWord()); }
-  /// False when so many are not there.
+  /// False when there are fewer.
   bool skip(Type, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i)
       if (line_.nextWord().empty()) return false;
@@ -56,7 +56,7 @@ class BinaryValues {
   BinaryValues(const LineReader& line, Encoding encoding) : line_(line), bytes_(line.rest()), encoding_(encoding) {}
 
   bool nextItem() { return true; }
-  /// Some files end with a line's end, or are padded.
+  /// Some files end with a line break or with padding.
   bool goesOn() const { return bytes_.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos; }
   /// Returns nothing at the end of the file.
   std::optional<double> number(Type type) {
@@ -152,7 +152,7 @@ class Reader {
     return {};
   }
 
-  // Each vertex makes a triangle with the two before it, every other one turned round; -1 begins anew.
+  // Each vertex makes a triangle with the two before it. Every second one is reversed. -1 begins a new strip.
   Status readStrips(const Element& element, const Property& property, std::uint64_t strip, std::uint32_t count) {
     constexpr double kAnew = -1;
     std::array<std::uint32_t, 2> last{};
@@ -202,7 +202,7 @@ template <class Values>
 Result<PolygonSoup> readItems(const LineReader& line, const Header& header, Values values) {
   Reader<Values> reader(values, header);
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // takes no room: any number of them is there
+    if (element.properties.empty()) continue;  // it takes no bytes, so any number of them is present
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!reader.nextItem()) return truncated(line, element, i);
       if (Status s = reader.readItem(element, i); !s) return s.error();

@@ -61,7 +61,7 @@ bool reads(const Assimp::Importer& importer, const std::filesystem::path& path) 
   return path.has_extension() && importer.IsExtensionSupported(path.extension().string());
 }
 
-/// From the file itself when `text` is empty.
+/// Reads the file itself when `text` is empty.
 Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<const std::byte> text) {
   const std::string file = path.filename().string();
   Assimp::Importer importer;

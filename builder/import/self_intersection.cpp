@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The polygon-mesh function of CGAL needs a manifold halfedge structure, which vertices where two cones touch are not;
-// the predicates below work on indices. CGAL supplies the box sweep and the exact tests.
+// CGAL's polygon-mesh function needs a manifold halfedge structure, which excludes vertices where two cones touch. The
+// predicates below work on indices. CGAL supplies the box sweep and the exact tests.
 #include "import/self_intersection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -22,7 +22,7 @@ Point pointOf(const Vec3d& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Two triangles with the vertices they share first, in the same order in both.
+/// Two triangles whose shared vertices come first, in the same order in both.
 struct AlignedPair {
   std::array<Point, 3> a, b;
   int shared = 0;
@@ -52,11 +52,11 @@ bool intersects(const AlignedPair& pair) {
     case 0:
       return CGAL::do_intersect(triangleA, triangleB);
     case 1:
-      // Beyond the common corner, an edge opposite to it must meet the other triangle.
+      // For an intersection beyond the common corner, an edge opposite to it must meet the other triangle.
       return CGAL::do_intersect(triangleA, Kernel::Segment_3(b[1], b[2])) ||
              CGAL::do_intersect(triangleB, Kernel::Segment_3(a[1], a[2]));
     case 2:
-      // Beyond the common edge, one must be folded flat onto the other.
+      // For an intersection beyond the common edge, one triangle must be folded flat onto the other.
       return CGAL::coplanar(a[0], a[1], a[2], b[2]) &&
              CGAL::coplanar_orientation(a[0], a[1], a[2], b[2]) == CGAL::POSITIVE;
     default:

@@ -39,7 +39,7 @@ TriangleMesh settled(const TriangleMesh& mesh) {
     soup[t] = mesh.corners(t);
     for (Vec3d& corner : soup[t]) corner = Vec3d(Vec3(corner));
   }
-  ImportCounts ignored;  // a triangle too many shows as an open edge
+  ImportCounts ignored;  // a wrongly dropped triangle shows as an open edge
   TriangleMesh result = weld(soup, ignored);
   result.name = mesh.name;
   const std::string bytes = plyBytes(result);

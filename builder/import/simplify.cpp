@@ -26,7 +26,7 @@ namespace sms = CGAL::Surface_mesh_simplification;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Empty when a vertex is pinched, which a halfedge structure cannot hold.
+/// Returns an empty surface when a vertex is pinched, which a halfedge structure cannot represent.
 Surface surfaceOf(const TriangleMesh& mesh) {
   Surface surface;
   std::vector<Surface::Vertex_index> names;
@@ -36,7 +36,7 @@ Surface surfaceOf(const TriangleMesh& mesh) {
   return surface;
 }
 
-/// Asked before every collapse: ends them at a number of edges, or when the user cancels.
+/// Called before every collapse. It ends the collapses at a number of edges, or when the user cancels.
 class Stop {
  public:
   Stop(std::size_t edges, const ProgressCallback& progress, bool& cancelled)

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> nearbyVertices(const TriangleMesh& mesh, double toler
   };
   using Cell = std::array<std::int64_t, 3>;
   const Vec3d lower = boundsOf(mesh).lower;
-  std::map<Cell, std::vector<std::uint32_t>> grid;  // of cells as wide as the tolerance
+  std::map<Cell, std::vector<std::uint32_t>> grid;  // cells as wide as the tolerance
   for (const std::uint32_t v : verticesOf(borderEdges(mesh))) {
     const Vec3d place = (mesh.vertices[v] - lower) * (1 / tolerance);
     const Cell cell{std::llround(place.x), std::llround(place.y), std::llround(place.z)};
@@ -102,8 +102,8 @@ class BorderVertices {
   int axis_ = 0;
 };
 
-/// A fan from the corner opposite to `edge` over the edge and the vertices on it replaces the triangle; false, and
-/// nothing done, when a part of it would have no area.
+/// Replaces the triangle by a fan from the corner opposite to `edge`, over the edge and the vertices on it. False,
+/// without any change, when a part of it would have no area.
 bool splitEdge(TriangleMesh& mesh, const HalfEdge& edge, const std::vector<std::uint32_t>& on) {
   const std::uint32_t apex = mesh.triangles[edge.triangle][(edge.side + 2) % 3];
   std::vector<Triangle> fan;
@@ -116,7 +116,8 @@ bool splitEdge(TriangleMesh& mesh, const HalfEdge& edge, const std::vector<std::
   return true;
 }
 
-/// One edge of a triangle at a time, since the others move into its parts. Returns how many triangles were split.
+/// Splits one edge of a triangle at a time, because the other edges move into its parts. Returns the number of split
+/// triangles.
 std::size_t splitOnce(TriangleMesh& mesh, double tolerance) {
   const std::vector<HalfEdge> border = borderEdges(mesh);
   const BorderVertices vertices(mesh, border);

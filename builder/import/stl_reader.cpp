@@ -107,7 +107,7 @@ class TextStl {
     return {};
   }
 
-  /// Many are wrong, and nothing is made of them.
+  /// Normals in files are often wrong and are not used.
   Status passOverNormal() {
     std::string_view last = line_.nextWord();
     if (lowered(last) != "normal")
@@ -118,7 +118,7 @@ class TextStl {
     return {};
   }
 
-  /// Corners since the last polygon's.
+  /// Number of corners since the last polygon.
   std::size_t openCorners() const { return soup_.corners.size() - (soup_.ends.empty() ? 0 : soup_.ends.back()); }
 
   LineReader line_;
@@ -128,15 +128,15 @@ class TextStl {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;
 
-/// Bytes of a binary STL that begins as `text` does.
+/// Length in bytes of a binary STL that begins as `text` does.
 std::size_t binarySize(std::string_view text) {
   std::uint32_t facets = 0;
   if (text.size() >= kHeader) std::memcpy(&facets, text.data() + kHeader - sizeof facets, sizeof facets);
   return kHeader + kFacet * std::size_t{facets};
 }
 
-/// Headers of binary files may begin with "solid" too; theirs is followed by zeros, in the count of triangles if
-/// nowhere before.
+/// Headers of binary files may begin with "solid" too. A binary file has zeros after it, at the latest in the count of
+/// triangles.
 bool isTextStl(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
   if (first == std::string_view::npos || text.substr(0, kHeader).find('\0') != std::string_view::npos) return false;

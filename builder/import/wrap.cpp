@@ -45,8 +45,8 @@ Status prove(const TriangleMesh& surface, const TriangleMesh& skin) {
   return {};
 }
 
-/// A skin is kept in floats. Where their rounding is as much as the offset none can be proved, and CGAL's wrap, which
-/// works in doubles, may not end well.
+/// A skin is stored in floats. Where their rounding reaches the offset, no skin can be proved. CGAL's wrap, which works
+/// in doubles, may then not end.
 Status checkPlace(const TriangleMesh& surface, double offset) {
   const Bounds bounds = boundsOf(surface);
   double farthest = 0;
@@ -60,8 +60,8 @@ Status checkPlace(const TriangleMesh& surface, double offset) {
                   surface.name, farthest, rounding, wide)};
 }
 
-/// A proved skin, without its distance. CGAL's wrap now and then loses a part of a surface that lies in the symmetries
-/// of its bounding box; a slightly smaller offset is out of that step, so a proof that fails is tried again twice.
+/// A proved skin, without its distance. CGAL's wrap sometimes loses a part of a surface that lies in the symmetries of
+/// its bounding box. A slightly smaller offset breaks the symmetry, so a failed proof is tried twice more.
 Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& options,
                                 const ProgressCallback& progress) {
   constexpr int kAttempts = 3;

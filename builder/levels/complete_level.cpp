@@ -9,7 +9,7 @@ namespace cairn::builder {
 namespace {
 
 constexpr int kRounds = 8;
-/// Attempts of each relief after the first: those repair, and most points need one attempt.
+/// Attempts of each relief after the first. Later reliefs only repair, and most points need one attempt.
 constexpr std::size_t kRepairs = 20;
 /// Dense points within this factor of the points' need are not added.
 constexpr double kComplete = 1.01;

@@ -56,8 +56,8 @@ class Drawing {
     return {{center, 0, lower_.depth(center)}, 0};
   }
 
-  /// Families of the flat cover's balls below an upper level that is as tight as the search finds. A ball that two
-  /// parents hold together becomes two.
+  /// Groups the flat cover's balls into families below an upper level that is as tight as the search finds. A ball that
+  /// two parents hold together becomes two.
   DrawnFamilies families(const std::vector<ChildBall>& flat) const {
     const std::vector<PointSet> parts = partsOf(flat);
     const double tightest = uppers_.covers[0].limit;

@@ -14,12 +14,12 @@ namespace cairn::builder {
 
 namespace {
 
-/// Starts, how far each displaces the parents (in parts of their radius), and how often assigning and refitting
-/// alternate at most.
+/// Number of starts, the displacement of the parents at each (fraction of their radius), and the largest number of
+/// rounds of assignment and fit.
 constexpr std::uint64_t kStarts = 8;
 constexpr double kDisplacement = 0.15;
 constexpr int kGroupRounds = 8;
-/// Alternating ends when a round gains less than this part.
+/// The rounds end when one gains less than this fraction.
 constexpr double kWorthARound = 0.001;
 
 CostTable costsOf(std::span<const PointSet> parts, const SphereSet& parents) {

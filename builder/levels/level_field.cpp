@@ -13,10 +13,10 @@ namespace cairn::builder {
 
 namespace {
 
-/// Spacing of the samples in parts of the stand-off, and how many there may be.
+/// Spacing of the samples as a fraction of the stand-off, and their largest number.
 constexpr double kSpacing = 0.08, kMaxSamples = 100000;
-/// Concavities up to this part of the stand-off are not closed: it gains little, and deep in a nearly round body the
-/// samples of the closing are all about equally far, so that each search visits most of them.
+/// Concavities up to this fraction of the stand-off are not closed, because the gain is small. Deep in a nearly round
+/// body the samples of the closing are all about equally far, so each search would visit most of them.
 constexpr double kNegligibleConcavity = 0.5;
 
 double areaOf(const TriangleMesh& mesh) {

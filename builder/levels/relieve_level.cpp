@@ -22,13 +22,13 @@ constexpr std::uint32_t kNowhere = ~0U;
 constexpr double kRequest = 0.02, kWorthAStep = 0.002;
 /// Least number of families optimised together: those that may hold the worst point, filled up to this number.
 constexpr std::size_t kFamilies = 3;
-/// Balls taken away in turn before the family is drawn anew.
+/// Number of balls removed in turn before the family is started anew.
 constexpr std::size_t kSwaps = 12;
 
-/// A few families of a level, with the points that are left to them.
+/// A few families of a level, with the points that remain for them.
 struct Part {
   std::vector<std::uint32_t> parents;             // of the level, by parent of the part
-  PointSet points;                                // that no family outside holds within the goal
+  PointSet points;                                // no family outside holds them within the goal
   std::vector<std::vector<std::uint32_t>> reach;  // by parent of the part
   std::vector<ChildBall> balls;                   // by parent of the part
 };
@@ -122,7 +122,7 @@ class Relief {
       parents.push_back(k);
       for (const std::uint32_t p : problem_.reach[k]) reached[p] = 1;
     }
-    std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sharing;  // how many points, and who
+    std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sharing;  // number of shared points, and the parent
     for (std::uint32_t k = 0; k < families_.size(); ++k) {
       if (std::find(parents.begin(), parents.end(), k) != parents.end()) continue;
       const auto shared = std::ranges::count_if(problem_.reach[k], [&](std::uint32_t p) { return reached[p] != 0; });
@@ -160,7 +160,7 @@ class Relief {
     return part;
   }
 
-  /// One step. False when the families around the point hold it no more cheaply than before.
+  /// One step. False when it does not lower the cost of the point for the families around it.
   bool relieve(std::uint32_t point, double worst) {
     const double goal = std::max(problem_.enough, worst * (1 - kRequest));
     const Part part = partOf(parentsAround(point), goal);
@@ -207,7 +207,7 @@ class Relief {
     return k;
   }
 
-  /// One attempt: the part's families optimised from a start, if that is worth a step.
+  /// One attempt: optimises the part's families from a start, if that can be worth a step.
   std::optional<std::vector<ChildBall>> better(const Part& part, std::vector<ChildBall> start, double goal,
                                                double worst) {
     --attempts_;
@@ -219,7 +219,7 @@ class Relief {
   }
 
   const LevelProblem& problem_;
-  std::size_t attempts_ = 0;                // left
+  std::size_t attempts_ = 0;                // attempts left
   std::size_t redraws_ = 0;                 // of a family, before a point is given up
   std::vector<SphereSet> families_;         // by parent
   std::vector<std::vector<double>> costs_;  // by parent, by slot of its reach: cost of its family's cheapest ball

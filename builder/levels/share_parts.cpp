@@ -18,9 +18,9 @@ using ParentMask = std::uint32_t;
 /// The parents of one family share; `ParentMask` has a bit for each.
 constexpr int kMaxParents = 8;
 constexpr int kSteps = 6000;
-/// Longest and shortest step of a parent's centre, in parts of the limit.
+/// Longest and shortest step of a parent's centre, as fractions of the limit.
 constexpr double kLongestStep = 0.6, kShortestStep = 0.02;
-/// Factors by which the limit is raised until all parts have room, and lowered while they have.
+/// Factors by which the limit rises until all parts have room, and then falls while they have.
 constexpr double kLoosening = 1.05, kTightening = 0.996;
 /// Number of points examined of each part, the extreme ones first.
 constexpr std::size_t kPointsPerPart = 40;
@@ -32,9 +32,10 @@ class Places {
 
   std::size_t roomOf(std::uint32_t parent) const { return room_[parent]; }
   const std::vector<std::uint32_t>& partsOf(std::uint32_t parent) const { return parts_[parent]; }
-  /// Takes a place for good. Precondition: there is room, and no part was placed yet.
+  /// Takes a place permanently. Precondition: there is room, and no part was placed yet.
   void take(std::uint32_t parent) { --room_[parent]; }
-  /// Finds a place for a part below one of its choices, moving others among theirs. False when there is none.
+  /// Finds a place for a part below one of its choices, and moves other parts among their choices. False when there is
+  /// none.
   bool place(std::uint32_t part, std::span<const ParentMask> choices) {
     seen_ = 0;
     return placeUnseen(part, choices);
@@ -163,7 +164,8 @@ class Sharing {
       for (std::size_t p = begin_[i]; p < begin_[i + 1]; ++p) holders[i] &= masks_[p];
       if (holders[i] == 0 && !split(i, places, parentsOf)) return false;
     }
-    for (int choices = 1; choices <= kMaxParents; ++choices)  // the least free first: shorter augmenting paths
+    for (int choices = 1; choices <= kMaxParents;
+         ++choices)  // parts with the fewest choices first: shorter augmenting paths
       for (std::uint32_t i = 0; i < parts; ++i)
         if (std::popcount(holders[i]) == choices && !places.place(i, holders)) return false;
     if (parentsOf)
@@ -172,7 +174,7 @@ class Sharing {
     return true;
   }
 
-  /// Takes a place below each of two parents that hold the part between them: the two with the most room.
+  /// Takes a place below each of two parents that hold the part together: the two with the most room.
   bool split(std::uint32_t part, Places& places, std::vector<std::vector<std::uint32_t>>* parentsOf) const {
     std::size_t most = 0;
     std::uint32_t first = 0, second = 0;

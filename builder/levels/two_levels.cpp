@@ -25,11 +25,11 @@ constexpr double kUpperWeight = 3, kAsGood = 1.03;
 /// Exponent for the estimated limit of the third level. It varies between pairs twice as much as the second limit does,
 /// but it is only an estimate.
 constexpr double kNextWeight = 0.5;
-/// Families drawn; of these the most promising are filled up, and the best of the pairs gone on with.
+/// Number of families drawn; the most promising are filled up, and the best pairs continue.
 constexpr std::size_t kDraws = 12, kFilledUp = 6, kTightened = 4;
 /// The upper level's limit falls by this factor a step, down to this fraction of its own need.
 constexpr double kUpperTightening = 0.975, kTightest = 1.02;
-/// Pairs that are completed between the points, and attempts to relieve their lower levels.
+/// Number of pairs that are completed between the points, and attempts to relieve their lower levels.
 constexpr std::size_t kCompleted = 3;
 constexpr ReliefEffort kRelief{.attempts = 25, .redraws = 0};
 /// The estimate of the third level uses this fraction of the dense points, and at most this many points of a family
@@ -104,7 +104,7 @@ class Search {
     return found;
   }
 
-  /// The lower level below an upper one, from a start whose parents are the upper one's balls.
+  /// Fits the lower level below an upper one, from a start whose parents are the upper one's balls.
   TwoLevels lowerBelow(CoverLevel upper, std::vector<ChildBall> start) const {
     const Reach reach = reachOf(upper, points_, all_);
     CoverLevel lower;
@@ -136,7 +136,7 @@ class Search {
     const Reach dense = reachOfAll(problem_.dense.size());
     levels.upper.limit = std::max(standOffOf(levels.upper, problem_.dense, dense), levels.upper.limit);
     const Reach reach = reachOf(levels.upper, problem_.dense, dense);
-    PointSet points = points_;  // a copy: each pair has its own that join
+    PointSet points = points_;  // a copy: points join each pair separately
     for (const Vec3d& p : nearlyWorst(levels.lower, problem_.dense, reach)) points.push(p);
     const LevelSurface surface{points,
                                problem_.dense,

@@ -17,7 +17,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Points, starts and rounds of swaps of the first search, and how many of its covers are gone on with.
+/// Points, starts and rounds of swaps of the first search, and the number of its covers that continue.
 constexpr std::size_t kPoints = 1500, kCoverStarts = 6, kCovers = 3;
 constexpr int kSwapRounds = 6;
 /// Number of times the covers are fitted to the costliest dense points.
@@ -65,7 +65,7 @@ class UpperSearch {
   }
 
  private:
-  /// Fits the cover to all points, then to the dense ones that cost most as well.
+  /// Fits the cover to all points, then also to the costliest dense ones.
   void complete(const SphereSet& balls) {
     CoverLevel cover{levelOf(balls, 0), 0};
     const Reach dense = reachOfAll(problem_.dense.size());

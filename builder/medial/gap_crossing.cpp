@@ -14,8 +14,8 @@ namespace cairn::builder {
 
 namespace {
 
-/// A line shorter than this part of the samples' spacing is a touch: faces between samples of one cluster end at its
-/// edges.
+/// A line shorter than this fraction of the samples' spacing counts as a touch, because faces between samples of one
+/// cluster end at its edges.
 constexpr double kTouch = 0.01;
 
 /// The common face of two Voronoi cells: a convex polygon in the plane halfway between the samples.
@@ -25,7 +25,7 @@ struct Face {
   Vec3d normal;                // unit
 };
 
-/// Faces between samples whose corners are all known, with those corners in order.
+/// The faces between samples whose corners are all known, with the corners in order.
 std::vector<Face> boundedFaces(const VoronoiDiagram& diagram) {
   using Entry = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // samples, vertex
   std::vector<Entry> entries;
@@ -67,7 +67,7 @@ void putInOrder(Face& face) {
             [&](const Vec3d& p, const Vec3d& q) { return angle(p) < angle(q); });
 }
 
-/// Length of the line in which a face and a triangle meet, 0 when they do not.
+/// Returns the length of the line in which a face and a triangle meet, 0 when they do not.
 double meetingLength(const Face& face, const std::array<Vec3d, 3>& corners) {
   std::array<double, 3> height{};
   for (int i = 0; i < 3; ++i) height[i] = dot(corners[i] - face.corners[0], face.normal);

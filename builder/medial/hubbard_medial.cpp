@@ -15,10 +15,10 @@ namespace cairn::builder {
 namespace {
 
 constexpr int kRepairs = 3;
-/// Edge of the cells that gap-crossing repair puts at most one point in, in spacings of an even distribution.
+/// Edge of the cells in which gap-crossing repair puts at most one point, in spacings of an even distribution.
 constexpr double kFinestRepair = 0.5;
 
-/// Samples that are sites of the diagram: coincident ones are left out of both.
+/// The samples that are sites of the diagram. Coincident samples are dropped from both.
 void insertAll(std::vector<ClusterSample> list, VoronoiDiagram& diagram, std::vector<ClusterSample>& samples,
                const KeepGoing& keepGoing) {
   constexpr std::size_t kPollEvery = 1024;

@@ -17,7 +17,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Samples an adaptive diagram starts from, spread evenly.
+/// Number of evenly spread samples from which an adaptive diagram starts.
 constexpr std::uint32_t kInitialSites = 60;
 
 Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, std::uint64_t most) {

@@ -18,7 +18,7 @@ constexpr double kMaxReach = 1.0;
 
 /// Largest number of times that improved coverage is computed anew.
 constexpr std::size_t kRounds = 1000;
-/// It ends within the last such part of its insertions, as soon as no coverage is worse than the medial spheres.
+/// It ends within this last fraction of its insertions, as soon as no coverage is worse than the medial spheres.
 constexpr std::size_t kEnding = 20;
 
 struct Judged {
@@ -78,7 +78,7 @@ class AdaptiveSampling {
   }
 
  private:
-  /// Looks at the vertices from `first` on.
+  /// Examines the vertices from `first` on.
   void judge(std::size_t first) {
     const auto vertices = diagram_.vertices();
     judged_.resize(vertices.size());
@@ -103,7 +103,7 @@ class AdaptiveSampling {
     return {{vertex.position, reach, answer.depth}, answer.nearest.point, true};
   }
 
-  /// Coverage that is improved must not be worse than the medial spheres.
+  /// Improved coverage must not be worse than the medial spheres.
   bool reached(const MedialGoal& goal) const {
     const QueuedVertex& worst = worst_.top();
     return worst.standOff <= goal.maxStandOff && aliveInside_ >= goal.minSpheres &&
@@ -117,7 +117,8 @@ class AdaptiveSampling {
   void refine(std::uint32_t index) {
     const Vec3d site = judged_[index].nearest;
     worst_.pop();
-    // The surface point may be a site already (the sphere is as good as rounding allows): then it stays as it is.
+    // The surface point may be a site already, when the sphere is as good as rounding allows. Then the sphere stays
+    // unchanged.
     if (diagram_.insert(site, index)) updateAfterInsert();
   }
 
@@ -132,7 +133,7 @@ class AdaptiveSampling {
 
   bool isInside(std::size_t index) const { return judged_[index].considered && judged_[index].ball.depth > 0; }
 
-  /// Which outside sphere is to hold a point that no inside one does.
+  /// The rule that chooses the outside sphere for a point that no inside sphere holds.
   enum class Preference {
     mostDeletable,  ///< the one that further sampling removes most easily: the largest reach over its distance outside
     leastStandOff,
@@ -140,7 +141,7 @@ class AdaptiveSampling {
 
   using Indices = std::vector<std::uint32_t>;
 
-  /// The spheres that count, inside and outside, by vertex.
+  /// The considered spheres, inside and outside, by vertex.
   std::pair<Indices, Indices> living() const {
     std::pair<Indices, Indices> list;
     const auto vertices = diagram_.vertices();
@@ -191,7 +192,7 @@ class AdaptiveSampling {
     return chosen;
   }
 
-  /// Has the coverage of now compete with the inside spheres for being refined.
+  /// Lets the present coverage compete with the inside spheres for refinement.
   void queueCoverage() {
     Indices uncovered;
     for (std::uint32_t p = 0; p < holders_.size(); ++p)
@@ -203,7 +204,7 @@ class AdaptiveSampling {
     if (none != chosen.end()) bare_ = uncovered[static_cast<std::size_t>(none - chosen.begin())];
   }
 
-  /// A point that only spheres of enclosing sites hold, such as the tip of a spike, is sampled itself. From then on
+  /// A point that only spheres of enclosing sites hold, such as the tip of a spike, becomes a sample itself. Then
   /// spheres touch it.
   void sampleBarePoint() {
     holders_[*bare_] += kTouched;
@@ -211,7 +212,7 @@ class AdaptiveSampling {
     bare_.reset();
   }
 
-  /// Counts an inside sphere in or out among the holders of its points, if they are counted.
+  /// Adds an inside sphere to the holders of its points, or removes it, if holders are counted.
   void countHolder(const Ball& ball, bool in) {
     if (holders_.empty()) return;
     distances_.resize(region_.size());
@@ -229,7 +230,7 @@ class AdaptiveSampling {
   std::priority_queue<QueuedVertex> worst_;
   std::size_t aliveInside_ = 0;
   std::vector<int> holders_;  // by point: living inside spheres that hold it; empty when coverage is not improved
-  double slack_ = 0;          // a sphere that touches a point to rounding holds it
+  double slack_ = 0;          // a sphere that touches a point up to rounding holds it
   std::vector<double> distances_;
   std::optional<std::uint32_t> bare_;  // a point that no sphere holds
   static constexpr int kTouched = 1 << 20;

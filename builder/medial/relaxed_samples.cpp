@@ -14,9 +14,11 @@ namespace cairn::builder {
 namespace {
 
 constexpr int kRelaxations = 10;
-/// Reach of the repulsion in spacings of an even distribution, and the part of it by which a near pair is pushed apart.
+/// Range of the repulsion in spacings of an even distribution, and the fraction of it by which a near pair is pushed
+/// apart.
 constexpr double kReach = 2, kPush = 0.15;
-/// Points between corners, in parts of those asked for: a needle has very many spacings along its edges for its area.
+/// Number of points between corners, as a multiple of the requested points. A needle has very many spacings along its
+/// edges for its area.
 constexpr double kMaxOnEdges = 4;
 
 double areaOf(const TriangleMesh& mesh, std::uint32_t triangle) {
@@ -84,7 +86,7 @@ class Sampling {
       if (!atVertex[v].empty()) add(mesh_.vertices[v], atVertex[v]);
   }
 
-  /// A triangle's chance is proportional to its area, a place in it uniform.
+  /// The probability of a triangle is proportional to its area; a position in it is uniform.
   void scatter(std::uint64_t seed) {
     std::vector<std::uint32_t> order(mesh_.triangles.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -103,7 +105,7 @@ class Sampling {
     }
   }
 
-  /// One sweep: each free point in turn goes where its neighbours in the cluster push it, unless that is off the
+  /// One sweep: the neighbours of each free point in its cluster push the point, unless the new position is off the
   /// cluster.
   void relax(std::uint32_t cluster) {
     const double reach = kReach * spacing_;

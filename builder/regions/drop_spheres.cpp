@@ -15,7 +15,7 @@ namespace {
 /// Fewest children: one would only repeat its parent.
 constexpr std::size_t kMin = 2;
 
-/// One ball less: the best of taking each of them away and optimising the rest.
+/// Returns the best set with one ball less: each ball is removed in turn and the rest is optimised.
 SphereSet oneLess(const CoverProblem& problem, const SphereSet& balls) {
   SphereSet best;
   double least = 0;

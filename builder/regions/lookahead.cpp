@@ -14,12 +14,12 @@ namespace cairn::builder {
 namespace {
 
 constexpr int kSwapRounds = 1;
-/// First and last step of a bias, in parts of the stand-off at which seams are divided.
+/// First and last step of a bias, as fractions of the stand-off at which seams are divided.
 constexpr double kFirstStep = 0.2, kLastStep = 0.02;
 /// When the mean of the children's worst errors exceeds this fraction of the largest, siblings cannot help each other.
 constexpr double kBalanced = 0.85;
 constexpr double kStepAfterFailure = 0.5, kStepAfterSuccess = 1.5;
-/// An attempt has to lower the worst by this factor to count.
+/// An attempt counts only if it lowers the worst error by this factor.
 constexpr double kWorthwhile = 0.998;
 
 }  // namespace

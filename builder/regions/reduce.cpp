@@ -20,9 +20,9 @@ namespace {
 
 /// Initial sites of a region's Voronoi diagram.
 constexpr std::size_t kInitialSites = 60;
-/// Points added to it at most. Spheres that are moved freely afterwards gain nothing from a finer diagram; those that
-/// stay where they are do: they start from as many as the thesis starts with (7.1.5), here in every region, because
-/// regions do not share a diagram.
+/// Largest number of points added to it. Spheres that move freely afterwards gain nothing from a finer diagram. Spheres
+/// that stay do gain. They start from as many points as the thesis uses (7.1.5), here in every region, because regions
+/// do not share a diagram.
 constexpr std::size_t kMaxInsertions = 100, kMaxInsertionsUnmoved = 1000;
 constexpr std::size_t kSpheresUnmoved = 500;
 
@@ -42,8 +42,8 @@ MedialSpheres medialSpheresOf(const CoverProblem& problem, const Region& region,
 
 /// The candidates from which the reductions of a medial axis start.
 struct Candidates {
-  std::vector<Ball> covering;  ///< hold the region together
-  std::vector<Ball> all;       ///< further ones that may hold much of it once they are grown
+  std::vector<Ball> covering;  ///< together they hold the region
+  std::vector<Ball> all;       ///< includes further balls that may hold much of it once they grow
 };
 
 Candidates candidatesFrom(const MedialSpheres& medial, const CoverProblem& problem) {

@@ -21,8 +21,8 @@ struct CertifiedBall {
   double error = 0;
 };
 
-/// The balls around one part of the surface, each with its certified error. One above `ofInterest` is only known to be
-/// that.
+/// The balls around one part of the surface, each with its certified error. An error above `ofInterest` is only known
+/// to be larger.
 class PartFit {
  public:
   PartFit(const Pieces& pieces, const SignedDistance& solid)
@@ -36,7 +36,7 @@ class PartFit {
     return certified(fitBall(center, corners_, depth_), ofInterest);
   }
 
-  /// Fitted in the closing of the solid at about the error of `start`, so that narrow concavities are not charged.
+  /// Fits in the closing of the solid at about the error of `start`, so that narrow concavities are not charged.
   CertifiedBall closed(const CertifiedBall& start) const {
     if (start.error <= 0) return start;
     const ClosedDepth field(solid_, kClosingScale * start.error, closingSpacing(std::span(&start.ball, 1), start.error),
@@ -67,7 +67,7 @@ CertifiedBall fitted(const PartFit& part, const Vec3d& center, Refit refit, doub
   if (refit == Refit::none) return part.around(center, ofInterest);
   if (refit == Refit::smallest) return part.smallest();
   if (refit == Refit::tightest) {
-    // The ball that was moved is mostly the better one; that the other one is not is known soon.
+    // The moved ball is mostly the better one, and the search for the other one's error soon ends.
     const CertifiedBall moved = part.tightest(center, ofInterest);
     return better(part.around(center, std::min(moved.error, ofInterest)), moved);
   }

@@ -13,12 +13,12 @@ namespace {
 
 /// Area within this angle of a direction counts for it: 8 degrees.
 constexpr double kClusterCosine = 0.9902680687415704;
-/// A direction with less of the region's area than this says nothing about it.
+/// A direction with less than this share of the region's area does not represent it.
 constexpr double kMinShare = 0.05;
-/// Directions compared with each other at most: more are first gathered in the cells of a grid on the cube of
-/// directions.
+/// Largest number of directions that are compared with each other. More are first collected in the cells of a grid on
+/// the cube of directions.
 constexpr int kGridCells = 24;
-/// Rounding an axis to float turns it by less than 2^-23, and a cosine changes by no more than its angle; twice that.
+/// An axis rounded to float turns by less than 2^-23, and a cosine changes by at most the angle. Twice that is used.
 constexpr double kConeGuard = 0x1p-22;
 
 std::size_t cellOf(const Vec3d& n) {

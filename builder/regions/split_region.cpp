@@ -24,18 +24,18 @@ namespace cairn::builder {
 
 namespace {
 
-/// Pieces a region is cut into before spheres are fitted to it.
+/// Number of pieces a region is cut into before spheres are fitted.
 constexpr std::size_t kMinPieces = 400;
-/// Points the sphere sets are fitted to; more only cost time, since the division sees every piece anyway.
+/// Number of points that sphere sets are fitted to. More would only cost time, because the division sees every piece.
 constexpr std::size_t kMaxPoints = 1500;
-/// Seams are cut down to this part of the longest edge of the region's pieces.
+/// Seams are cut down to this fraction of the longest edge of the region's pieces.
 constexpr double kFinestSeam = 0.1;
 /// Lower limit, as a fraction of the stand-off. The rest of a seam costs its width times the sine of the angle between
 /// the balls and the surface, a few percent.
 constexpr double kFinestSeamOfStandOff = 0.2;
 /// Factor on the points' stand-off up to which a piece is not bisected.
 constexpr double kSeamAllowance = 1.01;
-/// A corner that needs more than this part of the stand-off joins the points, and how often they are completed so.
+/// A corner that needs more than this factor of the stand-off joins the points. The second number limits these rounds.
 constexpr double kNearlyWorst = 0.97;
 constexpr int kSeamRounds = 2;
 constexpr std::size_t kMaxSeamPoints = 400;
@@ -79,9 +79,9 @@ std::vector<std::size_t> worstFirst(const SphereSet& balls) {
   return order;
 }
 
-/// Fills in the children from the pieces, the balls and the bias; balls that get no piece are dropped. A part that
-/// `previous` has too, at the same place, keeps its child. False when a child's error is above `ofInterest`; not all
-/// are there then.
+/// Fills in the children from the pieces, the balls and the bias; balls without a piece are dropped. A part that equals
+/// the part of `previous` at the same index keeps its child. False when a child's error is above `ofInterest`; the
+/// children are then incomplete.
 bool makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit, double ofInterest) {
   std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finestSeam(split));
   dropEmpty(split, parts);
@@ -96,7 +96,7 @@ bool makeChildren(Split& split, const Split* previous, const SignedDistance& sol
   return true;
 }
 
-/// Corners of pieces that are covered worst, which the points the balls were fitted to may have missed.
+/// The worst covered corners of pieces, which the fitted points may have missed.
 std::vector<Vec3d> worstCovered(const Split& split, double finest) {
   const std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finest);
   Pieces worst;
@@ -167,8 +167,8 @@ bool splitLike(Split& split, const Region& region, const Split& like, const Sign
   return settleOptimised(split, optimise(problem, seenBy(depth, like.balls)), problem, solid, settings, ofInterest);
 }
 
-/// Hubbard's groups of medial spheres, each with the surface its spheres are nearest to (4.3). None when the region has
-/// no two spheres: his trees end where the medial spheres do.
+/// Hubbard's groups of medial spheres, each with the surface nearest to its spheres (4.3). None when the region has
+/// fewer than two spheres: Hubbard's trees end where the medial spheres do.
 std::vector<Region> splitByGroups(const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
   std::vector<Region> children;
   if (region.medial.size() < 2) return children;
@@ -271,7 +271,7 @@ Split splitRegion(const Region& region, const SignedDistance& solid, const Split
     split.children = splitByGroups(region, solid, settings);
   else
     splitByBalls(split, region, solid, settings, swapRounds, kInfinity);
-  // A solid octree's cube may be met by next to nothing in one corner: the small octant there replaces a large ball.
+  // A solid octree's cube may meet very little surface in one corner. The small octant there replaces a large ball.
   const std::size_t least = settings.method == Method::solidOctree ? 1 : 2;
   if (split.children.size() < least) return {};
   return split;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxFacing = 64;
 
-/// A direction, the extreme point in it, and how far the points chosen so far fall short of that one.
+/// A direction, its extreme point, and the deficit of the points chosen so far against that point.
 struct Direction {
   Vec3d unit;
   std::size_t extreme = 0;

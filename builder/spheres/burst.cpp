@@ -90,7 +90,7 @@ class Bursting {
     closest_[p] = c;
   }
 
-  /// Every ball answers for the points it holds, and the closest one for points that none holds.
+  /// Every ball owns the points it holds. The closest ball owns points that none holds.
   void distribute() {
     for (std::uint32_t p = 0; p < points_; ++p)
       for (std::uint32_t i = 0; i < members_.size(); ++i)
@@ -116,7 +116,7 @@ class Bursting {
     return fresh.standOff() < kept.standOff() ? fresh : kept;
   }
 
-  /// Who would take over the points of ball `i`.
+  /// The balls that would take over the points of ball `i`.
   std::vector<Share> sharesOf(std::uint32_t i) const {
     std::vector<Share> shares;
     for (const std::uint32_t p : members_[i].points) {
@@ -179,8 +179,8 @@ class Bursting {
     refresh(changed);
   }
 
-  /// Distances to changed balls may have moved either way, so every point is looked at that such a ball is or becomes
-  /// one of the two closest of.
+  /// Distances to changed balls may have grown or shrunk. So every point is examined for which such a ball is, or
+  /// becomes, one of the two closest.
   void refresh(const std::vector<bool>& changed) {
     for (std::uint32_t p = 0; p < points_; ++p) {
       const Closest& c = closest_[p];

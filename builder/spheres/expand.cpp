@@ -12,7 +12,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Growth of the stand-off while a set of more than one ball is looked for, and how often at most.
+/// Growth factor of the stand-off in the search for a set of more than one ball, and the largest number of steps.
 constexpr double kNextStandOff = 1.05;
 constexpr int kMaxSteps = 20;
 

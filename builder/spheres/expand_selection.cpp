@@ -11,7 +11,7 @@ namespace cairn::builder {
 
 namespace {
 
-/// Attempts with the leading candidate barred, for shapes where the largest ball is in the way of a better set (5.3.3).
+/// Number of attempts that bar the leading candidate, for shapes whose largest ball prevents a better set (5.3.3).
 constexpr int kMaxBarred = 2;
 
 std::optional<Choice> chooseWithRetries(const ExpandSelection& selection, std::size_t count) {
@@ -57,7 +57,7 @@ ExpandOutcome ExpandSelection::choose(std::size_t count, const Choice& barred) c
   return outcome;
 }
 
-/// Points that `left` of the candidates can hold at most.
+/// Largest number of points that `left` of the candidates can hold.
 std::size_t ExpandSelection::mostOf(const HeldSets& remaining, std::size_t left) {
   std::vector<std::size_t> sizes(remaining.size());
   for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = remaining.count(i);

@@ -24,9 +24,9 @@ constexpr int kMaxMisses = 2;
 /// long before. The number of a block's cells then stays far below 2^64.
 constexpr double kMinPart = 1e-3;
 constexpr std::size_t kEvaluations = 60;
-/// First steps of the search: a part of a cell along its axes, and radians about them.
+/// First steps of the search: a fraction of a cell along its axes, and radians about them.
 constexpr double kFirstMove = 0.25, kFirstTurn = 0.3;
-/// The search sees these many points; which balls are needed is then decided by all.
+/// The search sees this number of points. All points then decide which balls are needed.
 constexpr std::size_t kSearchPoints = 60;
 
 std::vector<Vec3d> listOf(const PointSet& points) {
@@ -35,7 +35,7 @@ std::vector<Vec3d> listOf(const PointSet& points) {
   return list;
 }
 
-/// The smallest balls around the points each cell's ball was kept for. All points are held.
+/// Returns the smallest balls around the points that each cell's ball was kept for. They hold all points.
 SphereSet ballsOf(const OrientedGrid& grid, const std::vector<Vec3d>& points, const DepthField& solid) {
   const std::vector<Vec3d> centers = coverByGrid(grid, points).centers;
   std::vector<std::vector<Vec3d>> shares(centers.size());
@@ -72,7 +72,8 @@ struct Search {
     for (const Vec3d& p : points) pivot += p / static_cast<double>(points.size());
   }
 
-  /// The grid of the given size with the best metric: searched for from the last one and from the points' own box.
+  /// Returns the grid of the given size with the best metric. The search starts from the last grid and from the points'
+  /// own box.
   OrientedGrid best(OrientedGrid last, double edge) const {
     OrientedGrid own = principal;
     last.edge = own.edge = edge;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. All is
-// comparing and counting bits, so every target gives the same result.
+// Compiled once per instruction set by Highway; the best one of the machine is chosen at run time. The code only
+// compares and counts bits, so every target gives the same result.
 #include "spheres/held_sets.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ void countColumns(const std::uint64_t* HWY_RESTRICT bits, std::size_t words, std
   }
 }
 
-/// Columns without a bit that column `k` lacks.
+/// Number of columns without a bit that column `k` lacks.
 std::size_t subsetColumns(const std::uint64_t* HWY_RESTRICT bits, std::size_t words, std::size_t stride,
                           std::size_t k) {
   const Words d;
@@ -61,7 +61,7 @@ std::size_t subsetColumns(const std::uint64_t* HWY_RESTRICT bits, std::size_t wo
   return count;
 }
 
-/// Takes the bits of column `k` out of all.
+/// Removes the bits of column `k` from all columns.
 void removeColumn(std::uint64_t* HWY_RESTRICT bits, std::size_t words, std::size_t stride, std::size_t k) {
   const Words d;
   for (std::size_t w = 0; w < words; ++w) {
@@ -84,7 +84,7 @@ HWY_EXPORT(removeColumn);
 
 namespace {
 
-/// Columns of the widest vector.
+/// Number of columns in the widest vector.
 constexpr std::size_t kWidest = 8;
 
 }  // namespace
@@ -117,7 +117,7 @@ std::size_t HeldSets::unionCount() const {
 }
 
 std::size_t HeldSets::subsetsOf(std::size_t i) const {
-  // The columns of the padding are empty, and so subsets of every other.
+  // The columns of the padding are empty, so they are subsets of every other.
   return HWY_DYNAMIC_DISPATCH(subsetColumns)(bits_.data(), words_, stride_, i) - (stride_ - size());
 }
 

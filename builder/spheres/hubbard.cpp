@@ -76,8 +76,8 @@ class HubbardMerging {
   }
 
  private:
-  /// Two groups and the error of their merging, or less as long as it is not exact. Most pairs never come up before one
-  /// of them is merged with another, so they cost no more than a bound.
+  /// Two groups and the error of their merge, or a lower bound until it is exact. Most pairs are never needed before
+  /// one of their groups merges elsewhere, so they cost only a bound.
   struct Pair {
     double error;
     std::uint32_t a, b;
@@ -99,7 +99,7 @@ class HubbardMerging {
     const auto bound = [&](std::size_t i) {
       errors[i] = errors_.atLeast(groups_[others[i]].samples, groups_[fresh].samples);
     };
-    constexpr std::size_t kWorthATask = 20000;  // points looked at: some 20 us of work
+    constexpr std::size_t kWorthATask = 20000;  // points examined: some 20 us of work
     if (others.size() * groups_[fresh].samples.size() < kWorthATask)
       for (std::size_t i = 0; i < others.size(); ++i) bound(i);
     else

@@ -13,10 +13,10 @@ namespace cairn::builder {
 
 namespace {
 
-/// Points nearer to a centre than this part of the radius stay in the ball however it grows: it holds its predecessors,
-/// but for rounding.
+/// Points nearer to a centre than this fraction of the radius stay in the ball while it grows, because each ball holds
+/// its predecessors up to rounding.
 constexpr double kSurelyInside = 1 - 1e-9;
-/// Points of each set that a bound looks at, about.
+/// Approximate number of points of each set that a bound examines.
 constexpr std::size_t kBoundPoints = 24;
 
 }  // namespace

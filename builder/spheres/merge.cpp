@@ -77,7 +77,7 @@ class Merging {
     return pairs_[pair].a == i ? pairs_[pair].b : pairs_[pair].a;
   }
 
-  /// Points to their cheapest candidates; candidates without points fall away.
+  /// Assigns points to their cheapest candidates; candidates without points are dropped.
   void distribute(std::span<const Ball> candidates) {
     const std::size_t n = problem_.points.size();
     std::vector<double> costs(n);
@@ -136,7 +136,7 @@ class Merging {
     const EnclosingBall smallest = search_.around(both_);
     double nearestSq = std::numeric_limits<double>::infinity();
     for (const Vec3d& p : both_) nearestSq = std::min(nearestSq, lengthSq(p - smallest.center));
-    // Points are on the surface, so the centre is no deeper than that.
+    // Points lie on the surface, so the centre is no deeper than this.
     const double nearest = std::sqrt(nearestSq);
     if (smallest.radius - nearest > best.standOff() + kRoundingRoom * smallest.radius) return best;
     const Ball around{smallest.center, smallest.radius, problem_.solid.at(smallest.center, 0, nearest).depth};
@@ -178,7 +178,7 @@ class Merging {
         worst = i;
         least = clusters_[i].ball.standOff();
       }
-    while (!alive(pairs_[queue_.top().index])) queue_.pop();  // there always is a pair: see `adopt`
+    while (!alive(pairs_[queue_.top().index])) queue_.pop();  // a pair always exists: see `adopt`
     std::uint32_t best = queue_.top().index;
     for (const std::uint32_t pair : pairsOf_[worst])
       if (alive(pairs_[pair]) && pairs_[pair].merged.standOff() < least) {

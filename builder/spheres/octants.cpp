@@ -62,7 +62,7 @@ Cube cubeAround(const Bounds& bounds) {
 std::vector<Octant> divideByOctants(const Pieces& pieces, Cube cube, double finest) {
   assert(finest > 0);
   std::vector<Octant> octants = octantsOf(pieces, cube, finest);
-  // Once the ball around a cube is smaller than the finest piece, no octant can part the surface any more.
+  // Once the ball around a cube is smaller than the finest piece, octants cannot separate the surface further.
   while (octants.size() == 1 && cube.circumradius() > finest) {
     cube = octants.front().cube;
     octants = octantsOf(std::move(octants.front().pieces), cube, finest);

@@ -14,12 +14,12 @@ namespace cairn::builder {
 
 namespace {
 
-/// The ball around a cell reaches this many cells at most beyond it: (sqrt(3) - 1) / 2 < 1.
+/// The ball around a cell extends at most this many cells beyond it: (sqrt(3) - 1) / 2 < 1.
 constexpr int kReach = 1;
 /// Widens the balls, so that a point on a cell's corner lies in that cell's ball despite rounding.
 constexpr double kSlack = 1 + 1e-12;
 
-/// Room for rounding around the points, in parts of the first cell.
+/// Margin for rounding around the points, as a fraction of the first cell.
 constexpr double kMargin = 1e-7;
 
 /// The positions of the points in the grid, and the cells whose balls hold each point. Candidate cells form a block,
@@ -153,7 +153,7 @@ OrientedGrid moved(const OrientedGrid& grid, const std::array<double, 6>& change
 
 namespace {
 
-/// A table of all cells of a block is worth its room up to so many for each point.
+/// A table of all cells of a block is used up to this many cells for each point.
 constexpr std::size_t kCellsAPoint = 256;
 
 /// Cells with a point in their balls, renumbered in order, and the points of their balls.
@@ -193,7 +193,7 @@ class Cells {
       for (std::size_t& cell : holdings.cellsOf(p)) cell = numbers[cell];
   }
 
-  // The points of a rod lie in few cells of a block of very many.
+  // The points of a rod lie in few of the very many cells of its block.
   void numberBySearch(Holdings& holdings, std::size_t points) {
     for (std::size_t p = 0; p < points; ++p)
       cells_.insert(cells_.end(), holdings.cellsOf(p).begin(), holdings.cellsOf(p).end());
@@ -212,7 +212,7 @@ class Cells {
   std::vector<std::uint32_t> first_, points_;
 };
 
-/// The cells by how many uncovered points their balls hold, the most first, the lower number first on a tie.
+/// The cells, ordered by the number of uncovered points in their balls, largest first; lower numbers first on a tie.
 class Ranking {
  public:
   explicit Ranking(std::vector<std::uint32_t> left) : left_(std::move(left)) {
@@ -223,7 +223,7 @@ class Ranking {
   std::uint32_t left(std::size_t cell) const { return left_[cell]; }
   void lose(std::size_t cell) { --left_[cell]; }
 
-  /// Counts only fall, so an entry that is still right when it comes up is the best.
+  /// Counts only fall, so the first entry with a current count is the best.
   std::uint32_t best() {
     while (true) {
       const std::uint32_t cell = ~static_cast<std::uint32_t>(heap_.front());

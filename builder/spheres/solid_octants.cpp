@@ -12,7 +12,8 @@ namespace cairn::builder {
 
 namespace {
 
-/// Cubes are widened by this factor, far more than clipping rounds by, so that no point of the surface is lost between.
+/// Cubes are widened by this factor, far more than the rounding of clipping, so that no point of the surface is lost
+/// between them.
 constexpr double kOctantSlack = 1 + 1e-9;
 
 bool fits(const Cube& cube, const Piece& piece) {
@@ -20,7 +21,7 @@ bool fits(const Cube& cube, const Piece& piece) {
                      [&](const Vec3d& corner) { return distance(corner, cube.center) <= cube.circumradius(); });
 }
 
-/// The octants the piece meets; none for one that lies outside the cube, whose neighbours have it.
+/// The octants that the piece meets; none for a piece outside the cube, which belongs to the cube's neighbours.
 std::vector<unsigned> metBy(const Piece& piece, const std::array<Cube, 8>& octants) {
   std::vector<unsigned> met;
   for (unsigned i = 0; i < 8; ++i)

@@ -16,7 +16,7 @@ namespace {
 /// Halvings of the stand-off's interval: they give 0.1 % of the stand-off of one ball alone.
 constexpr int kBisections = 10;
 constexpr std::size_t kSpawnEvaluations = 40;
-/// First step of a centre, in parts of the radius it starts with: far enough to leave the points held already.
+/// First step of a centre, as a fraction of its first radius: far enough to leave the points held already.
 constexpr double kFirstStep = 0.5;
 
 /// Grows a set of balls of one stand-off.

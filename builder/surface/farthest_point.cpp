@@ -14,7 +14,7 @@ struct Piece {
   std::array<Vec3d, 3> corners;
   double upper = 0;  ///< no point of the piece is farther
 
-  /// Orders a heap: the largest bound on top.
+  /// Orders a heap with the largest bound on top.
   friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
 };
 
@@ -29,7 +29,7 @@ class Search {
     for (std::uint32_t t = 0; t < from_.triangles.size(); ++t) push({from_.corners(t), kUnknown});
     const std::uint64_t first = queries_;
     while (!pieces_.empty() && !closeEnough(pieces_.front().upper) && queries_ - first < tolerance_.maxQueries) split();
-    // The guard covers the queries, and the pieces' corners, which are rounded to a few units of their coordinates.
+    // The guard covers the queries, and the rounding of the pieces' corners by a few units of their coordinates.
     const Bounds bounds = boundsOf(from_);
     const double guard = 2 * std::max(distanceRoundingBound(to_.bounds(), bounds.lower),
                                       distanceRoundingBound(to_.bounds(), bounds.upper));
@@ -47,7 +47,7 @@ class Search {
     result_.witness = point;
   }
 
-  /// Bounds a piece by one query and keeps it if it may hold something farther than the witness.
+  /// Bounds a piece by one query, and keeps it if it may hold a point farther than the witness.
   void push(Piece piece) {
     const auto& [a, b, c] = piece.corners;
     const Vec3d middle = (a + b + c) / 3.0;

@@ -11,7 +11,8 @@ namespace {
 
 using Voxel = TriangleGrid::Voxel;
 
-/// Voxels whose index differs from `home` by `ring` along some axis, and by no more along any, clipped to the grid.
+/// Visits voxels whose index differs from `home` by `ring` along some axis and by no more along any, clipped to the
+/// grid.
 template <class Visit>
 void forRing(const TriangleGrid& grid, const Voxel& home, std::uint32_t ring, const Visit& visit) {
   Voxel from, to, v;
@@ -60,7 +61,7 @@ InsideByClosestPoint::InsideByClosestPoint(const TriangleMesh& mesh, std::uint32
   std::vector<std::uint32_t> next(firstAround_.begin(), firstAround_.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t vertex : mesh.triangles[t]) trianglesAround_[next[vertex]++] = t;
-  // A closed mesh has two triangles at every edge, which the sorting puts side by side.
+  // A closed mesh has two triangles at every edge; sorting puts them side by side.
   const std::vector<HalfEdge> halves = sortedHalfEdges(mesh);
   for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
     neighbours_[halves[i].triangle][halves[i].side] = halves[i + 1].triangle;
@@ -71,7 +72,7 @@ InsideByClosestPoint::InsideByClosestPoint(const TriangleMesh& mesh, std::uint32
 InsideByClosestPoint::Nearest InsideByClosestPoint::nearest(const Vec3d& point) const {
   const Voxel home = grid_.voxelOf(point);
   const std::uint32_t rings = std::max({grid_.size()[0], grid_.size()[1], grid_.size()[2]});
-  // Whatever lies beyond `ring` rings is this much farther away than the point is from its own voxel, at least.
+  // Voxels beyond `ring` rings are farther than the distance to the point's own voxel by at least this.
   const double outside = std::sqrt(distanceSq(grid_, home, point));
   const double toOwnFaces = grid_.voxelEdge() / 2 - [&] {
     const Vec3d offset = point - grid_.centerOf(home);

@@ -70,7 +70,7 @@ class Walk {
 }  // namespace
 
 std::uint32_t InsideByCrossings::crossings(const Vec3d& point, const Vec3d& direction) const {
-  std::vector<std::uint32_t> met;  // a triangle may lie in several voxels of the way
+  std::vector<std::uint32_t> met;  // a triangle may lie in several voxels of the ray
   Walk walk(grid_, point, direction);
   do {
     for (const std::uint32_t t : grid_.trianglesIn(walk.voxel()))

@@ -124,7 +124,7 @@ HWY_INLINE double leastOf(const double* distances) {
   return std::min(std::min(distances[0], distances[1]), std::min(distances[2], distances[3]));
 }
 
-/// Some packets of a hierarchy, and which of them a search may still come to: a bit each.
+/// Some packets of a hierarchy, and one bit for each: whether a search may still visit it.
 struct TiedPackets {
   struct Tied {
     std::uint32_t index;
@@ -133,7 +133,7 @@ struct TiedPackets {
   std::array<Tied, NearestAmong::kMaxTied> list;
   std::size_t size = 0;
 
-  /// False when there is no room, also not without those that are not nearer than `limitSq`.
+  /// False when there is no room, even after the removal of packets that are not nearer than `limitSq`.
   bool add(const Tied& tied, double limitSq) {
     if (size == list.size()) drop(limitSq);
     if (size == list.size()) return false;
@@ -164,7 +164,7 @@ struct TiedPackets {
 };
 static_assert(NearestAmong::kMaxTied == 32 && HierarchyNode::kWidth == 4);
 
-/// Depth first, nearest box first. With `tied`, only on the ways to those packets, else everywhere.
+/// Depth first, nearest box first. With `tied`, the search visits only the paths to those packets.
 template <bool kOnlyTied>
 HWY_INLINE TriangleHierarchy::Place search(const TriangleHierarchy& hierarchy, const Vec3d& query, double atMostSq,
                                            const TiedPackets* tied) {
@@ -247,7 +247,7 @@ NearestAmong nearestAmong(const TriangleHierarchy& hierarchy, std::span<const Ne
   NearestAmong result;
   TiedPackets tied;
   double best = kInfinity, limitSq = kInfinity;
-  double reach = kInfinity;  // a packet beyond it, as seen from the centre, is not within the limit
+  double reach = kInfinity;  // a packet beyond it, seen from the centre, is outside the limit
   alignas(32) double distances[TrianglePacket::kWidth];
   for (const NearPacket& near : packets) {
     if (near.distance > reach) continue;

@@ -10,7 +10,7 @@
 namespace cairn::builder {
 namespace {
 
-/// Unit normals of two triangles whose sum is shorter than this turn away from each other but for less than a degree.
+/// If the sum of two triangles' unit normals is shorter than this, the normals are opposite to within a degree.
 constexpr double kSharp = 0x1p-6;
 
 double angleBetween(const Vec3d& a, const Vec3d& b) {

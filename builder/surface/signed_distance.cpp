@@ -53,7 +53,7 @@ SignedDistance::Answer SignedDistance::query(const Vec3d& query) const {
 
 SignedDistance::Answer SignedDistance::query(const Vec3d& query, double atMost) const {
   assert(isFinite(query));
-  // The rounding of the distance that the bound came from, of the one it is compared with, and twice that for boxes.
+  // The rounding of the bound's own distance, of the compared distance, and twice that for boxes.
   const double guarded = atMost * (1 + 0x1p-50) + 4 * roundingBound(query);
   return answerAt(nearestTriangle(hierarchy_->triangles, query, guarded), query);
 }

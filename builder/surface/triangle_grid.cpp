@@ -10,7 +10,7 @@
 namespace cairn::builder {
 namespace {
 
-/// Voxels are widened by this share of their edge when triangles are sorted in: far more than any query rounds by.
+/// Triangles are sorted into voxels widened by this fraction of their edge, far more than the rounding of any query.
 constexpr double kSlack = 1e-9;
 constexpr double kMaxPerSide = 256;  // 17 million voxels, 70 MB
 

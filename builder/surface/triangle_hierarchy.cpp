@@ -85,7 +85,7 @@ class TriangleHierarchy::Builder {
     return index;
   }
 
-  /// Across the mean normal of the range's triangles, by area.
+  /// The slab's direction: the mean normal of the range's triangles, by area.
   void setSlab(HierarchyNode& node, int lane, Range range) const {
     Vec3d sum;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -107,7 +107,7 @@ class TriangleHierarchy::Builder {
     node.slabUpper[lane] = upper + HierarchyNode::kSlabShare * largest_;
   }
 
-  /// Splits the part that costs most until there are four or all fit a leaf. Returns the number of parts.
+  /// Splits the costliest part until there are four parts or all fit a leaf. Returns the number of parts.
   int divide(std::array<Range, HierarchyNode::kWidth>& parts, std::uint32_t depth) {
     int count = 1;
     while (count < HierarchyNode::kWidth) {
@@ -130,7 +130,7 @@ class TriangleHierarchy::Builder {
   std::uint32_t buildLeaf(Range range) {
     const auto index = static_cast<std::uint32_t>(packets_.size());
     packets_.emplace_back();
-    // Free lanes repeat the last triangle: they can tie with it but never beat it.
+    // Free lanes repeat the last triangle. They can tie with it, but never be nearer.
     for (std::uint32_t lane = 0; lane < TrianglePacket::kWidth; ++lane) {
       const std::uint32_t triangle = order_[std::min(range.begin + lane, range.end - 1)];
       packets_.back().set(static_cast<int>(lane), triangle, mesh_.corners(triangle));

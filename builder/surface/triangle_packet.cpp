@@ -13,7 +13,8 @@ void TrianglePacket::set(int lane, std::uint32_t index, const std::array<Vec3d, 
   const double cx = dot(toC, u);
   const Vec3d up = toC - u * cx;
   const double cy = length(up);
-  // Projected a second time: the first leaves a part along u of the order of rounding, which a sliver would magnify.
+  // Projects a second time. The first projection leaves a component along u of the order of rounding, which a sliver
+  // would magnify.
   const Vec3d v = normalized(up - u * dot(up, u));
 
   triangle[lane] = index;
@@ -29,7 +30,7 @@ void TrianglePacket::set(int lane, std::uint32_t index, const std::array<Vec3d, 
 
 namespace {
 
-/// A nearest point within the plane, and where it lies.
+/// A nearest point within the plane, and its feature.
 struct PlanePoint {
   double x = 0, y = 0;
   double distanceSq = 0;  // within the plane

@@ -7,7 +7,7 @@
 namespace cairn::builder {
 namespace {
 
-/// Half the solid angle of a triangle seen from the origin; positive when its outer side is away.
+/// Returns half the solid angle of a triangle seen from the origin; positive when its outer side faces away.
 double halfSolidAngle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double la = length(a), lb = length(b), lc = length(c);
   return std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
