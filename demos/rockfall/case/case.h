@@ -18,13 +18,15 @@
 
 namespace cairn::rockfall {
 
-/// What a step of the narrow phase may cost. Microseconds make runs depend on the machine; operations do not.
+/// The budget of one step of the narrow phase. Microseconds make runs depend on the machine; operations do not.
 struct BudgetSection {
   std::optional<std::uint64_t> operations;
   std::optional<double> microseconds;
 };
 
-/// A scene as its file tells it: nothing is built yet. SI units; the world is z up, x and y as on the map.
+/// A scene as its file describes it; no object is built yet. SI units. The world is z up; x and y are those of the map.
+///
+///     Result<Case> scene = readCase("slope.json");
 struct Case {
   std::string name;
   std::uint64_t seed = 0;
@@ -37,18 +39,18 @@ struct Case {
   std::vector<Collector> collectors;
   OutputsSection outputs;
 
-  std::filesystem::path folder;  ///< of the case file: the files it names are relative to it
-  /// SHA-256, hexadecimal, of the case without its comments and of the files it names: equal for cases that give equal
-  /// runs.
+  std::filesystem::path folder;  ///< of the case file; the file names in the case are relative to it
+  /// SHA-256, hexadecimal, of the case without its comments and of the files it names. Cases with equal hashes give
+  /// equal runs.
   std::string hash;
 
   std::filesystem::path pathOf(const std::string& file) const { return folder / file; }
   std::uint32_t stepCount() const;
 };
 
-/// Fails in one sentence with file and JSON path: for what is no JSON, unknown or repeated keys, what is missing, of
-/// the wrong kind or out of range, materials that are not listed, and files that cannot be read. `file` is for
-/// messages.
+/// Reads a case from a text; `file` is its name for messages. Fails in one sentence with file and JSON path. Causes
+/// are: no JSON; unknown or repeated keys; values that are missing, of the wrong kind or out of range; materials that
+/// are not listed; files that cannot be read.
 Result<Case> parseCase(std::string_view text, const std::string& file, const std::filesystem::path& folder);
 Result<Case> readCase(const std::filesystem::path& path);
 

@@ -9,7 +9,7 @@
 
 namespace cairn::rockfall {
 
-/// A line on the map; who passes over or under it is counted and measured.
+/// A line on the map. Rocks that pass over or under it are counted and measured.
 struct Collector {
   std::string name;
   std::array<MapPoint, 2> line{};

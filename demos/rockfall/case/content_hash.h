@@ -9,14 +9,14 @@
 
 namespace cairn::rockfall {
 
-/// SHA-256 of pieces. Each is preceded by its length, so that no two lists of pieces give the same bytes.
+/// SHA-256 of a list of pieces. The length of each piece precedes it, so different lists never give the same bytes.
 class ContentHash {
  public:
   ContentHash();
   ~ContentHash();
   void add(std::span<const std::byte> bytes);
   void add(std::string_view text);
-  /// 64 hexadecimal digits. Nothing may be added afterwards.
+  /// Returns 64 hexadecimal digits. `add` must not be called afterwards.
   std::string hex();
 
  private:

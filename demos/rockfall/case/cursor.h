@@ -13,8 +13,8 @@
 
 namespace cairn::rockfall {
 
-/// The first thing found wrong with a case file. Reading goes on with defaults after it, so that readers need not ask
-/// at every step; only the first complaint is kept, the others may follow from it.
+/// The first error in a case file. After it, reading continues with defaults, so that readers need no check at every
+/// step. Only the first error is kept, because later ones may follow from it.
 class Complaint {
  public:
   explicit Complaint(std::string file) : file_(std::move(file)) {}
@@ -26,7 +26,7 @@ class Complaint {
   std::optional<std::string> first_;
 };
 
-/// Which numbers are allowed. No bound is infinite: what is beyond 1e12 in SI units is a slip of the keyboard.
+/// The range of allowed numbers. No bound is infinite: a number above 1e12 in SI units is a typing error.
 struct Range {
   double low = -1e12, high = 1e12;
   bool aboveLow = false;  ///< `low` itself is not allowed
@@ -41,8 +41,11 @@ constexpr Range between(double low, double high) {
   return {low, high, false};
 }
 
-/// A place in the document. Each reading checks kind and range; where it refuses, or where nothing stands, it returns a
-/// harmless value.
+/// A value in the document. Each reader checks kind and range. If it refuses the value, or the value is missing, it
+/// returns a harmless default.
+///
+///     Object object(value);
+///     const double length = object.at("length_m").number(above(0));
 class Value {
  public:
   Value(const Json* json, std::string path, Complaint& complaint)
@@ -53,29 +56,30 @@ class Value {
   bool flag() const;
   /// Not empty.
   std::string text() const;
-  /// Lower-case letters, digits, - and _, at most 64 of them, the first no sign: what may become part of a file's name.
+  /// A name: at most 64 lower-case letters, digits, - and _, the first no sign. It may become part of a file's name.
   std::string name() const;
-  /// Index of the one of `choices` that stands here; `what` names the kind of thing, as in "there is no effect ...".
+  /// Returns the index of this value in `choices`. `what` names the kind of value in the error, as in "there is no
+  /// effect ...".
   std::size_t choice(std::span<const std::string_view> choices, std::string_view what) const;
-  /// The elements of an array of `least` to `most`.
+  /// Returns the elements of an array of `least` to `most` elements.
   std::vector<Value> items(std::size_t least, std::size_t most) const;
 
   bool isObject() const { return json_ && json_->is_object(); }
   bool isArray() const { return json_ && json_->is_array(); }
-  /// Where nothing stands, the object has a complaint of its own.
+  /// Reports an error at this value. For a missing value the object has reported its own error.
   void refuse(std::string_view why) const {
     if (json_) complaint_->refuse(path_, why);
   }
 
  private:
   friend class Object;
-  const Json* json_;  // null where a key is missing; its object complains
+  const Json* json_;  // null for a missing key; its object reports that
   std::string path_;
   Complaint* complaint_;
 };
 
-/// An object being read: it notes which keys were asked for, and at its end refuses those nobody asked for, then those
-/// asked for in vain. In that order, because a mistyped key is both.
+/// Reads an object. It notes the requested keys. Its destructor refuses first the keys that no reader requested, then
+/// the requested keys that are missing. A mistyped key is both, so this order names the mistyped key.
 class Object {
  public:
   explicit Object(const Value& value);
@@ -83,9 +87,9 @@ class Object {
   Object(const Object&) = delete;
   Object& operator=(const Object&) = delete;
 
-  /// A key that must be there.
+  /// Returns the value of a required key.
   Value at(std::string_view key);
-  /// A key that may be there.
+  /// Returns the value of an optional key.
   std::optional<Value> find(std::string_view key);
   double numberOr(std::string_view key, const Range& range, double otherwise);
 
@@ -99,7 +103,7 @@ class Object {
   std::vector<std::string> asked_, missing_;
 };
 
-/// The one of `candidates` that is nearest to `word`, if it is near enough to have been meant.
+/// Returns the candidate nearest to `word`, if it is near enough to be the intended one.
 std::optional<std::string> nearestWord(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace cairn::rockfall

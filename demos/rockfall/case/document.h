@@ -11,14 +11,14 @@ namespace cairn::rockfall {
 
 using Json = nlohmann::json;
 
-/// The value of a JSON text in which // and /* */ comments are allowed. Fails in one sentence that names `file` and the
-/// line, or the path of a key given twice, which plain JSON would let pass.
+/// Returns the value of a JSON text, in which // and /* */ comments are allowed. Fails in one sentence that names
+/// `file` and the line. Also fails, with the path, for a repeated key, which plain JSON accepts.
 Result<Json> parseDocument(std::string_view text, const std::string& file);
 
-/// The text with control characters as JSON writes them: what a case file says, fit for a sentence.
+/// Returns the text with control characters escaped as in JSON, so that a case file's text fits into a sentence.
 std::string inOneLine(std::string_view text);
 
-/// One more step of a JSON pointer (RFC 6901).
+/// Returns a JSON pointer (RFC 6901) with one more step.
 std::string pathInto(const std::string& path, std::string_view key);
 std::string pathInto(const std::string& path, std::size_t index);
 

@@ -12,8 +12,8 @@
 
 namespace cairn::rockfall {
 
-// What a case file says of each effect: plain data, units in the names. `kName` is the effect's name in the file. The
-// laws stand with the effects themselves.
+// The options of each effect in a case file: plain data, with units in the names. `kName` is the effect's name in the
+// file. The effects themselves document their laws.
 
 struct FrictionOptions {
   static constexpr std::string_view kName = "friction";
@@ -23,7 +23,7 @@ struct FrictionOptions {
 struct RollingResistanceOptions {
   static constexpr std::string_view kName = "rolling_resistance";
   PairTable leverM;           ///< torque against rolling per normal force
-  double spinningLeverM = 0;  ///< the same against spinning about the normal, all materials
+  double spinningLeverM = 0;  ///< the same lever against spin about the normal, for all materials
 };
 
 enum class RestitutionLaw : std::uint8_t { constant, pfeiffer, bourrier };
@@ -31,7 +31,7 @@ struct RestitutionOptions {
   static constexpr std::string_view kName = "restitution";
   RestitutionLaw law = RestitutionLaw::constant;
   PairTable value;                ///< the coefficient; for bourrier the speed at which it is one half, m/s
-  double halfSpeedMPerS = 9.144;  ///< pfeiffer: at which half the coefficient is left
+  double halfSpeedMPerS = 9.144;  ///< pfeiffer: speed at which half of the coefficient remains
 };
 
 struct TangentialRestitutionOptions {
@@ -43,7 +43,7 @@ struct SlipFrictionOptions {
   static constexpr std::string_view kName = "slip_friction";
   double min = 0, max = 0;
   double kappaPerM = 0, recoveryPerS = 0;
-  std::vector<MaterialPair> pairs;  ///< it applies to; empty: all
+  std::vector<MaterialPair> pairs;  ///< pairs with this effect; empty: all
 };
 
 struct SurfaceRoughnessOptions {
@@ -57,7 +57,7 @@ struct SurfaceRoughnessOptions {
 
 struct GyroscopicOptions {
   static constexpr std::string_view kName = "gyroscopic";
-  double minInertiaRatio = 1.05;  ///< of the greatest principal moment to the least
+  double minInertiaRatio = 1.05;  ///< greatest principal moment divided by the least
 };
 
 struct CcdOptions {
@@ -93,12 +93,12 @@ struct Stem {
 };
 struct StandOfTrees {
   double densityPerHa = 0;
-  std::array<double, 2> diameterM{};  ///< drawn evenly between
+  std::array<double, 2> diameterM{};  ///< least and greatest; uniformly distributed
   Polygon polygon;
 };
 struct TreesOptions {
   static constexpr std::string_view kName = "trees";
-  double energyRatio = 1;  ///< of what a stem can take to what those measured took
+  double energyRatio = 1;  ///< energy that a stem can absorb, divided by that of the measured stems
   std::variant<std::vector<Stem>, StandOfTrees> stems;
 };
 
@@ -124,7 +124,7 @@ struct FragmentationOptions {
 
 struct EventsOptions {
   static constexpr std::string_view kName = "events";
-  double dustImpulseNS = 0, soundImpulseNS = 0;  ///< 0: none of this kind
+  double dustImpulseNS = 0, soundImpulseNS = 0;  ///< 0: no events of this kind
 };
 
 using EffectOptions =
@@ -135,8 +135,8 @@ using EffectOptions =
 
 std::string_view nameOf(const EffectOptions& effect);
 
-/// The listed effect of a kind, or null. Of those that may be listed several times (water, forest_drag, trees), the
-/// first.
+/// Returns the listed effect of a kind, or null. For effects that may be listed several times (water, forest_drag,
+/// trees), returns the first.
 template <class Options>
 const Options* findEffect(const std::vector<EffectOptions>& effects) {
   for (const EffectOptions& effect : effects)

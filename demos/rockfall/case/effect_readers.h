@@ -5,7 +5,7 @@
 
 namespace cairn::rockfall {
 
-// One reader an effect; the key "effect" has been read.
+// One reader for each effect; the key "effect" was read before.
 
 EffectOptions readFriction(Object& object, const Materials& materials);
 EffectOptions readRollingResistance(Object& object, const Materials& materials);

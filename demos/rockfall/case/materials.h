@@ -11,17 +11,17 @@
 
 namespace cairn::rockfall {
 
-/// Index into the case's list.
+/// Index into the case's list of materials.
 using MaterialId = std::uint32_t;
 using Materials = std::vector<std::string>;
-/// The smaller first.
+/// Two materials, the smaller index first.
 using MaterialPair = std::pair<MaterialId, MaterialId>;
 
 constexpr MaterialPair pairOf(MaterialId a, MaterialId b) {
   return a < b ? MaterialPair{a, b} : MaterialPair{b, a};
 }
 
-/// A number for every two materials: that of their pair where it is listed, else the default.
+/// A number for every two materials: the value of their pair where it is listed, else the default.
 struct PairTable {
   struct Entry {
     MaterialPair pair;
@@ -37,11 +37,12 @@ struct PairTable {
 };
 
 Materials readMaterials(const Value& value);
-/// The name of one of the case's materials.
+/// Reads the name of one of the case's materials.
 MaterialId readMaterial(const Value& value, const Materials& materials);
-/// A list of two names, which may be equal.
+/// Reads a list of two names, which may be equal.
 MaterialPair readPair(const Value& value, const Materials& materials);
-/// The keys `otherwiseKey` and "pairs", a list of {"materials": [a, b], valueKey: number}; no pair twice.
+/// Reads the keys `otherwiseKey` and "pairs", a list of {"materials": [a, b], valueKey: number}. No pair may occur
+/// twice.
 PairTable readPairTable(Object& object, const Materials& materials, std::string_view otherwiseKey,
                         std::string_view valueKey, const Range& range);
 

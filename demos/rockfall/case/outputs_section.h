@@ -7,12 +7,12 @@
 
 namespace cairn::rockfall {
 
-/// What is to be written beside the tables of runs, rocks and collectors; what is not asked for is not computed.
+/// The outputs beside the tables of runs, rocks and collectors. Outputs without a request are not computed.
 struct OutputsSection {
   std::optional<double> trajectoriesEveryS;  ///< rounded to whole steps, at least one
   std::optional<double> rasterCellM;
-  bool geotiff = false;                 ///< rasters as GeoTIFF too
-  std::optional<double> impactsAboveJ;  ///< impacts of at least that kinetic energy
+  bool geotiff = false;                 ///< also write rasters as GeoTIFF
+  std::optional<double> impactsAboveJ;  ///< record impacts of at least this kinetic energy
 };
 
 OutputsSection readOutputs(const Value& value);

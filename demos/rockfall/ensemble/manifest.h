@@ -11,10 +11,10 @@
 
 namespace cairn::rockfall {
 
-/// What a folder of finished runs says of itself; written last.
+/// The description of a folder of finished runs; it is written last.
 struct Manifest {
   Json document;           ///< the case without comments
-  std::string caseFolder;  ///< the files it names are relative to
+  std::string caseFolder;  ///< the file names in the case are relative to it
   std::string caseHash, sceneHash;
   Json versions;
   std::vector<RunRange> runs;
@@ -23,7 +23,8 @@ struct Manifest {
 inline constexpr const char* kManifestName = "manifest.json";
 
 Status writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
-/// Fails in one sentence that names the folder, also where there is none: the folder's runs are not finished.
+/// Reads a folder's manifest. Fails in one sentence that names the folder; a missing manifest means that its runs are
+/// not finished.
 Result<Manifest> readManifest(const std::filesystem::path& folder);
 
 }  // namespace cairn::rockfall

@@ -11,19 +11,19 @@
 
 namespace cairn::rockfall {
 
-/// Finished runs of one scene, in any number of folders. What they are does not depend on the folders' order, nor on
-/// how runs are shared out among them.
+/// Finished runs of one scene, in any number of folders. The result depends neither on the order of the folders nor on
+/// the distribution of the runs.
 class Parts {
  public:
-  /// Fails in one sentence for folders without a manifest, of different scenes or versions, or that hold no runs. A run
-  /// in several folders must be the same in all.
+  /// Opens folders of runs. Fails in one sentence for folders without a manifest, of different scenes or versions, and
+  /// without runs. Copies of one run in several folders must be equal.
   static Result<Parts> open(const std::vector<std::filesystem::path>& folders);
 
   const Manifest& manifest() const { return manifest_; }
   std::vector<RunRange> runs() const;
   std::uint64_t count() const { return files_.size(); }
 
-  /// Every run once, by rising number. Fails as `readRunFile` and `use` do.
+  /// Calls `use` for every run once, in ascending order of numbers. Fails as `readRunFile` and `use` do.
   Status forEach(const std::function<Status(const RunFile&)>& use) const;
 
  private:

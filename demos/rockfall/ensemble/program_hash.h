@@ -5,8 +5,8 @@
 
 namespace cairn::rockfall {
 
-/// SHA-256 of the running program's file, hexadecimal: two builds of one version may simulate differently. Empty where
-/// the system does not show it. Cost: reading the file, once.
+/// Returns the SHA-256 of the running program's file, hexadecimal, because two builds of one version may simulate
+/// differently. Empty where the system does not show the file. Cost: the file is read once.
 const std::string& programHash();
 
 }  // namespace cairn::rockfall

@@ -9,7 +9,7 @@ namespace cairn::rockfall {
 Json resultToJson(const RunResult& result);
 Json costToJson(const RunCost& cost);
 
-/// Precondition: made by the functions above; throws `Json::exception` where it was not.
+/// Precondition: the functions above made `json`; throws `Json::exception` otherwise.
 RunResult resultFromJson(const Json& json);
 RunCost costFromJson(const Json& json);
 

@@ -20,17 +20,17 @@ struct EnsembleReport {
   std::uint64_t computed = 0, kept = 0;
 };
 
-/// Computes the runs of a range that the folder does not hold yet, each into a file of its own, then writes the
-/// manifest. Whatever kills it, what is finished stays, and the same call goes on from there. Any number of processes
-/// may fill one folder. `document` is the case without comments, for the manifest.
+/// Computes the runs of a range that are missing in the folder, each into a file of its own, then writes the manifest.
+/// After an interruption, finished runs stay, and the same call continues from there. Any number of processes may fill
+/// one folder. `document` is the case without comments, for the manifest.
 ///
-/// Fails for a folder that holds runs of another scene or versions, for a run file that is damaged, as `simulate`
-/// fails, and with `builder::kCancelled` once `keepGoing` says no; with several jobs in the sentence of the first that
-/// failed. Precondition with several jobs: no other threads of this process hold locks.
+/// Fails for a folder with runs of another scene or version, for a damaged run file, and as `simulate` does. Fails with
+/// `builder::kCancelled` once `keepGoing` returns false. With several jobs, the error is that of the first failed job.
+/// Precondition with several jobs: no other thread of this process holds a lock.
 Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, const EnsembleOptions& options,
                                    const std::function<bool(std::uint64_t done, std::uint64_t all)>& keepGoing);
 
-/// Numbers of the run files in a folder, rising. Nothing is read.
+/// Returns the numbers of the run files in a folder, ascending. No file is read.
 std::vector<std::uint64_t> runsIn(const std::filesystem::path& folder);
 
 }  // namespace cairn::rockfall

@@ -16,17 +16,18 @@ struct RunRange {
   friend bool operator==(const RunRange&, const RunRange&) = default;
 };
 
-/// Largest number a run may have, plus one: what keeps seeds apart and file names sorted.
+/// Largest number of a run, plus one. It keeps seeds different and file names sorted.
 inline constexpr std::uint64_t kMaxRuns = 1'000'000'000;
 
 /// "a:b", a below b. Fails in one sentence otherwise.
 Result<RunRange> parseRange(std::string_view text);
 
-/// Part i of n as "i/n", counted from 1: the ranges of all parts are disjoint, together the whole, and their sizes
-/// differ by one at most. A part of fewer runs than parts may be empty. Fails in one sentence for what is no such text.
+/// Returns part i of n, given as "i/n" and counted from 1. The ranges of all parts are disjoint, cover the whole, and
+/// differ in size by at most one. With fewer runs than parts, a part may be empty. Fails in one sentence for any other
+/// text.
 Result<RunRange> partOf(const RunRange& range, std::string_view text);
 
-/// Runs as disjoint ranges in order. Precondition: `runs` rise.
+/// Returns the runs as disjoint ranges in order. Precondition: `runs` is ascending.
 std::vector<RunRange> rangesOf(const std::vector<std::uint64_t>& runs);
 
 }  // namespace cairn::rockfall

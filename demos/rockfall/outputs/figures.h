@@ -10,19 +10,19 @@
 
 namespace cairn::rockfall {
 
-/// A rock's last place, for the map.
+/// The end point of a rock, for the map.
 struct StopPoint {
   MapPoint place{};
   RockEnd ending = RockEnd::resting;
 };
 
-/// Trajectories by speed over the shaded relief, where rocks ended, and the collectors; SVG. Of very many
-/// trajectories and stops the first are drawn.
+/// Draws the trajectories, coloured by speed, over the shaded relief, with the rocks' end points and the collectors, as
+/// SVG. With very many trajectories and stops, only the first are drawn.
 std::string mapFigure(const Case& description, const Ground& ground, const std::vector<Trajectory>& trajectories,
                       const std::vector<StopPoint>& stops);
 
-/// Energy and height over the distance from the release: median, 95 %, greatest of the rocks that came so far, and how
-/// many those are; SVG. Precondition: there are distances.
+/// Draws energy and height over the distance from the release as SVG: median, 95 % and greatest value of the rocks that
+/// came so far, and their number. Precondition: there are distances.
 std::string profileFigure(const Case& description, const MergedRuns& merged, double cellM);
 
 }  // namespace cairn::rockfall

@@ -6,7 +6,7 @@
 
 namespace cairn::rockfall {
 
-/// Counts of values in fixed bins, sixteen for each factor of two: adding is exact in any order, where quantiles of
+/// Counts of values in fixed bins, sixteen for each factor of two. Sums are exact in any order, whereas quantiles of
 /// quantiles would not be. Values of zero and below share a bin.
 class LogHistogram {
  public:
@@ -16,8 +16,8 @@ class LogHistogram {
   void add(double value);
   std::uint64_t count() const { return count_; }
   double greatest() const { return greatest_; }
-  /// The nearest-rank quantile, at most one bin too high and never too low. 0 without values. Precondition: 0 < q <= 1
-  /// in thousandths.
+  /// Returns the nearest-rank quantile, at most one bin too high and never too low; 0 without values. Precondition: 0 <
+  /// `thousandths` <= 1000.
   double quantile(std::uint32_t thousandths) const;
 
  private:

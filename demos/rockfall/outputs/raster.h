@@ -16,10 +16,10 @@ struct RasterFrame {
   std::int32_t columns = 0, rows = 0;
 };
 
-/// Precondition: the ground is in the map's coordinates.
+/// Returns the cells that cover the ground. Precondition: the ground is in the map's coordinates.
 RasterFrame rasterFrame(const Ground& ground, double cellM);
 
-/// `value` of the cells that some rock passed, NaN where none has been.
+/// Returns `value` of the cells that some rock passed, NaN for the other cells.
 Raster rasterOf(const RasterFrame& frame, const MergedRuns& merged,
                 const std::function<double(const CellSummary&)>& value);
 

@@ -10,7 +10,7 @@
 
 namespace cairn::rockfall {
 
-/// A picture in SVG 1.1, in the making. Pixels, x to the right, y down.
+/// Builds a picture in SVG 1.1. Pixels, x to the right, y down.
 class Svg {
  public:
   Svg(double width, double height);
@@ -25,7 +25,7 @@ class Svg {
   void text(double x, double y, const std::string& words, double size, Anchor anchor = Anchor::start);
   /// Turned to read upwards.
   void uprightText(double x, double y, const std::string& words, double size);
-  /// What is drawn between the two calls shows inside the rectangle only.
+  /// Drawings between the two calls are visible only inside the rectangle.
   void beginClip(double x, double y, double width, double height);
   void endClip();
 
@@ -36,13 +36,14 @@ class Svg {
   int clips_ = 0;
 };
 
-/// A rising axis: its least step of 1, 2 or 5 times a power of ten that leaves at most `most` marks over the span.
+/// Returns the step of an axis: the least of 1, 2 or 5 times a power of ten that gives at most `most` marks over the
+/// span.
 double tickStep(double span, int most);
 
-/// Draws an SVG with the program rsvg-convert (Debian's librsvg2-bin) to a PNG that is written completely or not at
-/// all. Fails with one sentence if the program is missing.
+/// Converts an SVG with the program rsvg-convert (Debian's librsvg2-bin) to a PNG, which is written completely or not
+/// at all. Fails with one sentence if the program is missing.
 Status renderSvg(const std::filesystem::path& svg, const std::filesystem::path& png);
-/// Whether it is there.
+/// Fails when rsvg-convert is missing.
 Status checkRenderer();
 
 }  // namespace cairn::rockfall

@@ -9,15 +9,15 @@
 
 namespace cairn::rockfall {
 
-/// Trajectories of an ensemble, kept as they come.
+/// A trajectory of an ensemble.
 struct Trajectory {
   std::uint64_t run = 0;
   std::uint32_t rock = 0;
   std::vector<TrajectorySample> samples;
 };
 
-/// Legacy VTK polydata, as ParaView reads it: one line a rock, with run and rock; time, speed, energy and height at its
-/// points.
+/// Returns legacy VTK polydata for ParaView: one line for each rock, with run and rock; time, speed, energy and height
+/// at its points.
 std::string vtkPolydata(const std::vector<Trajectory>& trajectories);
 
 }  // namespace cairn::rockfall

@@ -8,10 +8,10 @@
 
 namespace cairn::rockfall {
 
-/// A rock about 1 unit long. Angular ones are the hull of points strewn over an ellipsoid, slabby ones of a flat
-/// ellipsoid, rounded ones smooth ellipsoids: convex to the rounding of a double. Concave ones keep that look but have
-/// two to four dents and a rough surface, moved along rays from the centre, so that they stay closed and free of
-/// self-intersections. Equal arguments give equal bits.
+/// Makes a rock about 1 unit long. Angular rocks are hulls of random points on an ellipsoid, slabby rocks of points on
+/// a flat one; rounded rocks are smooth ellipsoids. All are convex to the rounding of a double. Concave rocks also have
+/// two to four dents and a rough surface. Their vertices move along rays from the centre, so they stay closed and free
+/// of self-intersections. Equal arguments give equal bits.
 builder::TriangleMesh makeRock(RockKind kind, bool concave, std::uint64_t seed);
 
 }  // namespace cairn::rockfall

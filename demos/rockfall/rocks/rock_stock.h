@@ -13,18 +13,18 @@ namespace cairn::rockfall {
 /// One shape of rock at a sieve size of 1 m.
 struct RockShape {
   std::shared_ptr<const SphereTree> tree;
-  double scale = 1;         ///< metres per mesh unit that make the sieve size 1 m
+  double scale = 1;         ///< metres per mesh unit for a sieve size of 1 m
   double volume = 0;        ///< m^3
-  double reach = 0;         ///< of the farthest point from the centre of mass, m
-  double inertiaRatio = 1;  ///< greatest principal moment by the least
-  /// What it breaks into; null unless the case lists fragmentation.
+  double reach = 0;         ///< distance from the centre of mass to the farthest point, m
+  double inertiaRatio = 1;  ///< greatest principal moment divided by the least
+  /// The pieces it breaks into; null unless the case lists fragmentation.
   std::shared_ptr<const effects::Fragments> fragments;
 };
 
 /// Every shape of every group of a case: `groups[g]` are the variants of group g.
 struct RockStock {
   std::vector<std::vector<RockShape>> groups;
-  /// SHA-256 over all trees, hexadecimal: runs are equal only with equal trees.
+  /// SHA-256 over all trees, hexadecimal. Runs are equal only with equal trees.
   std::string hash;
 };
 
@@ -32,7 +32,8 @@ struct RockStock {
 /// g, v). Fails as `importMesh` and `buildTree` do.
 Result<RockStock> stockRocks(const Case& scene, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
-/// The middle one of the extents along the principal axes, of a tree's mesh at scale 1.
+/// Measures a tree's mesh at a sieve size of 1 m. The sieve size is the middle one of the extents along the principal
+/// axes.
 RockShape measureRock(std::shared_ptr<const SphereTree> tree);
 
 }  // namespace cairn::rockfall

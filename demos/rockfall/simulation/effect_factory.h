@@ -10,12 +10,12 @@
 
 namespace cairn::rockfall {
 
-/// The effect a case lists at a place of its list, for one run. What draws numbers draws by case and run; where single
-/// trees stand, by the case alone. `ground` must outlive it.
+/// Makes the effect at index `place` of a case's list, for one run. Random numbers depend on case and run; positions of
+/// single trees depend on the case alone. `ground` must outlive the effect.
 std::unique_ptr<effects::Effect> makeEffect(const Scene& scene, std::size_t place, std::uint64_t run,
                                             const effects::GroundHeight& ground);
 
-/// Whether every stand of trees has a number of stems that can be kept; else one sentence with its path.
+/// Fails, in one sentence with the path, when a stand of trees has more stems than can be stored.
 Status checkStands(const Case& description, const Ground& ground);
 
 }  // namespace cairn::rockfall

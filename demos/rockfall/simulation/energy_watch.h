@@ -9,27 +9,27 @@
 
 namespace cairn::rockfall {
 
-/// Watches the mechanical energy of all rocks together (R13 of the textbook's experiments): nothing gives any to them,
-/// so what it rises by from one step to a later one is the simulation's error. Heights count from the ground's lowest
-/// point. Joules.
+/// Watches the mechanical energy of all rocks together (R13 of the textbook's experiments). No effect adds energy, so
+/// any rise from one step to a later one is an error of the simulation. Heights count from the ground's lowest point.
+/// Joules.
 class EnergyWatch {
  public:
   EnergyWatch(double gravityMPerS2, double lowestM) : gravity_(gravityMPerS2), lowestHeight_(lowestM) {}
 
-  /// A rock that was released: what it brings is no rise.
+  /// Adds a released rock; its energy is no rise.
   void enter(std::uint32_t rock, const btRigidBody& body);
-  /// It broke: its energy is that of its pieces, which are followed from now on.
+  /// Removes a rock that broke; its energy is that of its pieces, which are followed from now on.
   void handOn(std::uint32_t rock) { total_ -= std::exchange(of(rock), 0.0); }
-  /// A rock that is gone: it takes along what it had at the last step.
+  /// Removes a rock that has left, with its energy at the last step.
   void leave(std::uint32_t rock);
-  /// Its energy after a step. Those that sleep need not be told again.
+  /// Updates a rock's energy after a step. Sleeping rocks need no further updates.
   void follow(std::uint32_t rock, const btRigidBody& body);
-  /// After the last rock of a step.
+  /// Call it after the last rock of a step.
   void endStep();
 
-  /// Of all that was released.
+  /// Energy of all released rocks.
   double broughtJ() const { return brought_; }
-  /// The most by which it has been above what it was at some time before.
+  /// Largest rise of the energy above an earlier value.
   double greatestRiseJ() const { return rise_; }
 
  private:

@@ -9,17 +9,17 @@
 
 namespace cairn::rockfall {
 
-/// Notices impacts: a rock that touched nothing in the step before gets an impulse that changes its speed by at least
-/// half a metre a second. Every rock of an impact between two records its own side of it.
+/// Detects impacts. A rock without a contact in the step before gets an impulse that changes its speed by at least half
+/// a metre a second. In an impact between two rocks, each records its own side.
 class ImpactWatch {
  public:
-  /// Both must outlive the watch.
+  /// Both arguments must outlive this object.
   ImpactWatch(const Scene& scene, RunResult& result) : scene_(scene), result_(result), touched_(result.rocks.size()) {}
 
-  /// One more rock, which the result has already; it touches what the rock touched that it broke off from.
+  /// Adds a rock that the result already has. It touches the same bodies as the rock it broke from.
   void addRock(std::uint32_t brokenFrom) { touched_.push_back(touched_[brokenFrom]); }
-  /// After every step, while `watch` still has the moments before it. `rocks` by number, null for those not in the
-  /// world.
+  /// Call it after every step, while `watch` still has the moments before the step. `rocks` is by number, null for
+  /// rocks that are not in the world.
   void lookAt(const btCollisionDispatcher& dispatcher, const std::vector<btRigidBody*>& rocks, const RockWatch& watch,
               double timeS);
 

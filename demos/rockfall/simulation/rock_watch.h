@@ -22,18 +22,18 @@ struct RockMoment {
 /// Precondition: the rock is over the ground.
 RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS);
 
-/// Writes down where the rocks of one run go: greatest values, cells, distances, collectors, trajectories.
+/// Records the paths of the rocks of one run: greatest values, cells, distances, collectors and trajectories.
 class RockWatch {
  public:
-  /// Both must outlive the watch. The result's rocks are all there, as released.
+  /// Both arguments must outlive this object. The result already has all released rocks.
   RockWatch(const Scene& scene, RunResult& result);
 
-  /// One more rock, which the result has already.
+  /// Adds a rock that the result already has.
   void addRock();
-  /// The first moment of a rock, and each after a step.
+  /// Adds the first moment of a rock, then one moment after each step.
   void follow(std::uint32_t rock, const RockMoment& moment);
   const RockMoment& last(std::uint32_t rock) const { return tracks_[rock].last; }
-  /// Hands what was gathered by rock to the result, in the rocks' order.
+  /// Writes the records to the result, in the rocks' order.
   void finish();
 
  private:

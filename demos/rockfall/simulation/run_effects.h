@@ -16,31 +16,32 @@
 
 namespace cairn::rockfall {
 
-/// How often a listed effect acted in a run, and what that took.
+/// The number of times a listed effect acted in a run, and the time it took.
 struct EffectReport {
   std::string name;
   std::uint64_t acted = 0;
   double elapsedUs = 0;
 };
 
-/// What a listed effect did in a run, see `effects::Work`.
+/// The work of a listed effect in a run, see `effects::Work`.
 struct EffectRecord {
   std::string name;
   std::uint64_t acts = 0;  ///< on bodies, contacts or impacts
   double energyTakenJ = 0, impulseNS = 0, torqueImpulseNMS = 0;
 };
 
-/// The effects a case lists, at work in one run's world, and nothing else: without friction everything is smooth,
-/// without restitution nothing bounces, without gyroscopic nothing wobbles, without sleeping nothing sleeps.
+/// The listed effects of a case in one run's world, and no others. Without friction all surfaces are smooth. Without
+/// restitution no rock bounces, without gyroscopic none wobbles, without sleeping none sleeps.
 class RunEffects {
  public:
-  /// `scene` must outlive the effects, which must go before the world; `run` seeds those that draw numbers.
+  /// `scene` must outlive the effects, and the effects must end before the world. `run` seeds the effects with random
+  /// numbers.
   static Result<std::unique_ptr<RunEffects>> create(const Scene& scene, btDiscreteDynamicsWorld& world,
                                                     std::uint64_t run);
 
-  /// For every body before it enters the world: takes away what Bullet does without being asked.
+  /// Call it for every body before it enters the world. It switches off Bullet's default effects.
   static void prepare(btRigidBody& body);
-  /// Once it is in the world. Returns the rock's number among the effects' bodies.
+  /// Call it once the rock is in the world. Returns the rock's number among the effects' bodies.
   std::uint32_t addRock(btRigidBody& rock, MaterialId material, double volume);
   void addGround(const btRigidBody& ground);
   /// Before it leaves the world.

@@ -6,11 +6,10 @@
 
 namespace cairn::rockfall {
 
-/// What a random number is for. Each family has seeds of its own, so that one more number of one family shifts no
-/// other.
+/// The use of a random number. Each use has its own seeds, so one more number of one use never shifts those of another.
 enum class Variable : std::uint8_t { variant, size, place, orientation, effects };
 
-/// The seed of a family of numbers in one run: a pure function of its arguments, each of which reaches every bit.
+/// Returns the seed of one use in one run: a pure function of its arguments. Each argument affects every bit.
 std::uint64_t seedOf(std::uint64_t caseSeed, std::string_view caseName, std::uint64_t run, Variable variable);
 
 }  // namespace cairn::rockfall

@@ -15,29 +15,29 @@
 
 namespace cairn::rockfall {
 
-/// The Bullet world of one run: the ground, and rocks as they are released. A body's user index is its rock's number,
-/// -1 for the ground.
+/// The Bullet world of one run: the ground, and the rocks from their release on. A body's user index is its rock's
+/// number, -1 for the ground.
 class RunWorld {
  public:
-  /// Fails for a budget the dispatcher refuses. `scene` must outlive the world.
+  /// Fails for a budget that the dispatcher refuses. `scene` must outlive the world.
   static Result<std::unique_ptr<RunWorld>> create(const Scene& scene, std::uint64_t run);
   ~RunWorld();
   RunWorld(const RunWorld&) = delete;
   RunWorld& operator=(const RunWorld&) = delete;
 
-  /// Room for the pairs of so many rocks, so that no step has to make it.
+  /// Reserves memory for the pairs of this number of rocks, so that no step has to allocate it.
   void expectRocks(std::size_t rocks);
   /// Fails as the shape does.
   Result<btRigidBody*> addRock(const ReleasedRock& rock, int number);
-  /// A rock that broke in the last step, and the bodies of its pieces, which are in the world in its place and have
-  /// nobody's number yet.
+  /// A rock that broke in the last step, and the bodies of its pieces. They replace it in the world and have no number
+  /// yet.
   struct Broken {
     int number;
     std::vector<btRigidBody*> pieces;
   };
   /// Fails as the shapes do.
   Result<std::vector<Broken>> breakRocks();
-  /// Takes a rock out; its body stays readable.
+  /// Removes a rock from the world; its body stays readable.
   void retire(btRigidBody& rock);
   void step();
 
@@ -50,7 +50,7 @@ class RunWorld {
   Status prepare(std::uint64_t run);
   void addGround();
   btRigidBody& addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia, const btTransform& pose);
-  /// Its number among the effects' bodies beside it.
+  /// Adds a piece. Returns its body, and its number among the effects' bodies.
   std::pair<btRigidBody*, std::uint32_t> addPiece(effects::FragmentBody piece, MaterialId material,
                                                   std::uint32_t generation);
 

@@ -9,14 +9,14 @@
 
 namespace cairn::rockfall {
 
-/// Generated terrain as a grid over the part of the map that the case asks for, rounded up to whole cells. Its middle
-/// is a row of points at y = 0, so that of the even number of rows of cells the triangles are their own mirror image.
-/// Heights are the formulas', rounded to float, and roughness: a pure function of parameters and seed, bit for bit.
-/// Preconditions: parameters as `readTerrain` takes them. Fails, with the path in the case, for too many points.
-/// Cost: linear in the points.
+/// Generates terrain as a grid over the part of the map that the case names, rounded up to whole cells. Its middle is a
+/// row of points at y = 0, so the number of rows of cells is even and the triangles are mirror-symmetric. Heights are
+/// the formulas' values rounded to float, plus roughness. They are a pure function of parameters and seed, bit for bit.
+/// Preconditions: `readTerrain` accepted the parameters. Fails, with the path in the case, for too many points. Cost:
+/// linear in the points.
 Result<bullet::TerrainGrid> generateTerrain(const PlaneTerrain& plane, std::uint64_t seed);
 Result<bullet::TerrainGrid> generateTerrain(const SteppedSlopeTerrain& slope, std::uint64_t seed);
-/// Both sides are equal to the bit, roughness included.
+/// Both sides are equal bit for bit, roughness included.
 Result<bullet::TerrainGrid> generateTerrain(const ChannelTerrain& channel, std::uint64_t seed);
 Result<bullet::TerrainGrid> generateTerrain(const TalusConeTerrain& cone, std::uint64_t seed);
 

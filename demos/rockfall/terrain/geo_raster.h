@@ -7,17 +7,17 @@
 
 namespace cairn::rockfall {
 
-/// Whether this program was built with GDAL; without it the functions below fail and say so.
+/// True when this program was built with GDAL. Without it the functions below fail and say so.
 bool hasGdal();
 
-/// The first band of any raster file GDAL knows: north up or south up, square cells, coordinates in metres. Fails with
-/// one sentence that names the file.
+/// Reads the first band of any raster file that GDAL supports: north up or south up, square cells, coordinates in
+/// metres. Fails with one sentence that names the file.
 Result<Raster> readByGdal(const std::filesystem::path& path);
 
-/// Writes a GeoTIFF, completely or not at all: of floats where all values are such, else of doubles.
+/// Writes a GeoTIFF, completely or not at all. It has floats where all values are exact floats, else doubles.
 Status writeGeoTiff(const std::filesystem::path& path, const Raster& raster);
 
-/// A terrain from a file: `.asc` by our own reader, everything else by GDAL.
+/// Reads a terrain from a file: `.asc` with our own reader, all other formats with GDAL.
 Result<Raster> readRaster(const std::filesystem::path& path);
 
 }  // namespace cairn::rockfall
