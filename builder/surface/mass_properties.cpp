@@ -55,7 +55,7 @@ Vec3d oriented(const Vec3d& axis) {
 
 void diagonalize(MassProperties& mass) {
   const Mat3d& inertia = mass.inertia;
-  // Products of inertia this small are rounding of the sums. They would turn a cube's axes arbitrarily.
+  // Products of inertia this small are rounding of the sums; kept, they would turn a cube's axes anywhere.
   const double negligible = 1e-12 * (inertia(0, 0) + inertia(1, 1) + inertia(2, 2));
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 3; ++i)
@@ -74,7 +74,7 @@ void diagonalize(MassProperties& mass) {
 }  // namespace
 
 MassProperties massPropertiesOf(const TriangleMesh& mesh) {
-  // Integrates about the middle of the mesh, so that a mesh far from its origin loses no digits.
+  // About the middle of the mesh, so that a mesh far from its origin loses no digits.
   const Vec3d reference = boundsOf(mesh).center();
   const Moments moments = momentsAbout(mesh, reference);
   MassProperties mass;

@@ -25,7 +25,7 @@ struct Balance {
 inline constexpr Balance constantExcess(double excess) {
   return {.excess = excess};
 }
-/// Growth that has to be earned by work saved.
+/// A growth that saved work must earn; see `constantExcess`.
 inline constexpr Balance kBalanceByWork{.workShare = 0.2, .decay = 0.75};
 
 /// Returns the factor (at least 1) by which the worst error may grow when `kept` of `full` children stay: Eq. 6.2.

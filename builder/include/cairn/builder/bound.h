@@ -25,13 +25,13 @@ struct WeightedPoint {
 ///     ErrorBound bound = lowerErrorBound(mesh, 64).value();
 ///     double efficiency = bound.error / certificate.levels[2].maxProtrusion; // 1: no cover can be better
 struct ErrorBound {
-  std::uint32_t spheres = 0;
+  std::uint32_t spheres = 0;           ///< number of balls in the statement
   double error = 0;                    ///< mesh unit; 0: nothing was proved, and `weights` is empty
   std::vector<WeightedPoint> weights;  ///< the sum of the weights stays below 2^64
   std::uint64_t mostInOneBall = 0;     ///< upper bound of the weight in one ball
 };
 
-/// How hard `lowerErrorBound` tries.
+/// The effort of `lowerErrorBound`.
 struct BoundOptions {
   std::uint32_t points = 0;  ///< surface points to be covered: 8..20000; 0: chosen by the number of spheres
 };

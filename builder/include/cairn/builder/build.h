@@ -39,14 +39,14 @@ enum class Optimiser : std::uint8_t {
   cairn,   ///< Cairn's own: also improves the seams, and divisions take the children into account
 };
 
-/// What kind of tree `buildTree` makes. Values out of range are refused by it.
+/// The tree that `buildTree` should make. `buildTree` refuses values out of range.
 struct BuildOptions {
-  Method method = Method::combined;
-  std::uint32_t branching = 8;   ///< largest number of children of a node, 2..8
-  std::uint32_t depth = 3;       ///< levels below the root, 1..8
-  std::uint32_t samples = 5000;  ///< approximate number of surface pieces that sphere sets are fitted to; 100..1e6
-  std::uint64_t seed = 1;
-  std::uint32_t threads = 0;  ///< 0: one per core; the result does not depend on it
+  Method method = Method::combined;  ///< construction of every sphere set
+  std::uint32_t branching = 8;       ///< largest number of children of a node, 2..8
+  std::uint32_t depth = 3;           ///< levels below the root, 1..8
+  std::uint32_t samples = 5000;      ///< approximate number of surface pieces that sphere sets are fitted to; 100..1e6
+  std::uint64_t seed = 1;            ///< of all random choices
+  std::uint32_t threads = 0;         ///< 0: one per core; the result does not depend on it
   /// No value: `cairn` for `combined`, `merge`, `expand` and `adaptive`, `none` for the others. A value is allowed only
   /// for methods that fit spheres region by region (`fitsRegions`).
   std::optional<Optimiser> optimiser;
@@ -67,17 +67,17 @@ struct BuildOptions {
 Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options,
                              const ProgressCallback& progress = {});
 
-/// The method of a name, as `cairn build --method` takes it. Fails for any other, with the names there are.
+/// Returns the method of a name, as in `cairn build --method`. Fails for any other name and lists the valid ones.
 Result<Method> parseMethod(const std::string& name);
-/// The name that `parseMethod` reads.
+/// Returns the name that `parseMethod` reads.
 const char* methodName(Method method);
 /// Names of all methods; those for general use come first.
 std::vector<std::string> methodNames();
-/// The optimiser of a name, as `cairn build --optimise` takes it. Fails for any other, with the names there are.
+/// Returns the optimiser of a name, as in `cairn build --optimise`. Fails for any other name and lists the valid ones.
 Result<Optimiser> parseOptimiser(const std::string& name);
-/// The name that `parseOptimiser` reads.
+/// Returns the name that `parseOptimiser` reads.
 const char* optimiserName(Optimiser optimiser);
-/// Of all optimisers.
+/// Names of all optimisers.
 std::vector<std::string> optimiserNames();
 /// True for methods that fit a set of spheres to one region after another. Only these methods can be optimised and
 /// balanced.

@@ -15,8 +15,8 @@ namespace cairn::builder {
 
 /// A piece of a triangle for which the proof found no sphere. Mesh frame and unit.
 struct UncoveredPiece {
-  std::uint32_t triangle = 0;
-  Vec3d point;     ///< the middle of the piece
+  std::uint32_t triangle = 0;  ///< index in the mesh
+  Vec3d point;                 ///< the middle of the piece
   double gap = 0;  ///< distance from the nearest sphere to the point; <= 0: the point is covered, but its surroundings
                    ///< are unproved
 };
@@ -25,7 +25,7 @@ struct UncoveredPiece {
 /// sees exactly this cut.
 struct LevelCertificate {
   std::uint32_t level = 0;       ///< 0 is the root
-  std::uint32_t spheres = 0;     ///< in the cut
+  std::uint32_t spheres = 0;     ///< number of balls in the cut
   bool coverageProven = false;   ///< every point of every triangle lies in a ball of the cut
   bool reachableProven = false;  ///< every point also lies in all ancestors of such a ball
   double maxProtrusion = 0;  ///< upper bound of the distance from the solid to any point of the cut's balls; mesh unit
@@ -38,7 +38,7 @@ struct LevelCertificate {
 struct NodeCertificate {
   double protrusionUpper = 0;  ///< no point of the ball is farther from the solid
   double protrusionLower = 0;  ///< `witness` is at least this far from the solid
-  Vec3d witness;               ///< a point of the ball
+  Vec3d witness;               ///< a point of the ball, see `protrusionLower`
   double depth = 0;            ///< of the centre below the surface; positive inside
   bool errorHolds = false;     ///< the stored error is not below `protrusionLower`
   bool errorProven = false;    ///< the stored error is not below `protrusionUpper`
@@ -47,9 +47,9 @@ struct NodeCertificate {
 
 /// The complete result of `certify`: by level (0 = the root) and by node in breadth-first order.
 struct Certificate {
-  std::vector<LevelCertificate> levels;
-  std::vector<NodeCertificate> nodes;
-  std::vector<std::string> records;  ///< one sentence for each other record of the tree that the mesh contradicts
+  std::vector<LevelCertificate> levels;  ///< by level; 0 is the root
+  std::vector<NodeCertificate> nodes;    ///< by node, breadth-first
+  std::vector<std::string> records;      ///< one sentence for each other record of the tree that the mesh contradicts
 
   /// Returns one sentence per failure: the failure, its place and its amount. Empty when all is proved: every level
   /// covers the surface and is reachable, and no stored number is contradicted.

@@ -20,7 +20,7 @@ namespace cairn::builder {
 /// from the solid to a point of the sphere.
 struct LevelFit {
   std::uint32_t level = 0;          ///< 0 is the root
-  std::uint32_t spheres = 0;        ///< in the cut
+  std::uint32_t spheres = 0;        ///< number of spheres in the cut
   double certifiedMaxFraction = 0;  ///< upper bound of the worst sphere's error
   double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1; see the errata)
   /// Errors at points spread over each sphere, never above the certified ones: largest, mean, root mean square and
@@ -33,9 +33,7 @@ struct LevelFit {
   /// Depth of the uncovered volume below the surface: the deepest sample, and the root mean square over the volume.
   double uncoveredDepthMaxFraction = 0, uncoveredDepthRmsFraction = 0;
   /// Volume of the spheres' union outside the solid, and the standard error of that estimate.
-  double wastedVolumeFraction = 0;
-  double wastedVolumeStandardErrorFraction = 0;
-  ///@}
+  double wastedVolumeFraction = 0, wastedVolumeStandardErrorFraction = 0;
   bool coverageProven = false;   ///< as `LevelCertificate::coverageProven`
   bool reachableProven = false;  ///< as `LevelCertificate::reachableProven`
 };

@@ -26,9 +26,9 @@ class ExpandChoices {
   /// Precondition: neither span is empty. Memory: one word for each pair of a candidate and a point.
   ExpandChoices(std::span<const Vec3d> points, std::span<const Ball> candidates, ExpandRank rank);
   ~ExpandChoices();
-  /// Moves; the other can only be destroyed or assigned to.
+  /// Moves; the source can then only be destroyed or assigned to.
   ExpandChoices(ExpandChoices&&) noexcept;
-  /// Moves; the other can only be destroyed or assigned to.
+  /// Moves; the source can then only be destroyed or assigned to.
   ExpandChoices& operator=(ExpandChoices&&) noexcept;
 
   /// Below this stand-off some point lies in no candidate, whatever is chosen.

@@ -21,10 +21,10 @@ std::string spheresText(const SphereTree& tree);
 /// unused slots have a negative radius. Mesh frame and unit. Fails when the complete tree would have more than
 /// `kMaxSphSlots` slots.
 Result<std::string> sphText(const SphereTree& tree);
-/// Slots that `sphText` writes at most.
+/// Largest number of slots that `sphText` writes.
 inline constexpr std::uint64_t kMaxSphSlots = 1U << 24;
 
-/// Wavefront OBJ, as text, or binary glTF.
+/// Wavefront OBJ (text) or binary glTF.
 enum class SurfaceFormat : std::uint8_t { obj, glb };
 
 /// Writes the spheres of `levelCut(level)` as triangulated icospheres for display. The icospheres' corners lie on the

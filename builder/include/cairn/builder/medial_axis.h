@@ -32,15 +32,15 @@ struct MedialAxis {
   std::vector<Ball> balls() const;
 };
 
-/// How `medialAxis` samples the surface. Values out of range are refused by it.
+/// The sampling of `medialAxis`, which refuses values out of range.
 struct MedialAxisOptions {
-  MedialSampling sampling = MedialSampling::adaptive;
+  MedialSampling sampling = MedialSampling::adaptive;  ///< one of the two constructions
   /// Regular: this many samples, beside those on edges between planar parts and those of the repair. Adaptive: at most
   /// this many and at least about 95 % of them; the first 60 are spread evenly. Range 8..1e5.
   std::uint32_t samples = 2000;
   std::uint32_t spheres = 0;  ///< adaptive: ends once so many are inside and `coverage` fits no worse; 0: no such end
   std::uint32_t surfacePieces = 5000;  ///< approximate number of surface pieces to be covered; 100..1e6
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;              ///< of all random choices
 };
 
 /// Computes the medial axis of a solid by one of the thesis's two constructions. It serves to compare and reduce whole

@@ -17,11 +17,11 @@ enum class Reduction : std::uint8_t {
   expandCover,  ///< all balls grown to one stand-off; max-cover chooses the fewest that cover (5.3.3)
 };
 
-/// To how many balls `reduceBalls` goes, and how. Values out of range are refused by it.
+/// The reduction of `reduceBalls`, which refuses values out of range.
 struct ReduceOptions {
-  Reduction reduction = Reduction::merge;
-  std::uint32_t count = 8;             ///< largest number of balls, at least 1
-  std::uint32_t surfacePieces = 5000;  ///< approximate number of surface pieces to be covered; 100..1e6
+  Reduction reduction = Reduction::merge;  ///< one of the constructions
+  std::uint32_t count = 8;                 ///< largest number of balls, at least 1
+  std::uint32_t surfacePieces = 5000;      ///< approximate number of surface pieces to be covered; 100..1e6
 };
 
 /// Reduces the medial balls of a whole solid to `count` or fewer, as in the thesis: centres do not move afterwards. The

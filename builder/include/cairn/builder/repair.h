@@ -15,11 +15,11 @@ struct RepairCounts {
   std::size_t joinedVertices = 0;      ///< border vertices moved onto another one closer than the tolerance
   std::size_t splitTriangles = 0;      ///< triangles split at a border vertex on their edge
   std::size_t collapsedTriangles = 0;  ///< triangles that joining left without area; dropped
-  std::size_t filledHoles = 0;
-  std::size_t addedTriangles = 0;   ///< triangles that fill the holes
-  std::size_t turnedTriangles = 0;  ///< triangles turned to face away from the solid
+  std::size_t filledHoles = 0;         ///< borders closed with new triangles
+  std::size_t addedTriangles = 0;      ///< triangles that fill the holes
+  std::size_t turnedTriangles = 0;     ///< triangles turned to face away from the solid
 
-  /// Whether anything was changed at all.
+  /// True when anything was changed.
   bool any() const;
   /// For example "3 holes filled with 8 triangles, 12 triangles turned"; "nothing" when nothing was changed.
   std::string text() const;

@@ -20,12 +20,12 @@ using Triangle = std::array<std::uint32_t, 3>;
 ///     TriangleMesh mesh{.vertices = points, .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 ///     Status solid = checkMesh(mesh);
 struct TriangleMesh {
-  std::vector<Vec3d> vertices;
-  std::vector<Triangle> triangles;
-  std::string name;    ///< file name without folder, for reports
-  std::string sha256;  ///< of the file's bytes, hexadecimal; empty for a mesh without a file
+  std::vector<Vec3d> vertices;      ///< mesh frame and unit
+  std::vector<Triangle> triangles;  ///< indices into `vertices`
+  std::string name;                 ///< file name without folder, for reports
+  std::string sha256;               ///< of the file's bytes, hexadecimal; empty for a mesh without a file
 
-  /// The corners of a triangle, by its number.
+  /// Returns the corners of a triangle by its index.
   std::array<Vec3d, 3> corners(std::uint32_t triangle) const {
     const Triangle& t = triangles[triangle];
     return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
@@ -35,12 +35,12 @@ struct TriangleMesh {
 /// The axis-aligned bounding box of a mesh. Mesh frame and unit.
 struct Bounds {
   Vec3d lower, upper;  ///< least and greatest coordinates
-  /// Length of the box's diagonal: the size that fractions refer to.
+  /// Length of the diagonal: the size that fractions refer to.
   double diagonal() const { return length(upper - lower); }
   /// The middle of the box.
   Vec3d center() const { return (lower + upper) * 0.5; }
 };
-/// The box of a mesh's vertices. Linear. Precondition: at least one vertex.
+/// Returns the bounding box of a mesh. Precondition: at least one vertex. Linear.
 Bounds boundsOf(const TriangleMesh& mesh);
 
 }  // namespace cairn::builder

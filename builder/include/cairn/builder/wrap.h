@@ -14,12 +14,12 @@ struct WrapOptions {
   double offset =
       0.002;  ///< approximate distance of the wrap outside the surface, at times a tenth less; kMinOffset..0.2
 };
-inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< the range of `WrapOptions::alpha`
-inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< the range of `WrapOptions::offset`
+inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< range of `WrapOptions::alpha`
+inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< range of `WrapOptions::offset`
 
 /// A closed skin around a surface, and its distance from the surface. Mesh frame and unit.
 struct Wrap {
-  TriangleMesh mesh;
+  TriangleMesh mesh;         ///< closed, around the original
   double farthestUpper = 0;  ///< proved: no point of the wrap is farther from the original surface
   double farthestLower = 0;  ///< proved: `witness` is at least this far from the original surface
   Vec3d witness;             ///< a point of the wrap, up to rounding
