@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy_cost: chapter 7 of the thesis again, from the command line.
+// accuracy_cost repeats chapter 7 of the thesis from the command line.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -17,7 +17,7 @@
 namespace cairn::accuracy_cost {
 namespace {
 
-/// The command that makes one experiment of a run again.
+/// Returns the command that repeats one experiment of a run.
 std::string commandOf(const RunCommand& run, const Experiment& experiment) {
   std::string text = fmt::format("accuracy_cost run {} -o DIR --seed {}", experiment.name, run.settings.seed);
   if (run.settings.quick) text += " --quick";

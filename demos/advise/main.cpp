@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cairn-advise: what `cairn advise` starts.
+// cairn-advise: the program behind `cairn advise`.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 

@@ -21,20 +21,20 @@ namespace {
 
 /// Metres: a size that suits Bullet.
 constexpr double kBodySize = 1;
-/// Budgets, operations a body and step.
+/// Budgets, in operations per body and step.
 constexpr std::array<std::uint64_t, 9> kBudgets{25, 50, 100, 200, 400, 800, 1600, 3200, 6400};
-/// Budgets that may cut nothing, each a quarter above the one before.
+/// Budgets that may cut nothing, each a quarter above the last.
 constexpr int kUncutTrials = 10;
-/// Shares of the work that are done when the trees are built, and when the poses are recorded too.
+/// Finished shares of the work after the trees are built, and after the poses are recorded.
 constexpr double kBuilt = 0.5, kRecorded = 0.55;
-/// Share of the playing that is done when every tree has been played once and a sieve is to follow.
+/// Finished share of the plays when every tree was played once and a sieve follows.
 constexpr double kSieved = 0.6;
 
 Error cancelled() {
   return Error{std::string(builder::kCancelled)};
 }
 
-/// A tree in a body, at every budget.
+/// A tree in a body, with every budget.
 struct Contender {
   Candidate candidate;
   scenes::Model model;
@@ -88,15 +88,15 @@ Result<std::vector<Contender>> buildTrees(const builder::TriangleMesh& mesh, con
   return contenders;
 }
 
-/// All trees at one recording: who has been played how often.
+/// All trees on one recording, with the number of plays of each.
 class Race {
  public:
   Race(const scenes::Recording& recording, std::vector<Contender>& contenders, const Trial& trial,
        const builder::ProgressCallback& progress)
       : recording_(recording), contenders_(contenders), trial_(trial), progress_(progress) {}
 
-  /// Every budget of every tree that cuts something, one that does not, and none: once, or with nothing to sieve by as
-  /// often as all are.
+  /// Plays every tree with every budget that cuts, one that does not, and none: once, or the full number of times
+  /// without a sieve.
   Status playAll() {
     for (Contender& contender : contenders_)
       if (Status played = playFirst(contender); !played) return played;
@@ -152,16 +152,16 @@ class Race {
     return {};
   }
 
-  /// Each tree has contacts in frames of its own; together they do not depend on the order of the trees.
+  /// Each tree has contacts in its own frames. Their union does not depend on the order of the trees.
   void addFrames(const std::vector<std::uint32_t>& busy) {
     std::vector<std::uint32_t> together;
     std::ranges::set_union(frames_, busy, std::back_inserter(together));
     frames_ = std::move(together);
   }
 
-  /// Adds the least budget found that leaves nothing unresolved, if any: more than no budget uses, because under one
-  /// pairs are looked at in another order. Then `whole`, which has none: keeping a budget costs time, also one that
-  /// cuts nothing.
+  /// Adds the least budget found without unresolved pairs, if any. It exceeds the operations without a budget, because
+  /// a budget changes the order of pairs. Then adds `whole`, without a budget: a budget costs time even if it cuts
+  /// nothing.
   Status playUncut(Contender& contender, Take whole) {
     std::uint64_t budget = std::max<std::uint64_t>(whole.mostOperations(), 1);
     for (int i = 0; i < kUncutTrials; ++i, budget += (budget + 3) / 4) {
@@ -206,8 +206,8 @@ class Race {
   std::vector<Contender>& contenders_;
   const Trial& trial_;
   const builder::ProgressCallback& progress_;
-  std::vector<std::uint32_t> frames_;  ///< in which any tree has contacts when nothing is cut
-  std::size_t begun_ = 0;              ///< trees that have been played at all
+  std::vector<std::uint32_t> frames_;  ///< frames in which any tree has contacts without cuts
+  std::size_t begun_ = 0;              ///< number of trees with at least one play
 };
 
 }  // namespace

@@ -92,7 +92,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   for (const std::string& name : methods) options.trial.methods.push_back(builder::parseMethod(name).value());
   options.trial.seed = std::stoull(seed);
   if (thorough) {
-    // The method that takes as long to build as all others together.
+    // The method whose build takes as long as all others together.
     if (app["--methods"]->count() == 0) options.trial.methods.push_back(builder::Method::adaptive);
   } else {
     options.trial.sieveUs = options.budgetUs;

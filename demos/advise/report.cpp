@@ -17,7 +17,7 @@ namespace {
 
 /// Largest number of curves that can be distinguished in a figure.
 constexpr std::size_t kCurves = 6;
-/// Letters of the longest bar.
+/// Length of the longest bar in letters.
 constexpr double kBar = 48;
 
 /// A temporary empty folder with a unique name, removed with this object. Its path is empty where none could be made.
@@ -40,7 +40,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// The choice, or the cheapest where nothing fits.
+/// Returns the choice, or the cheapest one where nothing fits.
 Choice shownChoice(const Advice& advice) {
   const auto& candidates = advice.measured.candidates;
   return bestChoice(candidates, advice.budgetUs).value_or(cheapestChoice(candidates));
@@ -58,7 +58,7 @@ std::string rowText(const Candidate& candidate, const Rung& rung, const char* ma
       100 * rung.meanError, 100 * rung.worstError, 100 * rung.unresolvedPairs);
 }
 
-/// The rung a tree is shown with: the best that fits, else its cheapest.
+/// The rung that represents a tree: the best that fits, else its cheapest.
 std::size_t shownRung(const Candidate& candidate, double budgetUs) {
   if (const auto best = bestRung(candidate, budgetUs)) return *best;
   return cheapestChoice({candidate}).rung;
@@ -97,7 +97,8 @@ std::string labelOf(const Candidate& candidate) {
   return fmt::format("{} {}x{}", builder::methodName(candidate.method), candidate.branching, candidate.depth);
 }
 
-/// The places of the trees that err least within the time, then those that fit nothing, at most `kCurves`.
+/// Returns the indices of the trees with the smallest error within the time, then those that never fit, at most
+/// `kCurves`.
 std::vector<std::size_t> shownTrees(const Advice& advice) {
   const auto& candidates = advice.measured.candidates;
   std::vector<std::size_t> order;

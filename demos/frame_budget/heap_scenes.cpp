@@ -32,7 +32,7 @@ Result<std::unique_ptr<scenes::BodyScene>> makeScene(const scenes::HeapOptions& 
   return Result<std::unique_ptr<scenes::BodyScene>>(std::move(heap).value());
 }
 
-/// Judges contacts between bodies by the poses they were made at.
+/// Judges contacts between bodies at the poses at which they were made.
 Result<scenes::ContactAccuracy> judge(const scenes::BodyScene& scene, std::span<const scenes::BodyMotion> motions,
                                       const scenes::StepRecord& record) {
   const scenes::Model& model = scene.model();

@@ -37,7 +37,7 @@ Result<bullet::Unresolved> parseUnresolved(const std::string& name) {
       fmt::format("there is no policy '{}' for unresolved pairs: use guard, repel, ignore or compensate", name)};
 }
 
-/// Items as something applied to the options of a combination.
+/// Each item as a change to the options of a combination.
 using Choice = std::function<Status(Options&)>;
 using Choices = std::vector<Choice>;
 
@@ -150,7 +150,7 @@ bool isRepeated(ShapeKind shape, const std::vector<std::size_t>& chosen) {
   return !hasMargin(shape) && !isFirst(margin);
 }
 
-/// The next combination, the last place first; false after the last.
+/// Moves to the next combination, the last list first; false after the last one.
 bool advance(std::vector<std::size_t>& chosen, const std::vector<Choices>& choices) {
   for (std::size_t place = chosen.size(); place-- > 0;) {
     if (++chosen[place] < choices[place].size()) return true;

@@ -50,14 +50,14 @@ struct RawOptions {
   std::string meeting = scenes::meetingName(scenes::Meeting::bounce);
   std::optional<std::uint32_t> steps;
   bool noSleeping = false;
-  std::vector<CLI::Option*> ofConverge;  // no other scene has them
+  std::vector<CLI::Option*> ofConverge;  // only for this scene
 };
 
 bool isNone(const std::string& text) {
   return text == "none";
 }
 
-// CLI11's own ranges let NaN through, and read more than `numberOf` does.
+// CLI11's own ranges accept NaN, and read more forms than `numberOf`.
 std::string refuseNoFraction(const std::string& text) {
   const double value = numberOf<double>(text).value_or(-1);
   const bool isFraction = value >= 0 && value <= 1;

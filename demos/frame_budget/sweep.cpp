@@ -23,13 +23,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// GImpact at the margin it is most exact at.
+/// GImpact at its most exact margin.
 bool isExact(const Options& options) {
   return options.shapes.front() == scenes::ShapeKind::gimpact &&
          options.heap.shape.marginFraction.value_or(0.001) == 0.001;
 }
 
-/// Mean distance of bodies from where they are in another run, as a fraction of their size.
+/// Returns the mean distance between the bodies' places in two runs, as a fraction of their size.
 double divergence(const std::vector<Vec3d>& places, const std::vector<Vec3d>& exact, double size) {
   double sum = 0;
   for (std::size_t i = 0; i < places.size(); ++i) sum += distance(places[i], exact[i]);

@@ -58,7 +58,7 @@ std::string figure(const Json& row, const char* pointer, const Column& column) {
 
 using Cells = std::vector<std::pair<std::string, std::string>>;
 
-/// Single values and, under names joined by underscores, those of groups; lists are left to the JSON.
+/// Adds single values and, under names joined by underscores, the values of groups. Lists stay in the JSON only.
 void flatten(const Json& object, const std::string& prefix, Cells& cells) {
   for (const auto& [key, value] : object.items()) {
     const std::string name = prefix.empty() ? key : prefix + "_" + key;

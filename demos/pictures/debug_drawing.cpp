@@ -18,7 +18,7 @@ namespace {
 
 using cairn::bullet::SphereTreeShape;
 
-// Draws the body as a world's `debugDrawWorld` does, `column` places to the right.
+// Draws the body like a world's `debugDrawWorld`, `column` places to the right.
 void drawBody(SphereTreeShape& shape, int column, std::optional<std::uint32_t> level,
               cairn::scenes::LineRecorder& drawer) {
   btDefaultCollisionConfiguration configuration;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sphere_set_picture: a whole solid as a few spheres, by several reductions of its medial axis (thesis, appendix B).
+// sphere_set_picture shows a whole solid as a few spheres, by several reductions of its medial axis (thesis, appendix
+// B).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,7 +25,7 @@ const std::map<std::string, Reduction> kReductions{{"hubbard", Reduction::hubbar
                                                    {"expand", Reduction::expand},
                                                    {"burst", Reduction::burst}};
 
-/// Medial spheres all reductions start from (thesis 7.1.4).
+/// Number of medial spheres from which all reductions start (thesis 7.1.4).
 constexpr std::uint32_t kMedialSpheres = 500;
 
 struct Options {

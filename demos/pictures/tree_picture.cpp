@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tree_picture: a sphere-tree's levels side by side, coloured by certified error.
+// tree_picture shows a sphere-tree's levels side by side, coloured by certified error.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>

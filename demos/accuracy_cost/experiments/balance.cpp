@@ -25,7 +25,8 @@ struct Allowance {
   bool quick;
 };
 
-/// The thesis's are 100 % and 105 % of the worst error (7.1.5) and the growth that work saved has to earn (6.3).
+/// The thesis's allowances are 100 % and 105 % of the worst error (7.1.5), and the growth that saved work must earn
+/// (6.3).
 const std::array kAllowances{
     Allowance{"as made", Optimiser::none, std::nullopt, true},
     Allowance{"optimised", Optimiser::thesis, std::nullopt, true},
@@ -77,7 +78,7 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
 struct Change {
   std::string tree;
   double dropped = 0;  ///< share of the spheres
-  double worst = 1;    ///< error over error
+  double worst = 1;    ///< error divided by the error without drops
   double rms = 1;
 };
 

@@ -24,7 +24,8 @@ std::string nameOf(const Table& table, std::size_t row) {
                      table.text(row, "model"));
 }
 
-/// Steps from a budget to the next larger one, or to the next longer time: how many, and where the error grows.
+/// Counts the steps from a budget to the next larger one, or to the next longer time, and those on which the error
+/// grows.
 struct Course {
   std::size_t steps = 0;
   std::vector<std::string> rises;

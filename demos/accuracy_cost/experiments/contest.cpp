@@ -55,7 +55,7 @@ Result<std::vector<std::optional<Outcome>>> holdContest(const scenes::Recording&
   std::vector<std::optional<Outcome>> outcomes(contenders.size());
   std::vector<std::vector<double>> times(players.size()), ratios(players.size());
   for (std::uint32_t repetition = 0; repetition < repetitions; ++repetition) {
-    // Times are taken of all repetitions, errors of the first: they are the same bits in each.
+    // Times come from all repetitions, errors from the first: they have the same bits in each.
     const std::uint32_t every = repetition == 0 ? truthEvery : recording.framesPerRun;
     const auto reports = scenes::playRecording(recording, *contenders.front().model, players, every, [&](double done) {
       return !progress || progress((repetition + done) / repetitions);

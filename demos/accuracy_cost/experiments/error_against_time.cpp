@@ -29,7 +29,7 @@ ContestExtent extentOf(const Settings& settings) {
   return extent;
 }
 
-/// Trees of one mesh, as models to be shown.
+/// The trees of one mesh, as models for the players.
 class Trees {
  public:
   Trees(const Model& model, std::uint64_t seed, Steps& steps) : model_(model), seed_(seed), steps_(steps) {}

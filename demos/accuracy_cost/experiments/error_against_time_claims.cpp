@@ -15,7 +15,7 @@ namespace {
 /// The range of errors that matter, as fractions of body size: smaller ones are invisible, larger ones unacceptable.
 constexpr double kMinError = 0.001, kGreatestError = 0.05;
 
-/// A row's time over the tree's, with its interval.
+/// A row's time divided by the tree's, with its interval.
 struct Time {
   double median, low, high;
 };
@@ -25,7 +25,7 @@ Time timeOf(const Table& table, std::size_t row) {
           table.number(row, "time_over_tree_high")};
 }
 
-/// The fastest of ours that errs no more than this; an error below the least that matters is as good as that.
+/// The fastest setting of Cairn whose error is no larger. Errors below the least that matters count as equal to it.
 std::optional<std::size_t> fastestOfOurs(const Table& table, const Where& scene, const std::string& column,
                                          double error) {
   std::optional<std::size_t> best;

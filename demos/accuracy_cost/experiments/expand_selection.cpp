@@ -39,9 +39,9 @@ constexpr std::array kQuickCounts{8U, 24U, 64U};
 constexpr Scale kFull{500, 5000, 65, kCounts};
 constexpr Scale kQuick{200, 1500, 65, kQuickCounts};
 
-/// Far more than so many spheres need.
+/// Far more candidates than this number of spheres needs.
 constexpr unsigned kMaxSamples = 2000;
-/// Stand-offs end where max-cover needs no more than these, the branching of the thesis's trees.
+/// Stand-offs end where max-cover needs at most this number, the branching of the thesis's trees.
 constexpr unsigned kMin = 8;
 
 /// The results of one heuristic on one model. Rows are in order, although the work was not.

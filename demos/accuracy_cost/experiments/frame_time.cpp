@@ -69,7 +69,7 @@ Result<std::vector<double>> runOf(const scenes::Model& model, const Setting& set
   return times;
 }
 
-/// The median time, us, of the tree's step when there is nothing to do.
+/// Median time (us) of the tree's step without any work.
 Result<double> emptyStep(const scenes::Model& model, const Setting& setting) {
   scenes::HeapOptions options = setting.options;
   options.start.resize(options.bodies, btTransform::getIdentity());  // it moves them apart
@@ -105,10 +105,11 @@ Result<Table> measure(const std::vector<Model>& models, const Settings& settings
 struct Course {
   std::string shape;
   bool isOurs = false;
-  double budget = 0, allowance = 0;           ///< the tree's, us
-  MedianInterval slowest{};                   ///< the slowest step in a thousand, us
-  MedianInterval overBudget{}, overMedian{};  ///< the same over the tree's budget, and over the shape's own median
-  MedianInterval late{};                      ///< steps, %, that take longer than the tree is allowed
+  double budget = 0, allowance = 0;  ///< the tree's, us
+  MedianInterval slowest{};          ///< the slowest step in a thousand, us
+  MedianInterval overBudget{},
+      overMedian{};       ///< the slowest step divided by the tree's budget, and by the shape's own median
+  MedianInterval late{};  ///< steps, %, that take longer than the tree's allowance
 };
 
 std::vector<Course> coursesOf(const Table& table, const std::string& model, const std::string& scene) {
@@ -164,7 +165,7 @@ struct Place {
   std::string name() const { return fmt::format("{} of {}", scene, model); }
 };
 
-/// A claim of our own about one place: nothing of it can be left out.
+/// Returns a claim of our own about one place; nothing of its scope can be left out.
 Claim claimAt(const Place& place, Claim claim, double figure) {
   claim.scope = {.reach = Reach::every, .models = {place.model}};
   claim.figure = figure;
@@ -185,7 +186,7 @@ Claim budgetClaim(const Place& place, const Course& ours) {
                  share);
 }
 
-/// All shapes by the same measure: the slowest over their own median.
+/// Measures all shapes alike: the slowest step over the own median.
 Claim steadyClaim(const Place& place, const Course& ours) {
   const double ratio = ours.overMedian.median;
   return claimAt(place,

@@ -10,7 +10,7 @@
 namespace cairn::accuracy_cost {
 namespace {
 
-/// Contacts of a frame that are checked at each interruption.
+/// Number of a frame's contacts that are checked at each interruption.
 constexpr std::uint64_t kChecked = 32;
 /// The uncertainty of poses and spheres in single precision, as a fraction of body size.
 constexpr double kRounding = 1e-5;

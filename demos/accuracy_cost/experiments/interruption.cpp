@@ -18,7 +18,7 @@ namespace {
 using builder::Method;
 using builder::Optimiser;
 
-/// A way to build a tree. Those of the thesis are as it has them, without our improvements.
+/// A construction of trees. The thesis's constructions lack our improvements.
 struct Construction {
   const char* name;
   Method method;
@@ -43,7 +43,7 @@ const std::array kConstructions{
 constexpr unsigned kDepth = 3;
 /// Metres: a size that suits Bullet.
 constexpr double kBodySize = 1;
-/// Recorded frames from one that the exact check judges to the next: it takes most of the time.
+/// Recorded frames between two exact checks, which take most of the time.
 constexpr std::uint32_t kTruthEvery = 30;
 constexpr std::uint64_t kInterval = 500, kLastInterruption = 15000;
 
@@ -51,7 +51,7 @@ constexpr std::uint64_t kInterval = 500, kLastInterruption = 15000;
 struct Extent {
   scenes::ConvergeOptions converge;
   std::vector<std::uint64_t> operations;
-  std::uint32_t frameStride;  ///< frames looked at, of those recorded
+  std::uint32_t frameStride;  ///< step between the recorded frames that are examined
 };
 
 Extent extentOf(const Settings& settings) {
@@ -66,7 +66,7 @@ Extent extentOf(const Settings& settings) {
   return extent;
 }
 
-/// Trees of one solid, each a model to be simulated.
+/// The trees of one solid, each a model for the simulation.
 struct Contender {
   const Construction* construction;
   scenes::Model model;

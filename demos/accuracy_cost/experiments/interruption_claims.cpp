@@ -23,7 +23,7 @@ constexpr const char* kLast = "15000";
 
 const Names kMedial{"merge", "expand", "combined", "combined optimised"};
 
-/// Interruptions that do interrupt.
+/// The interruptions before completion.
 bool isInterruption(const Table& table, std::size_t row) {
   return table.text(row, "interruption") != kCompletion;
 }
@@ -32,7 +32,7 @@ bool isOneOf(const std::string& name, const Names& names) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Ratios of these trees in these models at interruptions; those that exist.
+/// Returns the ratios of these trees in these models at interruptions, as far as they exist.
 std::vector<double> ratiosOf(const Table& table, const Names& models, const Names& trees, const std::string& column) {
   std::vector<double> ratios;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -44,13 +44,13 @@ std::vector<double> ratiosOf(const Table& table, const Names& models, const Name
   return ratios;
 }
 
-/// The least ratio of a model, and where.
+/// The least ratio of a model, and its place.
 struct Least {
   std::string model, tree, interruption;
   double ratio = std::numeric_limits<double>::infinity();
 };
 
-/// One for each model that has any.
+/// Returns one for each model that has any.
 std::vector<Least> leastOf(const Table& table, const Names& models, const Names& trees, const std::string& column,
                            const std::string& interruption = "") {
   std::vector<Least> list;
@@ -85,10 +85,10 @@ struct DownTo {
   double limit;
   bool inEvery;
   const char* interruption = "";  ///< at this one; at any
-  bool isOfScans = false;         ///< it is about the scans the thesis names, not about all models
+  bool isOfScans = false;         ///< about the scans that the thesis names, not about all models
 };
 
-/// Trees that were not measured.
+/// Returns the trees that were not measured.
 Names lackingTrees(const Table& table, const Names& trees) {
   const Names measured = table.texts("construction");
   Names lacking;

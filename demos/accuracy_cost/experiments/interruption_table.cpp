@@ -14,7 +14,7 @@ using Value = double (*)(const Interrupted&);
 struct Compared {
   const char* name;
   Value value;
-  bool isError = true;  ///< does not exist where there are no pairs of spheres
+  bool isError = true;  ///< an error does not exist without pairs of spheres
 };
 constexpr std::array kCompared{
     Compared{"worst", [](const Interrupted& f) { return f.worst; }},
@@ -30,7 +30,7 @@ double quotient(double sum, double count) {
   return count > 0 ? sum / count : kNone;
 }
 
-/// Mean over the frames that have pairs of spheres.
+/// Returns the mean over the frames with pairs of spheres.
 double meanOf(const InterruptedFrames& frames, std::size_t at, Value value) {
   double sum = 0, count = 0;
   for (const auto& frame : frames) {
@@ -41,7 +41,7 @@ double meanOf(const InterruptedFrames& frames, std::size_t at, Value value) {
   return quotient(sum, count);
 }
 
-/// Frame by frame over the reference's, then averaged, over the frames in which both have it.
+/// Divides by the reference's value frame by frame, then averages over the frames in which both exist.
 double ratioOf(const InterruptedFrames& frames, const InterruptedFrames& reference, std::size_t at,
                const Compared& compared) {
   double sum = 0, count = 0;

@@ -18,7 +18,7 @@ namespace {
 using builder::Method;
 using builder::Optimiser;
 
-/// A way to build a tree. Those of the thesis are as it has them, without our improvements.
+/// A construction of trees. The thesis's constructions lack our improvements.
 struct Construction {
   const char* name;
   Method method;
@@ -90,7 +90,7 @@ std::vector<double> ratiosOf(const Table& table, const char* first, const char* 
   return ratios;
 }
 
-/// A claim that every one of `better` has the lower error than `worse` on every model and level, worst and RMS.
+/// Claims that every one of `better` has a lower error than `worse` on every model and level, worst and RMS.
 Claim lowerClaim(const Table& table, const char* worse, const std::vector<const char*>& better, const char* thesis) {
   std::size_t above = 0, all = 0;
   std::vector<std::string> found;
@@ -113,7 +113,7 @@ Claim lowerClaim(const Table& table, const char* worse, const std::vector<const 
           static_cast<double>(above)};
 }
 
-/// Claims about bunny and dragon, the models they are made of in the thesis: by those at hand.
+/// Judges the claims about bunny and dragon, the thesis's models for them, by the measured ones.
 void addComplexClaims(const Table& table, std::vector<Claim>& claims) {
   const auto [models, lacking] = scansOf(table);
   if (models.empty()) return;
@@ -157,7 +157,7 @@ void addComplexClaims(const Table& table, std::vector<Claim>& claims) {
        std::min(mostGrid / 3, mostHybrid / 5.25)});
 }
 
-/// Our ratios over the thesis's, for all cells of its tables 7.2 to 7.5 that are at hand.
+/// Our ratios divided by the thesis's, for all available cells of its tables 7.2 to 7.5.
 void addAgreement(const Table& table, std::vector<Claim>& claims) {
   std::vector<double> quotients;
   Scope scope;

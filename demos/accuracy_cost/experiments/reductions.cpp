@@ -26,14 +26,14 @@ constexpr std::array kAlgorithms{Algorithm{"hubbard", Reduction::hubbard}, Algor
 constexpr std::array kCounts{8U, 16U, 24U, 32U, 48U, 64U, 80U, 100U, 125U, 150U, 175U, 200U};
 constexpr std::array kQuickCounts{8U, 24U, 64U, 150U};
 
-/// Medial spheres all algorithms start from.
+/// Number of medial spheres from which all algorithms start.
 constexpr unsigned kMedialSpheres = 500;
 constexpr unsigned kMaxSamples = 2000;
-/// Sets of fewer spheres than this part of those asked for are left out of comparisons, as the thesis leaves out
+/// Sets with less than this fraction of the requested spheres are left out of comparisons, as the thesis leaves out
 /// Expand's.
 constexpr double kMinShare = 0.9;
 constexpr const char* kComplete = "yes";
-/// A standard deviation of the error of at most this part of its mean counts as near zero variance.
+/// A standard deviation of the error up to this fraction of its mean counts as near zero variance.
 constexpr double kEven = 0.1;
 
 Result<Table> measure(const std::vector<Model>& models, const Settings& settings,
@@ -74,7 +74,7 @@ double valueOf(const Table& table, const std::string& model, const std::string& 
   return table.value(column, {{"model", model}, {"algorithm", algorithm}, {"asked", asked}, {"complete", kComplete}});
 }
 
-/// Geometric mean over the counts of one algorithm's value over another's.
+/// Returns the geometric mean, over the counts, of one algorithm's value divided by another's.
 double ratioOf(const Table& table, const std::string& model, const char* over, const char* under, const char* column) {
   std::vector<double> ratios;
   for (const std::string& asked : table.texts("asked")) {
@@ -84,7 +84,7 @@ double ratioOf(const Table& table, const std::string& model, const char* over, c
   return geometricMean(ratios);
 }
 
-/// On how many models a ratio is below 1, and the ratios as text.
+/// Counts the models with a ratio below 1, and gives the ratios as text.
 struct Below {
   std::size_t below = 0, all = 0;
   std::string text;

@@ -17,29 +17,30 @@ namespace {
 using builder::MedialAxisOptions;
 using builder::MedialSampling;
 
-/// Samples asked of the regular sampling, which adds those of edges and repair; the adaptive one gets as many as that
-/// came to.
+/// Samples requested from the regular sampling, which adds those of edges and repair. The adaptive sampling gets the
+/// resulting total.
 constexpr std::array kSamples{50U, 150U, 300U, 500U, 750U, 1000U, 1500U, 2000U};
 constexpr std::array kQuickSamples{50U, 150U, 300U};
 
-/// The surface as adaptive sampling sees it, about half as many points: far denser than the samples.
+/// The surface points of adaptive sampling, about half this number: far denser than the samples.
 constexpr unsigned kSurfacePieces = 40'000;
 
-/// Cover that misses no more of the area counts as whole: it is made sure of at points, and area is lost between them.
+/// A cover that misses at most this share of the area counts as complete. It is tested at points, and area between them
+/// is lost.
 constexpr double kWhole = 2e-3;
 /// "Much the same" volume.
 constexpr double kMuchTheSame = 1.1;
-/// Pearson's r squared from which a relation counts as "pretty much linear".
+/// From this Pearson's r squared on, a relation counts as "pretty much linear".
 constexpr double kLinear = 0.95;
-/// Powers of the samples that the spheres may grow with and still count as linear.
-constexpr double kMinPower = 0.8, kMaxPower = 1.25;
+/// The range of powers of the samples at which the growth of the spheres counts as linear.
+constexpr double kMinPower = 0.8, kGreatestPower = 1.25;
 /// Volume that still counts as "nearly zero".
 constexpr double kNearlyNothing = 0.01;
 
 constexpr const char* kRegular = "regular";
 constexpr const char* kAdaptive = "adaptive";
 
-/// Adds the row of one axis. The samples it has.
+/// Adds the row of one axis. Returns its number of samples.
 Result<std::size_t> addAxis(Table& table, const Model& model, const MedialAxisOptions& options,
                             const builder::ProgressCallback& progress) {
   const auto axis = builder::medialAxis(model.mesh, options, progress);
@@ -83,7 +84,7 @@ Where of(const std::string& model, const char* sampling) {
   return {{"model", model}, {"sampling", sampling}};
 }
 
-/// Adaptive over regular at equal samples.
+/// The adaptive value divided by the regular one at equal samples.
 std::vector<double> ratiosOf(const Table& table, const std::string& model, const char* column) {
   std::vector<double> ratios;
   const auto regular = table.numbers(column, of(model, kRegular)),
@@ -118,7 +119,7 @@ Claim coverClaim(const Table& table) {
     if (!adaptive.empty()) atMost = std::max(atMost, adaptive.back());
   }
   Scope scope = scopeAtMostSamples(table);
-  if (less < all) scope.settingReach = Reach::every;  // that is refuted at any number of samples
+  if (less < all) scope.settingReach = Reach::every;  // any number of samples can refute it
   return {
       "the adaptive algorithm covers the whole surface, where regular sampling leaves some of it out",
       fmt::format("adaptive sampling leaves out less area at all numbers of samples of all models, and at most {} % at "
@@ -199,7 +200,7 @@ Lower lowerIn(const Table& table, const char* column, double most) {
   return lower;
 }
 
-/// A claim about a column: that is more than half of them.
+/// Claims that adaptive over regular is below `most` in more than half of the rows of a column.
 Claim lowerClaim(const Table& table, const char* column, const char* what, double most, const char* thesis) {
   const auto& [lower, all, found] = lowerIn(table, column, most);
   return {thesis,

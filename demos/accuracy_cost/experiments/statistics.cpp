@@ -61,7 +61,7 @@ MedianInterval medianOf(std::vector<double> values) {
   assert(!values.empty());
   std::ranges::sort(values);
   const std::size_t count = values.size(), half = count / 2;
-  // Chance that the median lies below the k-th least: that at most k of the values do.
+  // Returns the probability that the median lies below the k-th least value: at most k of the values do.
   std::size_t outside = 0;
   double chance = std::pow(0.5, static_cast<double>(count)), binomial = chance;
   while (outside < half) {

@@ -9,10 +9,10 @@ namespace cairn::accuracy_cost {
 
 namespace {
 
-/// Shares of the work that are done when the tree is built, and when it is proven too.
+/// Finished shares of the work after the tree is built, and after it is proved.
 constexpr double kBuilt = 0.8, kProven = 0.9;
 
-/// The progress of work that is a part of other work.
+/// The progress of work within other work.
 builder::ProgressCallback partOf(const builder::ProgressCallback& progress, double from, double to) {
   if (!progress) return {};
   return [&progress, from, to](std::string_view stage, double fraction) {
@@ -20,7 +20,7 @@ builder::ProgressCallback partOf(const builder::ProgressCallback& progress, doub
   };
 }
 
-/// A tree and the proof of it.
+/// A tree and its proof.
 struct Proven {
   SphereTree tree;
   builder::Certificate certificate;

@@ -29,7 +29,7 @@ std::string complaintIn(const fs::path& log) {
   return "it does not say why";
 }
 
-/// Runs a script that stands beside the picture for as long.
+/// Runs a script from a temporary file beside the picture.
 Status runScript(const std::string& script, const fs::path& picture) {
   const fs::path source = picture.string() + ".gnuplot", log = picture.string() + ".log";
   if (Status written = writeFileAtomically(source, script); !written) return written;

@@ -12,7 +12,7 @@
 namespace cairn::accuracy_cost {
 namespace {
 
-/// Okabe and Ito's, the ones light on white last; black among them.
+/// Okabe and Ito's colours with black; the ones that are light on white come last.
 constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9"};
 /// Gnuplot's numbers of filled and open markers that look alike in both terminals.
 constexpr std::array kMarkers{7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
@@ -20,7 +20,7 @@ constexpr std::array kDashes{1, 2, 4, 5, 3};
 
 /// Pixels.
 constexpr int kWidth = 1360, kPanelHeight = 316, kTitleHeight = 46, kKeyLine = 24, kKeyMargin = 14;
-/// Pixels a letter of the key takes, with its sample.
+/// Pixels for a letter of the key, with its sample.
 constexpr int kLetter = 8, kSample = 64;
 
 std::string quoted(const std::string& text) {
@@ -56,7 +56,7 @@ std::string conditionOf(const Where& where) {
   return text;
 }
 
-/// The column a panel's rows lie along: a number, or the place of a text in the list.
+/// The column of a panel's x: a number, or the index of a text in the list.
 std::string xOf(const Panel& panel) {
   if (panel.categories.empty()) return fmt::format("column({})*{}", quoted(panel.x), panel.xAxis.scale);
   std::string text = "NaN";
@@ -80,9 +80,9 @@ Range rangeOf(const std::vector<std::pair<std::string, Where>>& columns, const T
   return range;
 }
 
-/// A logarithmic axis has labels enough from this range of the data on.
+/// From this range of the data on, a logarithmic axis has enough labels.
 constexpr double kLogFrom = 6;
-/// Left free beyond the data, of their range.
+/// Free margin beyond the data, as a fraction of their range.
 constexpr double kRoom = 0.07;
 
 void addAxis(std::string& script, char axis, const Axis& description, const Range& range) {
@@ -141,7 +141,7 @@ void addPanel(std::string& script, const Panel& panel, const Table& table, const
   script += first ? "NaN notitle\n" : "\n";
 }
 
-/// Series of different labels, first come first.
+/// The series of different labels, in their first order.
 std::vector<const Series*> keyOf(const Figure& figure) {
   std::vector<const Series*> key;
   for (const Panel& panel : figure.panels)

@@ -25,7 +25,7 @@ using builder::TriangleMesh;
 struct Scan {
   const char* name;
   const char* file;  // in data/meshes of the archive
-  bool wrapped;      // open or crossing itself: a tight wrap is taken first
+  bool wrapped;      // the scan is open or intersects itself, so a tight wrap is made first
 };
 
 constexpr std::array kScans{
@@ -94,7 +94,7 @@ Result<TriangleMesh> made(const std::string& name, const ModelSource& source,
   return Error{fmt::format("there is no model '{}'; choose of {}", name, fmt::join(modelNames(), ", "))};
 }
 
-/// Files of the folder that are meshes by their extension, by name: a set of models has a text beside them.
+/// Returns the mesh files of the folder by extension and name. A set of models has a text beside them.
 Result<std::vector<fs::path>> filesIn(const fs::path& folder) {
   std::error_code failure;
   std::vector<fs::path> files;

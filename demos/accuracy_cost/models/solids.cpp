@@ -23,7 +23,7 @@ std::uint32_t addVertex(TriangleMesh& mesh, const Vec3d& position) {
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// A circle of radius 1 around the z axis. Its first vertex.
+/// Adds a circle of radius 1 around the z axis. Returns its first vertex.
 std::uint32_t addCircle(TriangleMesh& mesh, double z, std::uint32_t sides) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (std::uint32_t i = 0; i < sides; ++i)
@@ -31,7 +31,7 @@ std::uint32_t addCircle(TriangleMesh& mesh, double z, std::uint32_t sides) {
   return first;
 }
 
-/// A fan from `middle` over a circle, seen from above if `up`.
+/// Adds a fan from `middle` over a circle, counter-clockwise from above if `up`.
 void addFan(TriangleMesh& mesh, std::uint32_t middle, std::uint32_t first, std::uint32_t sides, bool up) {
   for (std::uint32_t i = 0; i < sides; ++i) {
     const std::uint32_t a = first + i, b = first + (i + 1) % sides;
@@ -107,7 +107,7 @@ TriangleMesh sShape() {
     if (i == kRings - 1) ends[1] = {x, y, 0};
   }
   for (const Vec3d& end : ends) addVertex(mesh, end);
-  // Nine digits, so that no library's last bit of a sine gets into a tree.
+  // Rounds to nine digits, so that the last bit of a library's sine never enters a tree.
   for (Vec3d& v : mesh.vertices)
     v = {std::round(v.x * 1e9) / 1e9, std::round(v.y * 1e9) / 1e9, std::round(v.z * 1e9) / 1e9};
   constexpr std::uint32_t kTube = kRings * kSides;

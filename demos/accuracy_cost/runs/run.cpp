@@ -21,7 +21,7 @@ Result<std::string> textOf(const fs::path& path) {
   return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
 }
 
-/// All a table depends on beside the program.
+/// Everything that a table depends on, beside the program.
 Json settingsJson(const RunPlan& plan, const std::vector<Model>& models) {
   Json meshes = Json::object();
   for (const Model& model : models) meshes[model.name] = model.mesh.sha256;
@@ -51,7 +51,7 @@ Json claimsJson(const std::vector<Claim>& claims) {
   return list;
 }
 
-/// The finished document of the same settings, if there is one beside its table and both are as they were written.
+/// Returns the finished document of the same settings, if it and its table exist unchanged.
 std::optional<Json> kept(const fs::path& file, const fs::path& csv, const Json& settings) {
   const auto text = textOf(file);
   if (!text) return std::nullopt;

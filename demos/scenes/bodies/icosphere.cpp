@@ -24,7 +24,7 @@ TriangleMesh icosahedron() {
   return mesh;
 }
 
-/// Quarters every triangle, new vertices pushed out to the unit sphere.
+/// Splits every triangle in four and moves new vertices out to the unit sphere.
 TriangleMesh subdivided(const TriangleMesh& coarse) {
   TriangleMesh fine;
   fine.vertices = coarse.vertices;

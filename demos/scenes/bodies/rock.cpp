@@ -44,7 +44,7 @@ class RockProfile {
  private:
   static constexpr std::uint64_t kShapeStream = 1;
 
-  /// Away from the dents there are: two that overlap would merely flatten the rock.
+  /// Keeps a distance from existing dents, because overlapping dents would only flatten the rock.
   Vec3d dentDirection(Random& random) const {
     while (true) {
       const Vec3d direction = random.direction();

@@ -16,7 +16,7 @@ namespace cairn::scenes {
 namespace {
 
 constexpr std::chrono::minutes kBetweenLines{5};
-// A signal handler reaches nothing but globals.
+// A signal handler can use only globals.
 volatile std::sig_atomic_t interruptFlag = 0;
 
 int complain(std::string_view program, const Error& error, int code) {

@@ -15,7 +15,8 @@ constexpr double kTimeStep = 1.0 / 60;
 constexpr double kEarliest = 5.0 / 3, kLatest = 10.0 / 3;
 constexpr double kFastestSpin = 2;  // rad/s
 
-/// Twenty bodies of 1 m start on a sphere of 3 m; more need more room, so that a fifth of it is taken.
+/// Twenty bodies of 1 m start on a sphere of 3 m. More bodies get a larger sphere, so that they always fill a fifth of
+/// it.
 double startRadius(const Model& model, std::uint32_t bodies) {
   constexpr double kShareTaken = 0.2;
   return std::max(3 * model.size, model.reach * std::sqrt(bodies / (4 * kShareTaken)));

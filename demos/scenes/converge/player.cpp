@@ -6,7 +6,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// Any shape Bullet has, in a world without gravity or ground.
+/// Plays any Bullet shape, in a world without gravity or ground.
 class BulletPlayer final : public Player {
  public:
   BulletPlayer(const Model& model, std::uint32_t bodies, const WorldOptions& options, std::unique_ptr<BodyShape> shape)
@@ -30,7 +30,7 @@ class BulletPlayer final : public Player {
   std::uint32_t bodies_;
   WorldOptions options_;
   std::unique_ptr<BodyShape> shape_;
-  std::unique_ptr<World> world_;  // last, so that it goes first: it refers to the shape
+  std::unique_ptr<World> world_;  // declared last, so that it is destroyed first: it refers to the shape
 };
 
 }  // namespace

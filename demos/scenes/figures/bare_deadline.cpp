@@ -11,7 +11,7 @@
 namespace cairn::scenes {
 namespace {
 
-// About a microsecond of work that cannot be left out.
+// About a microsecond of work that the compiler cannot remove.
 void passTime() {
   constexpr int kRounds = 3000;
   std::atomic<int> passed = 0;

@@ -15,7 +15,7 @@ constexpr double kSpacingFraction = 0.33;
 /// Largest distance of a body from its grid point, as a fraction of the spacing.
 constexpr double kShakeFraction = 0.15;
 constexpr double kWidening = 1.05;
-/// Room between ground and lowest body, as a fraction of body size.
+/// Distance between ground and lowest body, as a fraction of body size.
 constexpr double kGroundRoomFraction = 0.01;
 
 std::vector<btTransform> shakenGrid(const Model& model, std::uint32_t bodies, std::uint64_t seed, double spacing) {

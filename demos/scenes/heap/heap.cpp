@@ -13,8 +13,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// Free room between neighbours of the column, as a fraction of body size; half of it is used to place them
-/// irregularly.
+/// Free space between neighbours of the column, as a fraction of body size. Half of it serves for irregular positions.
 constexpr double kClearanceFraction = 0.05;
 
 /// Layers grow with the number of bodies, so that the column is about three times as tall as it is wide.
@@ -26,9 +25,9 @@ double spacing(const Model& model) {
   return 2 * model.reach + kClearanceFraction * model.size;
 }
 
-/// Wide enough for the column or the given start, and for the heap to lie about a third as deep as the pit is wide.
+/// The pit is wide enough for the column or the given start. The heap lies about a third as deep as the pit is wide.
 double pitHalfWidth(const Model& model, const HeapOptions& options) {
-  constexpr double kPacking = 0.5;  // share of a heap that is solid, roughly
+  constexpr double kPacking = 0.5;  // approximate solid share of a heap
   constexpr double kDepthPerHalfWidth = 0.7;
   const double volume = model.tree->mass().volume * model.scale * model.scale * model.scale;
   const double heapHalfWidth = std::cbrt(options.bodies * volume / kPacking / (4 * kDepthPerHalfWidth));
@@ -42,11 +41,11 @@ double pitHalfWidth(const Model& model, const HeapOptions& options) {
 }  // namespace
 
 Viewer heapViewer(const Pit& pit) {
-  constexpr double kAway = 3;  // half widths
+  constexpr double kAway = 3;  // in half widths
   constexpr double kFieldOfView = std::numbers::pi / 3;
   Viewer viewer;
   viewer.focus = Vec3d(0, 0, pit.halfWidth() / 3);
-  const Vec3d towards = normalized(Vec3d(0.50, -1.0, 0.58));  // from where the pictures are taken
+  const Vec3d towards = normalized(Vec3d(0.50, -1.0, 0.58));  // direction of the pictures' camera
   viewer.eye = viewer.focus + towards * (kAway * pit.halfWidth());
   viewer.direction = -towards;
   viewer.fieldOfView = kFieldOfView;

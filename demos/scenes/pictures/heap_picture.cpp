@@ -26,8 +26,8 @@ global_settings { assumed_gamma 1 }
 background { srgb <0.86,0.88,0.90> }
 )";
 
-/// Lights spread over the sky (a Fibonacci spiral, with the cosine law of a soft sky): together they shade every hollow
-/// as an overcast sky would, without the blotches of sampled indirect light.
+/// Lights spread over the sky in a Fibonacci spiral with the cosine law of a soft sky. Together they shade every
+/// concavity like an overcast sky, without the blotches of sampled indirect light.
 std::string skyLights(double distance) {
   constexpr int kLights = 32;
   constexpr double kTotal = 0.95;
@@ -51,7 +51,7 @@ double topOf(const Heap& heap) {
   return top;
 }
 
-/// Far enough for the pit's corners to be in the picture, which is twice as wide as high.
+/// The distance keeps the pit's corners in the picture, which is twice as wide as high.
 std::string cameraAndLights(double halfWidth, double top) {
   constexpr double kHalfAngle = 8.5 * std::numbers::pi / 180;  // vertical
   const Vec3d direction = normalized(Vec3d{0.50, -1.0, 0.58});

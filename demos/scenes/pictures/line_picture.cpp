@@ -9,7 +9,7 @@
 namespace cairn::scenes {
 namespace {
 
-// Part of the picture's width that a line is wide, and the border that is left free.
+// Width of a line as a fraction of the picture's width, and the free border.
 constexpr double kLineWidth = 0.0005, kBorder = 1.03;
 
 struct Frame {
@@ -22,7 +22,7 @@ struct Frame {
         upper.setMax(end);
       }
   }
-  // World length that the picture is wide.
+  // World length of the picture's width.
   double width() const {
     const double aspect = double(kLinePictureSize.width) / kLinePictureSize.height;
     return kBorder * std::max(double(upper.x() - lower.x()), aspect * double(upper.z() - lower.z()));

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// cos(55 degrees): faces that meet at less are shaded as one smooth surface.
 constexpr double kCreaseCosine = 0.574;
 
-/// A new folder for one rendering, removed with all it holds.
+/// A temporary folder for one rendering, removed with its contents.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -12,7 +12,7 @@
 namespace cairn::scenes {
 namespace {
 
-/// The mesh is seen from this far above the horizontal.
+/// The camera looks down at this angle.
 constexpr double kTiltDegrees = 14;
 
 std::string srgb(const btVector3& c) {

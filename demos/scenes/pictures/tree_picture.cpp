@@ -18,7 +18,7 @@ constexpr double kPanelWidth = 1.03;
 constexpr double kLabelHeight = -0.66;
 constexpr double kScaleHeight = -1.05;
 
-/// Coarse spheres are glassy and show the mesh within; fine ones stand for the object themselves.
+/// Coarse spheres are transparent and show the mesh inside. Fine spheres represent the object itself.
 std::string levelText(const SphereTree& tree, std::uint32_t level, const PictureFrame& frame) {
   const bool isCoarse = level < 2;
   std::string text = isCoarse ? "object { Body texture { BodyTexture } }\n" : "";

@@ -53,8 +53,8 @@ void Rockfall::addRock(std::uint32_t number, std::uint64_t seed) {
   body.setRestitution(kRestitution);
 }
 
-/// Corners of the rock against the ground's triangles, and corners of the ground against the rock: between two edges it
-/// may say too much room, or too little depth.
+/// Measures corners of the rock against the ground's triangles, and corners of the ground against the rock. Between two
+/// edges the clearance may be too large, or the depth too small.
 double Rockfall::clearance(const PlacedBody& body, const ExactSurface& surface, std::size_t) const {
   double deepest = 0, room = std::numeric_limits<double>::infinity();
   const auto look = [&](double signedDistance) {

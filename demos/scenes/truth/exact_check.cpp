@@ -118,7 +118,7 @@ double ExactSurface::distanceTo(const Vec3d& point) const {
 
 namespace {
 
-/// Branch and bound for `penetration`; everything in the frame of the solid.
+/// Branch and bound for `penetration`, in the frame of the solid.
 class DepthSearch {
  public:
   DepthSearch(const ExactSurface::Impl& solid, double tolerance, double known)
@@ -174,7 +174,7 @@ double nearestVertexSq(const ExactSurface::Impl& points, const ExactSurface::Imp
   double best = std::numeric_limits<double>::infinity();
   for (const Vec3d& v : points.vertices) {
     const Vec3d p = placement * v;
-    // Beyond the box by more than the best so far: no need to ask the tree.
+    // Farther from the box than the best distance so far, so the tree need not be searched.
     const double reach = std::sqrt(best);
     if (std::isfinite(reach) && !CGAL::do_overlap(toPoint(p).bbox(), inflated(surface.tree.bbox(), reach))) continue;
     best = std::min(best, surface.distanceSq(p));
