@@ -16,7 +16,7 @@ class Matching {
   Matching(const CostTable& table, double limit, std::size_t capacity)
       : table_(table), limit_(limit), capacity_(capacity), members_(table.bins), binOf_(table.items(), 0) {}
 
-  /// The bin by item; nothing when some item cannot be placed at the limit.
+  /// Returns the bin of each item; nothing when some item cannot be placed at the limit.
   std::optional<std::vector<std::uint32_t>> run() {
     for (std::size_t item = 0; item < table_.items(); ++item) {
       seen_.assign(table_.bins, false);

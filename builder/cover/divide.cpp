@@ -17,7 +17,8 @@ struct Owner {
   double biased = std::numeric_limits<double>::infinity();
 };
 
-/// The cheapest ball, bias counted, of those that hold a piece within `standOff`; the cheapest of all when none does.
+/// Returns the cheapest ball, with bias, of those that hold a piece within `standOff`; the cheapest of all when none
+/// does.
 Owner ownerOf(std::span<const double> costs, std::span<const double> bias, double standOff) {
   Owner owner;
   for (std::size_t i = 0; i < costs.size(); ++i) {

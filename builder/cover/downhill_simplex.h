@@ -15,8 +15,9 @@ struct SimplexOptimum {
 };
 
 /// Lowers `value(x)` from `start` by the downhill simplex method (Nelder and Mead 1965, with their coefficients 1, 2,
-/// 1/2, 1/2), for functions too rough for gradients; `steps` are the edges of the first simplex. Stops after about
-/// `maxEvaluations`; never worse than `start`. Ties keep the older corner, so the result is a function of the input.
+/// 1/2, 1/2). It is for functions too rough for gradients. `steps` are the edges of the first simplex. Stops after
+/// about `maxEvaluations`; never worse than `start`. Ties keep the older corner, so the result is a function of the
+/// input.
 template <std::size_t N, class Function>
 SimplexOptimum<N> downhillSimplex(const std::array<double, N>& start, const std::array<double, N>& steps,
                                   std::size_t maxEvaluations, const Function& value) {
@@ -29,7 +30,7 @@ SimplexOptimum<N> downhillSimplex(const std::array<double, N>& start, const std:
   }
   std::size_t evaluations = N + 1;
   const auto lower = [](const Corner& a, const Corner& b) { return a.value < b.value; };
-  /// The point at `t` on the line from the middle of all corners but the last (0) through that one (1).
+  /// The point at `t` on the line from the middle of all corners but the last (t = 0) through the last one (t = 1).
   const auto along = [&](double t) {
     Corner c;
     for (std::size_t k = 0; k < N; ++k) {

@@ -10,7 +10,7 @@
 namespace cairn::builder {
 
 void growToCover(SphereSet& balls, Pieces pieces, double finest) {
-  // With its radius in place of its depth, what a piece costs a ball is how much it has to grow.
+  // With the radius in place of the depth, the cost of a piece for a ball is the growth that the ball needs.
   SphereSet asTheyAre = balls;
   for (Ball& ball : asTheyAre) ball.depth = ball.radius;
   const std::vector<double> unbiased(balls.size(), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compiled once per instruction set by Highway; the best one the machine has is chosen when the program runs. All is
-// comparing and choosing, so every target gives the same result.
+// Compiled once per instruction set by Highway; the best one of the machine is chosen at run time. The code only
+// compares and selects, so every target gives the same result.
 #include "cover/holders.h"
 
 #include <cassert>
@@ -26,7 +26,8 @@ HWY_INLINE unsigned bitsOf(hn::Mask<Costs> mask) {
   return bits[0];
 }
 
-/// `Holder::update` of several points; `open` takes those that it refuses. Returns how many points were looked at.
+/// Applies `Holder::update` to several points; `open` takes those that it refuses. Returns the number of processed
+/// points.
 std::size_t updateMany(std::uint32_t i, const double* HWY_RESTRICT costs, std::size_t size,
                        std::uint32_t* HWY_RESTRICT balls, std::uint32_t* HWY_RESTRICT seconds,
                        double* HWY_RESTRICT firstCosts, double* HWY_RESTRICT secondCosts,
@@ -57,7 +58,7 @@ std::size_t updateMany(std::uint32_t i, const double* HWY_RESTRICT costs, std::s
   return k;
 }
 
-/// Writes down the duties among several points and counts them. `looked` becomes how many points were looked at.
+/// Collects the duties among several points and counts them. `looked` receives the number of processed points.
 std::size_t dutiesOfMany(std::uint32_t i, const double* HWY_RESTRICT costs, std::size_t size, double goal,
                          const std::uint32_t* HWY_RESTRICT balls, const double* HWY_RESTRICT firstCosts,
                          const double* HWY_RESTRICT secondCosts, std::uint32_t* HWY_RESTRICT duties,

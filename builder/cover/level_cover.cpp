@@ -14,20 +14,20 @@ namespace cairn::builder {
 
 namespace {
 
-constexpr double kFirstRequest = 0.1;  ///< part of the worst stand-off a round first asks to save
+constexpr double kFirstRequest = 0.1;  ///< fraction of the worst stand-off that a round first tries to save
 constexpr int kSweepsPerRound = 3;
 constexpr int kMaxRounds = 40;
-/// First and finest step of a centre, in parts of the requested stand-off.
+/// First and finest step of a centre, as fractions of the requested stand-off.
 constexpr double kCoarsestStep = 0.3, kFinestStep = 0.01;
-/// A ball that needs no more than this part of the requested stand-off stays where it is.
+/// A ball that needs at most this fraction of the requested stand-off stays.
 constexpr double kEase = 0.8;
 
-/// Where a point stands in a parent's reach.
+/// The position of a point in a parent's reach.
 struct Place {
   std::uint32_t parent = 0, slot = 0;
 };
 
-/// By point: its places, in order of the parents.
+/// By point: its positions, in the order of the parents.
 class Places {
  public:
   Places(std::size_t points, std::span<const std::vector<std::uint32_t>> reach) : begin_(points + 1, 0) {
@@ -49,7 +49,7 @@ class Places {
   std::vector<Place> places_;
 };
 
-/// Where a ball was left by a descent that found nothing lower, which it would not find again either.
+/// The state of a ball after a descent that found no lower stand-off. The same descent would fail again.
 struct Stuck {
   Vec3d center;
   double goal = 0;
@@ -134,7 +134,7 @@ class LevelOptimisation {
     costs_[i].assign(problem_.reach[parent].size(), kInfinity);
   }
 
-  /// Remembers where all balls are. What they cost is remembered when it changes.
+  /// Stores the positions of all balls. Their costs are stored when they change.
   void save() {
     savedBalls_ = balls_;
     savedHolders_ = holders_;
@@ -168,7 +168,7 @@ class LevelOptimisation {
     return holder;
   }
 
-  /// By ball: the most any point costs it that it holds most cheaply; minus infinity without any.
+  /// By ball: the largest cost of the points that it holds most cheaply; minus infinity without any.
   std::vector<double> loads() const {
     std::vector<double> load(balls_.size(), -kInfinity);
     for (std::size_t p = 0; p < holders_.size(); ++p)
@@ -177,7 +177,7 @@ class LevelOptimisation {
     return load;
   }
 
-  /// False when all balls stayed, as they would again.
+  /// False when all balls stayed. They would stay in the next sweep too.
   bool sweep(double goal) {
     const std::vector<double> load = loads();
     std::vector<std::uint32_t> order(balls_.size());
@@ -190,7 +190,7 @@ class LevelOptimisation {
 
   /// False when the ball stays.
   bool move(std::uint32_t i, double goal) {
-    // Slots of the ball's reach with points that no other ball holds at the stand-off `goal`, or more cheaply.
+    // Returns slots of the ball's reach whose points no other ball holds at the stand-off `goal` or more cheaply.
     holders_.duties(i, problem_.reach[balls_[i].parent], costs_[i], goal, duties_);
     if (duties_.empty()) {
       joinWorst(i);
@@ -211,7 +211,7 @@ class LevelOptimisation {
     return true;
   }
 
-  /// An idle ball goes to the point of its parent's reach that is covered worst, where it will take over its share.
+  /// Moves an idle ball to the worst covered point of its parent's reach, where it will take over a share.
   void joinWorst(std::uint32_t i) {
     const std::vector<std::uint32_t>& reach = problem_.reach[balls_[i].parent];
     std::uint32_t worst = reach.front();
@@ -232,13 +232,13 @@ class LevelOptimisation {
   std::vector<std::vector<std::uint32_t>> family_;  // by parent: its balls
   std::vector<std::vector<double>> costs_;          // by ball, then by slot of its parent's reach
   Holders holders_;
-  std::vector<Stuck> stuck_;  // by ball: its last descent in vain, if any; its duties are not empty
-  // As they were when the round began; costs of the balls that have `changed_` since.
+  std::vector<Stuck> stuck_;  // by ball: its last failed descent, if any; the duties are then not empty
+  // State at the begin of the round; costs only of the balls in `changed_`.
   std::vector<ChildBall> savedBalls_;
   std::vector<std::vector<double>> savedCosts_;
   Holders savedHolders_{0};
   std::vector<char> changed_;
-  // Of one move, kept for their memory.
+  // Scratch of one move, kept to save allocations.
   std::vector<std::uint32_t> open_, duties_;
   PointSet dutyPoints_;
   StandOffMemory memory_;

@@ -13,10 +13,10 @@ namespace cairn::builder {
 
 namespace {
 
-/// Part of the worst stand-off that makes another round worth it: a reduction runs the optimisation once for each of
-/// its swaps, so it asks for less than a level does.
+/// Fraction of the worst stand-off that justifies another round. A reduction runs the optimisation once for each of its
+/// swaps, so it asks for less than a level does.
 constexpr double kWorthARound = 0.02;
-/// A swap has to lower the stand-off by this factor to be kept.
+/// A swap is kept only if it lowers the stand-off by this factor.
 constexpr double kWorthASwap = 0.998;
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace cairn::builder {
 
-/// Lowers the worst stand-off at which a set of balls covers the points: `optimiseLevel` for a level of one family.
-/// Returns a set at least as good as `start`; rounds end when not even 2 % can be saved.
+/// Lowers the worst stand-off of a set of balls that covers the points: `optimiseLevel` for a level of one family.
+/// Returns a set at least as good as `start`. Rounds end when they cannot save 2 %.
 SphereSet optimise(const CoverProblem& problem, SphereSet start);
 
 /// Calls `optimise`, then tries to escape its local optimum. Each ball in turn is removed and placed where the cover is

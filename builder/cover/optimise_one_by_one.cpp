@@ -17,24 +17,24 @@ namespace cairn::builder {
 
 namespace {
 
-/// Of the worst stand-off against the root mean square: the worst first, the others on a tie (Eq. 6.1).
+/// Weight of the worst stand-off against the root mean square: the worst counts first, the mean decides ties (Eq. 6.1).
 constexpr double kWorstWeight = 10;
 constexpr std::size_t kSearchPoints = 300;
 constexpr std::size_t kEvaluations = 100;
-/// First steps of the search, in parts of the radius.
+/// First steps of the search, as fractions of the radius.
 constexpr double kFirstStep = 0.1;
-/// A pass over the balls that saves less than this part of the metric is the last.
+/// The search ends after a pass that saves less than this fraction of the metric.
 constexpr double kWorthAPass = 0.01;
 constexpr int kMaxPasses = 10;
 
 using Indices = std::vector<std::uint32_t>;
 
-/// With room for rounding: a ball fitted to points holds them.
+/// With a margin for rounding, so that a ball fitted to points holds them.
 bool holds(const Ball& ball, const Vec3d& point) {
   return distance(ball.center, point) <= ball.radius * (1 + 1e-12);
 }
 
-/// A ball and the points it has to hold (Alg. 10: Points[s]).
+/// A ball and the points that it must hold (Alg. 10: Points[s]).
 struct Member {
   Ball ball;
   Indices points;
@@ -120,7 +120,7 @@ class OneByOne {
     return nearest;
   }
 
-  /// The set with `ball` in place of member `moved` (Alg. 10). Empty when a point is left to nobody.
+  /// Returns the set with `ball` in place of member `moved` (Alg. 10). Empty when no ball can take some point.
   Members with(std::size_t moved, const Ball& ball) const {
     std::vector<Indices> shares(members_.size());
     for (std::size_t i = 0; i < members_.size(); ++i)
@@ -163,7 +163,7 @@ class OneByOne {
   Members members_;
 };
 
-/// Every point given to the ball it costs least, radii as needed for them; balls without points are dropped.
+/// Gives every point to the ball with the least cost and sets the radii; balls without points are dropped.
 SphereSet settled(const Members& members, const PointSet& points) {
   std::vector<double> load(members.size(), -kInfinity);
   for (std::size_t p = 0; p < points.size(); ++p) {

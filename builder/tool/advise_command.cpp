@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kProgram = "cairn-advise";
 
-/// Becomes the program that stands beside this one, with these arguments; returns only when it cannot.
+/// Replaces this process by the program beside it, with these arguments; returns only when this fails.
 int become(const std::vector<std::string>& arguments) {
   std::error_code failure;
   const auto own = std::filesystem::read_symlink("/proc/self/exe", failure);
@@ -36,7 +36,7 @@ int become(const std::vector<std::string>& arguments) {
 void addAdviseCommand(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
       "advise", "Measure which tree and which budget give which error within the time a step may take");
-  // All that follows is the other program's, --help too.
+  // All further arguments belong to the other program, --help included.
   sub->set_help_flag();
   sub->prefix_command();
   sub->callback([sub, &action] { action = [words = sub->remaining()] { return become(words); }; });

@@ -30,15 +30,15 @@ struct BoundCommand {
   unsigned threads = 0;
 };
 
-/// A number of spheres, what is proved about it and, for a level of a tree, what that reaches. Errors are fractions of
-/// the mesh's diagonal.
+/// A number of spheres, its proved bound and, for a level of a tree, the level's error. Errors are fractions of the
+/// mesh's diagonal.
 struct Row {
   std::uint32_t spheres = 0;
   std::optional<builder::LevelFit> level;
   double lower = 0;
   double cpuSeconds = 0;
 
-  /// How many times the bound the level's error is; none without a level, or with nothing proved.
+  /// The level's error divided by the bound; none without a level or a proof.
   std::optional<double> ratio() const {
     if (!level || !(lower > 0)) return {};
     return level->certifiedMaxFraction / lower;
@@ -71,7 +71,7 @@ Json rowsJson(const std::vector<Row>& rows) {
 
 Status bound(const BoundCommand& command, const builder::TriangleMesh& mesh, std::vector<Row>& rows) {
   const double diagonal = builder::boundsOf(mesh).diagonal();
-  // What is proved for more spheres holds for fewer, so the largest number comes first.
+  // A proof for more spheres also holds for fewer, so the largest number comes first.
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.spheres > b.spheres; });
   double lower = 0;
   ProgressBar bar;

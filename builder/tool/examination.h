@@ -14,7 +14,7 @@
 
 namespace cairn::tool {
 
-/// A mesh, a tree that is said to bound it, and how well it does.
+/// A mesh, a tree of it, the proof and the fit.
 struct Examination {
   builder::TriangleMesh mesh;
   SphereTree tree;
@@ -23,16 +23,16 @@ struct Examination {
   std::vector<builder::LevelFit> fits;
 };
 
-/// Reads both files, proves what can be proved and measures the fit, `sampling` deciding how; `seed` is the samples'.
-/// An error names the file. A tree built from a file of other bytes is accepted with a note on standard error: the same
-/// mesh in another format is a fair question.
+/// Reads both files, certifies the tree and measures the fit, as `sampling` selects; `seed` is for the samples. Fails
+/// with the name of the file. If the tree was built from a file with other bytes, a note appears on standard error: the
+/// same mesh in another format is a valid question.
 Result<Examination> examine(const std::string& meshPath, const std::string& treePath, builder::Sampling sampling,
                             std::uint64_t seed);
 
-/// The report's keys every examination has.
+/// Returns the keys that every examination reports.
 Json examinationJson(const Examination& examination, builder::Sampling sampling, unsigned threads);
 
-/// Ends a command: the exit code, and the first failure as one sentence.
+/// Prints the first failure as one sentence and returns the exit code.
 int refuseUnproved(const Examination& examination, const std::string& treePath);
 
 }  // namespace cairn::tool

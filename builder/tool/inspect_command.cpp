@@ -24,7 +24,7 @@ Json vectorJson(const Vec3d& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Of the source mesh's bounding box.
+/// Diagonal of the source mesh's bounding box.
 double diagonalOf(const SphereTree& tree) {
   Vec3 lower = tree.vertices().front(), upper = lower;
   for (const Vec3& v : tree.vertices()) {

@@ -16,7 +16,7 @@
 
 namespace cairn::tool {
 
-/// How a mesh file becomes the solid a tree is built on.
+/// The options that turn a mesh file into the solid of a tree.
 struct MeshSourceOptions {
   std::string path;
   bool repair = false, wrap = false;
@@ -27,10 +27,10 @@ struct MeshSourceOptions {
 /// Adds MESH, `--repair`, `--wrap` with its lengths, and `--mesh-output`.
 void addMeshSource(CLI::App& command, MeshSourceOptions& options);
 
-/// What single options cannot tell; throws as the parser does.
+/// Checks combinations of options; throws as the parser does.
 void checkMeshSource(const MeshSourceOptions& options);
 
-/// A solid and what was done to get it.
+/// A solid, and the changes that produced it.
 struct MeshSource {
   builder::TriangleMesh mesh;  ///< has passed `checkMesh`
   std::optional<builder::RepairCounts> repair;
@@ -38,16 +38,17 @@ struct MeshSource {
   builder::WrapOptions wrapOptions;
 };
 
-/// Reads the file and repairs or wraps it as asked; notes what an import left out on standard error. Writes nothing.
+/// Reads the file and repairs or wraps it as requested. Prints the number of dropped triangles on standard error.
+/// Writes no file.
 Result<MeshSource> readMeshSource(const MeshSourceOptions& options, const builder::ProgressCallback& progress);
 
 /// Adds `certified_mesh`, `repair` and `wrap` to a report, and to each of its `levels` the error against the original.
 void reportMeshSource(const MeshSource& source, const std::vector<builder::LevelFit>& fits, Json& json);
 
-/// The same as sentences on standard output; nothing for a mesh taken as it is.
+/// Prints the changes as sentences on standard output; nothing for an unchanged mesh.
 void printMeshSource(const MeshSource& source, const std::vector<builder::LevelFit>& fits);
 
-/// Writes the solid to where the options say.
+/// Writes the solid to `options.output`.
 Status writeMeshOutput(const MeshSource& source, const MeshSourceOptions& options);
 
 }  // namespace cairn::tool

@@ -10,22 +10,23 @@
 
 namespace cairn::tool {
 
-/// Keys keep the order they are set in.
+/// Keys keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// `levels` of the reports; the sampled measures are left out with `Sampling::none`.
+/// Returns `levels` of the reports. With `Sampling::none` the sampled measures are left out.
 Json levelsJson(const std::vector<builder::LevelFit>& fits, builder::Sampling sampling);
 
-/// The options a tree was built with, as the reports begin.
+/// Returns the build options of a tree, with which the reports begin.
 Json buildInfoJson(const SphereTree& tree);
 
 /// SHA-256 of the bytes of the tree's file.
 std::string treeSha256(const SphereTree& tree);
 
-/// Writes a report to `path`, "-" being standard output; does nothing for an empty path.
+/// Writes a report to `path`; "-" means standard output. Does nothing for an empty path.
 Status writeJson(const Json& json, const std::string& path);
 
-/// The fit per level as tables on standard output: lengths in percent of the mesh's diagonal, volumes of its own.
+/// Prints the fit per level as tables on standard output: lengths in percent of the mesh's diagonal, volumes in percent
+/// of its volume.
 void printLevels(const std::vector<builder::LevelFit>& fits, builder::Sampling sampling);
 
 }  // namespace cairn::tool

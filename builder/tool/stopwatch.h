@@ -5,7 +5,7 @@
 
 namespace cairn::tool {
 
-/// Wall and CPU time (all threads) since it was made.
+/// Wall and CPU time (all threads) since its construction.
 class Stopwatch {
  public:
   Stopwatch();
@@ -17,7 +17,7 @@ class Stopwatch {
   double startCpu_;
 };
 
-/// Most memory the program has held so far, in mebibytes.
+/// Peak memory of the program so far, in mebibytes.
 double peakMemoryMb();
 
 }  // namespace cairn::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Effects on bodies by themselves, and on those that hit something.
+// Readers of effects on single bodies, and on bodies that hit something.
 #include "rockfall/case/effect_readers.h"
 
 namespace cairn::rockfall {

@@ -11,7 +11,7 @@
 namespace cairn::rockfall {
 namespace {
 
-/// Units a key may end with, longer ones before those they end with.
+/// Units at the end of a key; longer units stand before those they end with.
 constexpr std::array<std::string_view, 15> kUnits{"_kg_per_m3", "_m_per_s2", "_rad_per_s", "_j_per_kg", "_m_per_s",
                                                   "_kg_per_s",  "_per_ha",   "_per_m",     "_per_s",    "_n_s",
                                                   "_kpa",       "_deg",      "_m",         "_s",        "_j"};
@@ -22,7 +22,7 @@ std::string_view withoutUnit(std::string_view key) {
   return key;
 }
 
-/// The key of `asked` that is meant by one with another unit, or none at all: level_cm for level_m.
+/// Returns the key of `asked` that differs only in the unit or has none: level_cm for level_m.
 std::optional<std::string> sameInOtherUnit(std::string_view key, std::span<const std::string> asked) {
   for (const std::string& candidate : asked) {
     const std::string_view stem = withoutUnit(candidate);
@@ -39,7 +39,7 @@ std::string describe(const Range& range) {
   return fmt::format("from {} to {}", range.low, range.high);
 }
 
-/// Levenshtein's distance.
+/// Returns Levenshtein's distance.
 std::size_t editsBetween(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;

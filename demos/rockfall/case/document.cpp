@@ -10,7 +10,7 @@
 namespace cairn::rockfall {
 namespace {
 
-/// Follows the parser through the text, because what it returns has forgotten all but the last of equal keys.
+/// Follows the parser through the text, because its result has only the last of equal keys.
 class DuplicateFinder {
  public:
   void operator()(Json::parse_event_t event, const Json& parsed) {
@@ -34,14 +34,14 @@ class DuplicateFinder {
     }
   }
 
-  /// Path of the first key that came twice.
+  /// Path of the first repeated key.
   const std::optional<std::string>& duplicate() const { return duplicate_; }
 
  private:
   struct Open {
     bool isArray;
-    std::size_t elements;  // begun so far
-    std::string key;       // read last
+    std::size_t elements;  // number of elements begun so far
+    std::string key;       // the last key read
     std::set<std::string> keys;
   };
 

@@ -8,7 +8,7 @@
 namespace cairn::rockfall {
 namespace {
 
-/// Answers for one effect after the other.
+/// Determines the outlook of one effect after the other.
 class Outlooks {
  public:
   Outlooks(const Case& scene, const SceneBounds& bounds) : scene_(scene), bounds_(bounds) {}
@@ -22,7 +22,7 @@ class Outlooks {
  private:
   std::uint32_t groupCount() const { return static_cast<std::uint32_t>(bounds_.groups.size()); }
 
-  /// Those groups for which `meets` holds; `reason` says what it is about, either way.
+  /// Returns the groups for which `meets` holds. `reason` states the bound in either case.
   template <class Meets>
   void groupsThat(const Meets& meets, std::string reason) {
     for (std::uint32_t group = 0; group < groupCount(); ++group)
@@ -33,7 +33,7 @@ class Outlooks {
     groupsThat([&](std::uint32_t) { return possible; }, std::move(reason));
   }
 
-  /// Materials a rock of the group can touch: the ground's, and those of rocks, itself alone aside.
+  /// The materials that a rock of the group can touch: the ground's and those of all rocks but the rock itself.
   std::vector<MaterialId> partnersOf(std::uint32_t group) const {
     std::vector<MaterialId> partners = bounds_.groundMaterials;
     for (std::uint32_t other = 0; other < groupCount(); ++other)
@@ -45,7 +45,7 @@ class Outlooks {
     const MaterialId own = scene_.rocks[group].material;
     return std::ranges::any_of(partnersOf(group), [&](MaterialId other) { return suits(own, other); });
   }
-  /// By the values of the pairs that can meet.
+  /// Decides by the values of the pairs that can meet.
   template <class Suits>
   void pairsThat(const PairTable& table, const Suits& suits, std::string reason) {
     groupsThat(
@@ -156,7 +156,7 @@ class Outlooks {
   void judge(const EventsOptions& o) {
     double least = o.dustImpulseNS > 0 ? o.dustImpulseNS : o.soundImpulseNS;
     if (o.soundImpulseNS > 0) least = std::min(least, o.soundImpulseNS);
-    // A head-on impact of two equal rocks that keep all their energy turns both speeds round.
+    // A head-on impact of two equal rocks without loss of energy reverses both speeds.
     groupsThat(
         [&](std::uint32_t g) {
           return 2 * bounds_.groups[g].greatestMassKg * bounds_.groups[g].greatestSpeedMPerS >= least;

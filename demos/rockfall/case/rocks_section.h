@@ -15,33 +15,33 @@ namespace cairn::rockfall {
 
 enum class RockKind : std::uint8_t { angular, slabby, rounded };
 
-/// Rocks of a kind, made from seeds.
+/// Rocks of one kind, generated from seeds.
 struct MadeRocks {
   RockKind kind = RockKind::angular;
   bool concave = false;
   std::uint32_t variants = 1;  ///< different shapes, each with a tree of its own
 };
 
-/// One shape for all, from a mesh file; its unit does not matter.
+/// One shape for all rocks, from a mesh file; the file's unit does not matter.
 struct MeshRocks {
   std::string file;
 };
 
-/// Share of rocks, by number, that pass a sieve: straight between the points, from 0 to 1. The sieve size of a rock is
-/// the middle one of its three extents along its principal axes, metres.
+/// The share of rocks, by number, that pass a sieve: piecewise linear from 0 to 1. The sieve size of a rock is the
+/// middle one of its three extents along its principal axes, metres.
 struct SieveCurve {
   struct Point {
     double sizeM = 0, share = 0;
   };
   std::vector<Point> points;
 
-  /// The size that the share `u` (0 to 1) of all rocks passes.
+  /// Returns the size that the share `u` (0 to 1) of all rocks passes.
   double sizeAt(double u) const;
   double smallest() const { return points.front().sizeM; }
   double largest() const { return points.back().sizeM; }
 };
 
-/// Where and how rocks of a group begin.
+/// Place and motion of the rocks of a group at their release.
 struct Release {
   std::array<MapPoint, 2> boxM{};  ///< opposite corners on the map; a place is drawn evenly from it
   double aboveGroundM = 0;         ///< of the rock's lowest point

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records as arrays, in the order of their members: ensembles have millions of them.
+// Records are arrays in the order of their members, because ensembles have millions of them.
 #include "rockfall/ensemble/result_json.h"
 
 namespace cairn::rockfall {
 namespace {
 
-/// Takes the elements of an array one by one.
+/// Reads the elements of an array one by one.
 class Elements {
  public:
   explicit Elements(const Json& array) : array_(array) {}
@@ -46,7 +46,7 @@ void each(Io& io, Members&... values) {
   (io.into(values), ...);
 }
 
-// One list of members serves both directions; which record it is for is told by a member no other has.
+// One list of members serves both directions. A member that only one record has identifies the record.
 template <class Io>
 void transfer(Io& io, auto& r) requires requires {
   r.sieveM;

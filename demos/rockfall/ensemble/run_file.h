@@ -9,8 +9,7 @@
 
 namespace cairn::rockfall {
 
-/// A finished run as a JSON file: what it gave, what it cost, and of which scene it is. Numbers come back as the same
-/// doubles.
+/// A finished run as a JSON file: its result, its cost and its scene. Numbers are read back as the same doubles.
 struct RunFile {
   std::string sceneHash;
   Json versions;  ///< of the program that computed it
@@ -19,16 +18,17 @@ struct RunFile {
   std::string resultHash;  ///< SHA-256 of the result alone, hexadecimal
 };
 
-/// What runs depend on beside their scene: runs of different versions are not merged.
+/// Returns the versions on which runs depend beside their scene. Runs of different versions are not merged.
 Json versionsOfThisProgram();
 
-/// run-000000042.json: sorted by name, they are sorted by number.
+/// Returns a name such as run-000000042.json. The order of names is the order of numbers.
 std::string runFileName(std::uint64_t run);
 
-/// Completely or not at all, flushed to disk before it has its name.
+/// Writes the file completely or not at all. Its content is on disk before it gets its name.
 Status writeRunFile(const std::filesystem::path& folder, const std::string& sceneHash, const FinishedRun& run);
 
-/// Fails in one sentence that names the file, for what is missing, no such file, or not what it was written as.
+/// Reads a run file. Fails in one sentence with its name when it is missing, is no run file, or was changed after it
+/// was written.
 Result<RunFile> readRunFile(const std::filesystem::path& file);
 
 }  // namespace cairn::rockfall

@@ -30,7 +30,7 @@ Error ofAnotherScene(const fs::path& what) {
       fmt::format("{} is of another case, other trees or other versions: choose another folder", what.string())};
 }
 
-/// The runs of the range that are still to be computed. Those there are must be whole and of this scene.
+/// Returns the missing runs of the range. Existing run files must be complete and of this scene.
 Result<std::vector<std::uint64_t>> missingRuns(const Scene& scene, const EnsembleOptions& options) {
   if (fs::exists(options.folder / kManifestName)) {
     const auto manifest = readManifest(options.folder);
@@ -53,7 +53,7 @@ Result<std::vector<std::uint64_t>> missingRuns(const Scene& scene, const Ensembl
   return missing;
 }
 
-/// Every `stride`-th of the runs, from `first` on.
+/// Computes every `stride`-th of the runs, from `first` on.
 Status computeSome(const Scene& scene, const fs::path& folder, const std::vector<std::uint64_t>& runs,
                    std::size_t first, std::size_t stride, const KeepGoing& keepGoing) {
   for (std::size_t i = first; i < runs.size(); i += stride) {
@@ -90,7 +90,7 @@ Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, con
   };
   const Status computed = jobs > 1 ? inProcesses(jobs, work) : jobs == 1 ? work(0) : Status();
   if (!computed) return computed.error();
-  // The folder of a case named without one is empty.
+  // A case file named without a folder has an empty folder.
   const Manifest manifest{document,
                           (fs::current_path() / scene.description.folder).lexically_normal().string(),
                           scene.description.hash,

@@ -19,14 +19,14 @@ constexpr int kFailed = 1;
 
 struct Worker {
   pid_t process = 0;
-  int pipe = -1;  // its sentence comes out here
+  int pipe = -1;  // receives the process's error sentence
 };
 
 [[noreturn]] void workAndEnd(int pipe, std::uint32_t number, const std::function<Status(std::uint32_t)>& work) {
   const Status status = work(number);
   if (!status) {
     const std::string& sentence = status.error().message;
-    // Sentences are shorter than what a pipe takes at once.
+    // Sentences are shorter than the capacity of a pipe.
     if (write(pipe, sentence.data(), sentence.size()) < 0) _exit(kFailed);
   }
   _exit(status ? 0 : kFailed);

@@ -9,7 +9,7 @@
 namespace cairn::rockfall {
 namespace {
 
-/// 2^(i/16): written down, so that no mathematical library decides where a bin ends.
+/// 2^(i/16) as literals, so that no mathematical library decides where a bin ends.
 constexpr std::array kEdges{1.0,
                             1.0442737824274138,
                             1.0905077326652577,

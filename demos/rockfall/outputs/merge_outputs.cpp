@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Ordered = nlohmann::ordered_json;
 
-/// Everything that is drawn from the runs, one after the other.
+/// Collects all outputs from the runs, one run after the other.
 struct Gathered {
   explicit Gathered(const Case& description) : tables(description) {
     merged.collectors.resize(description.collectors.size());
@@ -124,8 +124,8 @@ void addRasters(std::vector<File>& files, const RasterFrame& frame, const Merged
     files.emplace_back(std::string(kind.name) + ".asc", asciiGrid(rasterOf(frame, merged, kind.value)));
 }
 
-/// The same as GeoTIFF, where the case asks for it. They have no part in the merged hash, because their bytes depend on
-/// GDAL's version and their values are those of the other files.
+/// The rasters as GeoTIFF, on request. They are not part of the merged hash: their bytes depend on GDAL's version, and
+/// their values equal those of the other files.
 Status writeGeoTiffs(const fs::path& folder, const Case& description, const Ground& ground, const MergedRuns& merged) {
   const OutputsSection& outputs = description.outputs;
   if (!outputs.geotiff || !outputs.rasterCellM) return {};
@@ -162,7 +162,7 @@ std::string hashOfContent(std::string_view content) {
   return hash.hex();
 }
 
-/// Writes the files, then the manifest that names them; the hash over all.
+/// Writes the files, then the manifest with their names. Returns the hash over all.
 Result<std::string> write(const std::vector<File>& files, const Parts& parts, const fs::path& folder) {
   Ordered hashes;
   ContentHash all;
@@ -189,7 +189,7 @@ Result<std::string> write(const std::vector<File>& files, const Parts& parts, co
   return hash;
 }
 
-/// The case as the runs had it.
+/// The case of the runs.
 Result<Case> caseOf(const Manifest& manifest) {
   auto description = parseCase(manifest.document.dump(), "the case in the manifest", manifest.caseFolder);
   if (description && description.value().hash != manifest.caseHash)

@@ -16,11 +16,11 @@ constexpr double kWidth = 900, kPanel = 230, kLeft = 80, kTop = 60, kGap = 46, k
 
 struct Quantity {
   const char* label;
-  double unit;  ///< SI units in one of the axis
+  double unit;  ///< SI units per unit of the axis
   const LogHistogram& (*of)(const CellSummary&);
 };
 
-/// A curve of the panel: which quantile in thousandths, or 0 for the greatest.
+/// A curve of the panel: its quantile in thousandths, or 0 for the greatest.
 struct Curve {
   const char* name;
   std::uint32_t thousandths;
@@ -65,7 +65,7 @@ class Panel {
   double bottom_, farthest_, greatest_;
 };
 
-/// Steps, one a cell of distance.
+/// A step function with one step for each cell of distance.
 std::vector<std::array<double, 2>> stepsOf(const Panel& panel, const MergedRuns& merged, double cellM,
                                            const std::function<double(const CellSummary&)>& value) {
   std::vector<std::array<double, 2>> points;

@@ -10,7 +10,7 @@ namespace cairn::rockfall {
 RasterFrame rasterFrame(const Ground& ground, double cellM) {
   const auto cellOf = [&](double coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / cellM)); };
   RasterFrame frame{cellM, cellOf(ground.lower().x), cellOf(ground.lower().y), 0, 0};
-  // Nothing that is over the ground is on its upper edge.
+  // No point over the ground lies on its upper edge.
   frame.columns = static_cast<std::int32_t>(std::ceil(ground.upper().x / cellM)) - frame.firstColumn;
   frame.rows = static_cast<std::int32_t>(std::ceil(ground.upper().y / cellM)) - frame.firstRow;
   return frame;

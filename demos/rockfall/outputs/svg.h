@@ -23,7 +23,7 @@ class Svg {
   /// Commands of a path element.
   void path(const std::string& commands, const std::string& style);
   void text(double x, double y, const std::string& words, double size, Anchor anchor = Anchor::start);
-  /// Turned to read upwards.
+  /// Text turned to read upwards.
   void uprightText(double x, double y, const std::string& words, double size);
   /// Drawings between the two calls are visible only inside the rectangle.
   void beginClip(double x, double y, double width, double height);

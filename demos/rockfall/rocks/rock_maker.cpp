@@ -21,8 +21,7 @@ using scenes::Random;
 constexpr std::uint64_t kAxesStream = 1, kPointStream = 2, kDentStream = 3, kCutStream = 4;
 constexpr std::uint32_t kRoundedSubdivisions = 2, kConcaveSubdivisions = 3;
 
-/// Half axes of the ellipsoid a rock is made of: from Zingg's (1935) equant and discoid classes, c/b above and below
-/// 2/3.
+/// Half axes of a rock's ellipsoid, from Zingg's (1935) equant and discoid classes: c/b above and below 2/3.
 Vec3d halfAxes(RockKind kind, std::uint64_t seed) {
   Random random(seed, kAxesStream);
   const double middle = random.uniform(0.72, 0.95);
@@ -41,7 +40,7 @@ Vec3d scaled(const Vec3d& p, const Vec3d& axes) {
   return {p.x * axes.x, p.y * axes.y, p.z * axes.z};
 }
 
-/// Directions that keep away from each other, so that no facet is a sliver.
+/// Random directions with a least distance, so that no facet is a sliver.
 std::vector<Vec3d> strewnDirections(Random& random, std::size_t count) {
   std::vector<Vec3d> directions;
   double apart = 0.6;
@@ -51,7 +50,7 @@ std::vector<Vec3d> strewnDirections(Random& random, std::size_t count) {
     if (fits)
       directions.push_back(candidate);
     else
-      apart *= 0.995;  // until all find room
+      apart *= 0.995;  // until all directions fit
   }
   return directions;
 }
@@ -89,13 +88,13 @@ TriangleMesh convexRock(RockKind kind, std::uint64_t seed) {
   return hullOf(points);
 }
 
-/// What wear leaves of a concave rock, as a share of its ellipsoid.
+/// The worn surface of a concave rock, as a fraction of its ellipsoid.
 scenes::WornSurface wornRock(RockKind kind, std::uint64_t seed) {
   scenes::WornSurface worn(mixBits(seed));
   Random dents(seed, kDentStream), cuts(seed, kCutStream);
   if (kind != RockKind::rounded)
     for (const Vec3d& normal : strewnDirections(cuts, 9 + cuts.bits() % 5)) worn.cut(normal, cuts.uniform(0.68, 0.85));
-  // Strewn apart, because two that overlap would merely flatten the rock.
+  // Dents keep a distance, because overlapping dents would only flatten the rock.
   for (const Vec3d& direction : strewnDirections(dents, 2 + dents.bits() % 3)) {
     const double width = dents.uniform(0.5, 0.75);
     worn.dent(direction, width, dents.uniform(0.3, 0.45));

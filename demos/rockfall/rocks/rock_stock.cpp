@@ -17,7 +17,7 @@
 namespace cairn::rockfall {
 namespace {
 
-constexpr std::uint64_t kShapeFamily = 0x726F636B73;  // apart from the seeds of runs
+constexpr std::uint64_t kShapeFamily = 0x726F636B73;  // separate from the seeds of runs
 
 Result<std::vector<builder::TriangleMesh>> meshesOf(const Case& scene, std::size_t group) {
   std::vector<builder::TriangleMesh> meshes;

@@ -10,7 +10,7 @@
 
 namespace cairn::rockfall {
 
-/// One shape of rock at a sieve size of 1 m.
+/// A shape of rock at a sieve size of 1 m.
 struct RockShape {
   std::shared_ptr<const SphereTree> tree;
   double scale = 1;         ///< metres per mesh unit for a sieve size of 1 m
@@ -21,7 +21,7 @@ struct RockShape {
   std::shared_ptr<const effects::Fragments> fragments;
 };
 
-/// Every shape of every group of a case: `groups[g]` are the variants of group g.
+/// All shapes of all groups of a case: `groups[g]` holds the variants of group g.
 struct RockStock {
   std::vector<std::vector<RockShape>> groups;
   /// SHA-256 over all trees, hexadecimal. Runs are equal only with equal trees.

@@ -31,7 +31,7 @@ std::optional<fs::path> folderNamed(const char* variable) {
   return fs::path(value);
 }
 
-/// Every option the tree depends on; the number of threads is not among them.
+/// All options that the tree depends on; the number of threads is not among them.
 std::string describe(const builder::BuildOptions& options) {
   assert(!options.balance);
   std::string text =

@@ -19,7 +19,7 @@ double between(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-/// Where the way from a to b crosses a line, both as shares of their lengths.
+/// The crossing of the segment from a to b with a line, as fractions of both lengths.
 struct Crossing {
   double onWay, onLine;
   bool toTheRight;
@@ -96,7 +96,7 @@ void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
 void RockWatch::sample(std::uint32_t rock, const RockMoment& moment) {
   const auto& every = scene_.description.outputs.trajectoriesEveryS;
   if (!every) return;
-  // Half a step early rather than late, so that rounding does not decide.
+  // Samples half a step early, so that rounding does not decide.
   const double due = result_.rocks[rock].releaseS + static_cast<double>(tracks_[rock].samples) * *every;
   if (moment.timeS < due - scene_.description.stepS / 2) return;
   ++tracks_[rock].samples;

@@ -25,7 +25,7 @@ Result<std::unique_ptr<RunEffects>> RunEffects::create(const Scene& scene, btDis
   auto set = effects::EffectSet::create(world);
   if (!set) return set.error();
   all->set_ = std::move(set).value();
-  // Else Bullet makes every body's box twice, to look ahead for bodies that never ask for it.
+  // Otherwise Bullet computes every body's box twice, for a prediction that these bodies never use.
   world.getDispatchInfo().m_useContinuous =
       std::ranges::any_of(scene.description.effects,
                           [](const EffectOptions& options) { return std::holds_alternative<CcdOptions>(options); });

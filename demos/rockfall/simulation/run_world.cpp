@@ -13,7 +13,7 @@ Result<std::unique_ptr<RunWorld>> RunWorld::create(const Scene& scene, std::uint
 
 RunWorld::RunWorld(const Scene& scene)
     : scene_(scene), dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
-  world_.setForceUpdateAllAabbs(false);  // what sleeps has the box it had
+  world_.setForceUpdateAllAabbs(false);  // sleeping bodies keep their boxes
   world_.setGravity({0, 0, -static_cast<btScalar>(scene.description.gravityMPerS2)});
 }
 
@@ -42,7 +42,7 @@ void RunWorld::addGround() {
 }
 
 RunWorld::~RunWorld() {
-  effects_.reset();  // while the bodies it has still live
+  effects_.reset();  // while its bodies still exist
   for (const auto& body : bodies_)
     if (body->isInWorld()) world_.removeRigidBody(body.get());
 }
@@ -57,7 +57,8 @@ btRigidBody& RunWorld::addBody(btCollisionShape& shape, btScalar mass, const btV
   return *bodies_.back();
 }
 
-// Each is over the ground; in dense groups one in two meets another at a time. Without a time to keep it is not missed.
+// Each rock is over the ground; in dense groups one in two meets another at a time. Without a time limit, a missing
+// reservation does no harm.
 void RunWorld::expectRocks(std::size_t rocks) {
   if (!scene_.description.budget.microseconds) return;
   dispatcher_.expectPairs({.trees = rocks / 2, .terrains = rocks});

@@ -6,9 +6,9 @@
 
 namespace cairn::rockfall {
 
-/// What `explainEffects` asks of a scene, which must outlive the answer. Regions are looked at in a lattice of 256
-/// points along each side of their box, and at their corners. Rocks that
-/// find no free place begin higher: by as much as in run 0 and one rock more.
+/// Returns the bounds for `explainEffects`; the scene must outlive them. Regions are sampled at 256 points along each
+/// side of their box, and at their corners. Rocks without a free place start higher. The bound adds the greatest such
+/// height of run 0 and one rock more.
 SceneBounds boundsOf(const Scene& scene);
 
 }  // namespace cairn::rockfall

@@ -8,15 +8,16 @@
 
 namespace cairn::rockfall {
 
-/// Where on the map the world's origin is to be, so that Bullet's single precision tells half a millimetre all over
-/// the ground: at the map's own if no coordinate reaches 10 km, else in the middle of the ground, on whole kilometres.
-/// Heights are those of the map. Fails for ground that is too large or too high for that, with the path in the case.
+/// Returns the place of the world's origin on the map, so that Bullet's single precision resolves half a millimetre all
+/// over the ground. It is the map's own origin if no coordinate reaches 10 km. Otherwise it is the middle of the
+/// ground, on whole kilometres. Heights are those of the map. Fails, with the path in the case, for ground that is too
+/// large or too high for this.
 Result<MapPoint> worldOriginOf(const bullet::TerrainGrid& grid);
 
-/// The case, in the map's coordinates before, in those of a world with its origin there. What its files hold stays as
-/// it is.
+/// Converts the case from the map's coordinates to those of a world with its origin there. Contents of its files stay
+/// unchanged.
 void moveToWorld(Case& description, const MapPoint& origin);
-/// The other way, for what a run writes down. Cells count from the map's origin already.
+/// Converts a run's records back to the map's coordinates. Cells count from the map's origin already.
 void moveToMap(RunResult& result, const MapPoint& origin);
 
 }  // namespace cairn::rockfall

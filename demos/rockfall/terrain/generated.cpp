@@ -12,15 +12,16 @@ namespace cairn::rockfall {
 
 namespace {
 
-constexpr std::uint64_t kTerrainFamily = 0x67726F756E64;  // apart from the seeds of runs
+constexpr std::uint64_t kTerrainFamily = 0x67726F756E64;  // separate from the seeds of runs
 constexpr double kBankWidth = 1;                          // metres over which a bank rises
 
-// Rounded to float: a C library's last bit does not show.
+// Rounds to float, so that a C library's last bit has no effect.
 double slopeOf(double degrees) {
   return double(static_cast<float>(std::tan(degrees * std::numbers::pi / 180)));
 }
 
-// So many cells that they cover a length; one that is a whole number of them but for roundings takes no more.
+// Returns the number of cells that cover a length. A length that is a whole number of cells up to rounding takes no
+// additional cell.
 double cellsOver(double length, double cell) {
   return std::max(std::ceil(length / cell - 1e-9), 1.0);
 }
@@ -31,7 +32,7 @@ struct Layout {
   double cells;      // along x
   double halfCells;  // along y, on each side of the middle
   double roughness;  // metres
-  bool isMirrored;   // the roughness too
+  bool isMirrored;   // roughness included
 };
 
 Layout layoutOf(const GeneratedGrid& grid, double firstX, double length, double width) {
@@ -39,7 +40,7 @@ Layout layoutOf(const GeneratedGrid& grid, double firstX, double length, double 
           grid.roughnessM, false};
 }
 
-// Heights by `height(x, y)`, and roughness.
+// Makes heights by `height(x, y)`, and adds roughness.
 Result<bullet::TerrainGrid> makeGrid(const Layout& layout, std::uint64_t seed, const auto& height) {
   const auto columns = static_cast<std::uint64_t>(layout.cells) + 1,
              half = static_cast<std::uint64_t>(layout.halfCells);

@@ -9,14 +9,14 @@
 
 namespace cairn::rockfall {
 
-/// A case's terrain in the map's coordinates.
+/// The terrain of a case, in the map's coordinates.
 struct MapTerrain {
   bullet::TerrainGrid grid;
   std::string projection;  ///< of the raster it came from, as WKT; empty where it is not known
 };
 
-/// Generates the terrain of a case, or reads its raster or mesh, named relative to the case's folder. Fails in one
-/// sentence with the path in the case and, for files, their names.
+/// Generates the terrain of a case, or reads its raster or mesh. File names are relative to the case's folder. Fails in
+/// one sentence with the path in the case and, for files, their names.
 Result<MapTerrain> terrainOf(const Case& scene);
 
 }  // namespace cairn::rockfall

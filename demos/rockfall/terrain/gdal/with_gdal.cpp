@@ -19,14 +19,14 @@ namespace cairn::rockfall {
 
 namespace {
 
-constexpr double kSquare = 1e-6;  // by how much of itself a cell may be longer than wide
+constexpr double kSquare = 1e-6;  // largest relative difference of a cell's sides
 
 struct Close {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<GDALDataset, Close>;
 
-// GDAL prints nothing while this lives; what it would have said becomes part of our sentence.
+// Suppresses GDAL's output while it exists; the message becomes part of our sentence.
 class Quiet {
  public:
   Quiet() {
@@ -55,7 +55,7 @@ Status checkUnits(const OGRSpatialReference* reference) {
   return {};
 }
 
-// Where rows and columns are: `way` is +1 where rows go north.
+// The positions of rows and columns; `way` is +1 where rows go north.
 struct GeoFrame {
   double cell = 1, x = 0, y = 0;
   bool isNorthUp = true;
@@ -134,7 +134,7 @@ Status writeTo(const std::filesystem::path& path, const Raster& raster) {
         band.RasterIO(GF_Write, 0, line, columns, 1, values.data(), columns, 1, GDT_Float64, 0, 0, nullptr) == CE_None;
   }
   CPLErrorReset();
-  dataset.reset();  // writes what it still holds, and has no other way to say that it could not
+  dataset.reset();  // flushes; it has no other way to report that it could not
   if (!isFine || CPLGetLastErrorType() >= CE_Failure) return Error{Quiet::said()};
   return {};
 }
@@ -147,7 +147,7 @@ bool hasGdal() {
 
 Result<Raster> readByGdal(const std::filesystem::path& path) {
   std::error_code ignored;
-  // GDAL takes names for addresses of all kinds, some on other machines.
+  // GDAL interprets names as addresses of many kinds, some on other machines.
   if (!std::filesystem::is_regular_file(path, ignored)) return Error{path.string() + ": is no file that can be read"};
   const Quiet quiet;
   const Dataset dataset(static_cast<GDALDataset*>(
