@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one place that calls assimp to write.
+// Only this file writes with assimp.
 #include <assimp/scene.h>
 #include <fmt/format.h>
 

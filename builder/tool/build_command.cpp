@@ -93,7 +93,7 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   return kDone;
 }
 
-/// What is done to sphere sets, from the words given for it.
+/// Reads the options for sphere sets from their texts.
 Status readSetTreatment(BuildCommand& command) {
   if (!command.optimiser.empty()) {
     const Result<builder::Optimiser> optimiser = builder::parseOptimiser(command.optimiser);
@@ -124,7 +124,7 @@ int run(BuildCommand& command) {
   return finish(command, built.value(), cpuSeconds, wallSeconds, bar.callback());
 }
 
-/// What single options cannot tell; throws as the parser does.
+/// Checks combinations of options; throws as the parser does.
 void checkUsage(const BuildCommand& command) {
   checkMeshSource(command.source);
   const Result<builder::Method> method = builder::parseMethod(command.method);

@@ -11,13 +11,13 @@
 
 namespace cairn::tool {
 
-/// What the program ends with; scripts rely on it.
+/// The exit codes of the program; scripts rely on them.
 enum ExitCode { kDone = 0, kRefused = 1, kWrongUsage = 2, kCancelledByUser = 130 };
 
-/// What the chosen subcommand does once all options are known; returns the exit code.
+/// The work of the chosen subcommand once all options are known; returns the exit code.
 using Action = std::function<int()>;
 
-/// Each adds one subcommand, which sets `action` when it is the one chosen.
+/// Each function adds one subcommand, which sets `action` when the user chooses it.
 void addBuildCommand(CLI::App& app, Action& action);
 void addEvaluateCommand(CLI::App& app, Action& action);
 void addCertifyCommand(CLI::App& app, Action& action);
@@ -26,15 +26,16 @@ void addExportCommand(CLI::App& app, Action& action);
 void addSimplifyCommand(CLI::App& app, Action& action);
 void addBoundCommand(CLI::App& app, Action& action);
 void addFractureCommand(CLI::App& app, Action& action);
-/// `advise` becomes the program `cairn-advise` beside this one: it needs the plugin, which the builder never meets.
+/// `advise` is replaced by the program `cairn-advise` beside this one: it needs the plugin, which the builder never
+/// includes.
 void addAdviseCommand(CLI::App& app, Action& action);
 
 /// Prints `cairn: <sentence>` on standard error (nothing more than "cancelled" when the user did that) and returns the
 /// exit code that belongs to the error.
 int refuse(const Error& error);
 
-/// Whether every output could be written (empty names of inputs and outputs are passed over, as is "-") and is neither
-/// an input nor another output, whatever names they go by. Asked before any work starts.
+/// Fails unless every output can be written and is neither an input nor another output, under any name. Empty names and
+/// "-" are skipped. Called before any work starts.
 Status checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 /// Adds `--seed`, a whole number of 64 bits.

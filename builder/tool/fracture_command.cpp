@@ -62,7 +62,7 @@ Json reportOf(const FractureCommand& command, const builder::Fracture& fracture,
   return json;
 }
 
-/// The same error with what it is about; that of a cancelled run is told by its words and stays as it is.
+/// Puts the subject before an error. The error of a cancelled run is recognised by its text and stays unchanged.
 Error about(const std::string& what, const Error& error) {
   if (error.message == builder::kCancelled) return error;
   return {fmt::format("{}: {}", what, error.message)};
@@ -80,7 +80,7 @@ Result<SphereTree> provenTree(const builder::TriangleMesh& mesh, const builder::
       fmt::format("its tree could not be certified ({}); try other options and report this mesh", failures.front())};
 }
 
-/// Whether the folder is there or could be made. To be asked before the work it is to hold.
+/// Fails unless the folder exists or can be made. Called before the work whose files it will hold.
 Status checkFolder(const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::path there = folder.lexically_normal();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// rockfall: rocks down a slope as a case file tells it, in ensembles, headless.
+// rockfall simulates rocks on a slope from a case file, in ensembles, without a window.
 #include <fmt/core.h>
 
 #include <unistd.h>
@@ -18,7 +18,7 @@
 namespace cairn::rockfall {
 namespace {
 
-/// A sentence that begins with a path into the case gets its file's name before it.
+/// Puts the case file's name before an error sentence that begins with a path in the case.
 Error inCase(const std::filesystem::path& file, const Error& error) {
   for (const char* section : {"/terrain", "/rocks/", "/effects/", "/outputs/"})
     if (error.message.starts_with(section)) return Error{fmt::format("{}: {}", file.string(), error.message)};

@@ -10,7 +10,7 @@
 
 namespace cairn::rockfall {
 
-/// What can be said of a group of rocks before anything is simulated. SI units.
+/// Bounds for a group of rocks before any simulation. SI units.
 struct GroupBounds {
   double smallestSieveM = 0, largestSieveM = 0;
   double smallestRadiusM = 0, largestRadiusM = 0;  ///< half the sieve size; farthest point from the centre
@@ -20,15 +20,15 @@ struct GroupBounds {
   double greatestSpeedMPerS = 0;    ///< sqrt(v0^2 + 2 g fall): nothing gains energy from anything but its fall
 };
 
-/// The same of a scene.
+/// Bounds for a scene before any simulation.
 struct SceneBounds {
   std::vector<GroupBounds> groups;
   std::vector<MaterialId> groundMaterials;  ///< those the ground has somewhere
-  /// The lowest ground within a region, or nothing where the region is not over the ground at all.
+  /// Returns the lowest ground within a region; nothing for a region without ground.
   std::function<std::optional<double>(const Polygon&)> lowestGround;
 };
 
-/// Whether a listed effect could act.
+/// The possible action of a listed effect.
 struct EffectOutlook {
   std::size_t index = 0;  ///< in the case's list
   std::string name;
@@ -37,8 +37,8 @@ struct EffectOutlook {
   std::string advice;                 ///< what it may do that nobody means, and what to do; empty: nothing known
 };
 
-/// Of every listed effect. Bounds, not forecasts: what is said to be able to act may still not, what is said never to
-/// act does not.
+/// Returns the outlook of every listed effect. Outlooks are bounds, not forecasts: an effect that may act need not act,
+/// but an effect that can never act does not.
 std::vector<EffectOutlook> explainEffects(const Case& scene, const SceneBounds& bounds);
 
 }  // namespace cairn::rockfall

@@ -11,7 +11,7 @@
 
 namespace cairn::rockfall {
 
-/// What every generated terrain has: z up, downhill along +x, its middle at y = 0.
+/// The common options of generated terrains: z up, downhill along +x, the middle at y = 0.
 struct GeneratedGrid {
   double widthM = 0;      ///< across, in y
   double cellM = 1;       ///< between grid points
@@ -25,7 +25,7 @@ struct PlaneTerrain {
   double slopeDeg = 0;  ///< below the horizontal
 };
 
-/// Risers and benches: straight between the corners of a profile, the same all across, between banks.
+/// Risers and benches between banks: straight between the corners of a profile, the same over the whole width.
 struct SteppedSlopeTerrain {
   GeneratedGrid grid;
   std::vector<MapPoint> profileM;  ///< x and z, x rising
@@ -61,7 +61,7 @@ struct MeshTerrain {
 using TerrainSource =
     std::variant<PlaneTerrain, SteppedSlopeTerrain, ChannelTerrain, TalusConeTerrain, RasterTerrain, MeshTerrain>;
 
-/// A part of the ground that is made of something else. Of several over one place, the last counts.
+/// A part of the ground with its own material. Where zones overlap, the last one counts.
 struct Zone {
   MaterialId material = 0;
   Polygon polygon;

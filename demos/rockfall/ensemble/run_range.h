@@ -19,7 +19,7 @@ struct RunRange {
 /// Largest number of a run, plus one. It keeps seeds different and file names sorted.
 inline constexpr std::uint64_t kMaxRuns = 1'000'000'000;
 
-/// "a:b", a below b. Fails in one sentence otherwise.
+/// Reads a range "a:b" with a < b. Fails in one sentence for any other text.
 Result<RunRange> parseRange(std::string_view text);
 
 /// Returns part i of n, given as "i/n" and counted from 1. The ranges of all parts are disjoint, cover the whole, and

@@ -13,7 +13,7 @@
 
 namespace cairn::rockfall {
 
-/// What passed through a cell of the map, or a distance from the release: one value a rock and run.
+/// The rocks that passed through a cell of the map, or a distance from the release: one value for each rock and run.
 struct CellSummary {
   LogHistogram energyJ, heightM;
   std::uint64_t stops = 0;
@@ -39,7 +39,7 @@ struct MergedRuns {
   std::vector<CollectorSummary> collectors;
   std::vector<EffectRecord> effects;  ///< of all runs together, in the order of the case's list
 
-  /// To be called by rising run. `cellM`: of the rasters, if there are any.
+  /// Adds a run. Call it in ascending order of runs. `cellM`: cell size of the rasters, if any.
   void add(const RunResult& result, std::optional<double> cellM);
 
  private:

@@ -8,11 +8,11 @@
 
 namespace cairn::rockfall {
 
-/// The tables of an ensemble as CSV, a heading first, grown run by run and kept in memory (about 150 bytes a line).
+/// The tables of an ensemble as CSV with a header line. They grow run by run in memory (about 150 bytes a line).
 class Tables {
  public:
   explicit Tables(const Case& description);
-  /// To be called by rising run.
+  /// Adds a run. Call it in ascending order of runs.
   void add(const RunResult& result);
 
   const std::string& runs() const { return runs_; }

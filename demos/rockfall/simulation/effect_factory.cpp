@@ -58,7 +58,7 @@ effects::Region regionOf(const Polygon& polygon) {
   return effects::Region(std::move(corners));
 }
 
-/// What the stand has of the ground, but for its polygon's corners.
+/// The area of the stand over the ground, except at its polygon's corners.
 std::array<MapPoint, 2> boxOf(const StandOfTrees& stand, const Ground& ground) {
   MapPoint low{ground.lower().x, ground.lower().y}, high{ground.upper().x, ground.upper().y};
   for (std::size_t axis = 0; axis < 2 && !stand.polygon.empty(); ++axis) {
@@ -174,7 +174,7 @@ class Factory {
   }
 
  private:
-  // By the effect's name and its number among those of its kind, so that where it is listed decides nothing.
+  // By the effect's name and its number among those of its kind, so that the order of the list has no influence.
   std::uint64_t seed(std::uint64_t run) const {
     const auto& effects = scene_.description.effects;
     const std::string_view name = nameOf(effects[place_]);

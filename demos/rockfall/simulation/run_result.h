@@ -11,7 +11,7 @@
 
 namespace cairn::rockfall {
 
-/// How a rock was when its run ended.
+/// The state of a rock at the end of its run.
 enum class RockEnd : std::uint8_t {
   resting,  ///< asleep
   moving,   ///< the run's time was over
@@ -32,7 +32,7 @@ struct RockRecord {
   double maxSpeed = 0, maxEnergyJ = 0, maxHeightM = 0;
   std::uint32_t impacts = 0;  ///< all of them, whatever is recorded of each
 
-  /// Horizontal, as the crow flies.
+  /// Horizontal distance in a straight line, metres.
   double runoutM() const;
 };
 
@@ -51,7 +51,7 @@ struct CrossingRecord {
   double timeS = 0, alongM = 0, heightM = 0, speed = 0, energyJ = 0;
 };
 
-/// What one rock did in one cell of the raster, or at one distance from its release.
+/// The greatest values of one rock in one cell of the raster, or at one distance from its release.
 struct VisitRecord {
   std::uint32_t rock = 0;
   /// Cell [column, column + 1) times the cell's size, from the map's origin; rows count along y.
@@ -65,7 +65,7 @@ struct TrajectorySample {
   double speed = 0, energyJ = 0, heightM = 0;
 };
 
-/// What a run gave: a pure function of (scene, run), unless microseconds are its budget.
+/// The result of a run: a pure function of (scene, run), unless its budget is in microseconds.
 struct RunResult {
   std::uint64_t run = 0;
   std::vector<RockRecord> rocks;
@@ -76,13 +76,14 @@ struct RunResult {
   std::vector<std::vector<TrajectorySample>> trajectories;  ///< by rock
   std::vector<EffectRecord> effects;                        ///< in the order of the case's list
   std::uint64_t steps = 0, operations = 0, maxOperations = 0;
-  /// Of all rocks as released, and the most by which the energy of all together rose above what it had been: potential
-  /// (from the ground's lowest point) and kinetic. Nothing gives them any, so a rise is an error.
+  /// Energy of all rocks at their release, and the largest rise of their total energy above an earlier value. It is
+  /// potential energy (from the ground's lowest point) plus kinetic energy. No effect adds energy, so a rise is an
+  /// error.
   double releasedEnergyJ = 0, energyRiseJ = 0;
   std::string stateHash;  ///< over all poses and velocities, once a simulated second
 };
 
-/// What a run cost: not reproducible, for reports only.
+/// The cost of a run. It is not reproducible and serves only for reports.
 struct RunCost {
   double cpuS = 0;
   double narrowPhaseP999Us = 0, narrowPhaseMaxUs = 0;

@@ -10,18 +10,20 @@
 
 namespace cairn::rockfall {
 
-/// A case with what all its runs share. In the world's coordinates, description and ground too.
+/// A case and the objects that all its runs share, in the world's coordinates, description and ground included.
 struct Scene {
   Case description;
   MapPoint worldOrigin{};  ///< where the world's origin is on the map, see `worldOriginOf`
   std::unique_ptr<Ground> ground;
   RockStock stock;
-  /// SHA-256, hexadecimal, over case, terrain and trees: runs of equal scenes and equal numbers are equal.
+  /// SHA-256, hexadecimal, over case, terrain and trees. Runs with the same number are equal in scenes with equal
+  /// hashes.
   std::string hash;
 };
 
-/// Fails as `terrainOf`, `worldOriginOf`, `makeGround` and `stockRocks` do, for a release box that reaches beyond the
-/// ground and for rasters of more than 64 million cells or of a format that needs GDAL where it is not built in.
+/// Prepares a scene. Fails as `terrainOf`, `worldOriginOf`, `makeGround` and `stockRocks` do. Also fails for a release
+/// box beyond the ground, for rasters of more than 64 million cells, and for a raster format that needs GDAL in a build
+/// without it.
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
 }  // namespace cairn::rockfall

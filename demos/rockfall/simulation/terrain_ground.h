@@ -9,7 +9,8 @@
 
 namespace cairn::rockfall {
 
-/// A terrain with its zones of materials. All queries take constant time but for the zones whose boxes a point is in.
+/// A terrain with its zones of materials. All queries take constant time, except for the zones whose boxes contain the
+/// point.
 class TerrainGround final : public Ground {
  public:
   TerrainGround(std::unique_ptr<bullet::TerrainShape> shape, TerrainSection section, std::string projection);
@@ -25,7 +26,8 @@ class TerrainGround final : public Ground {
   const std::string& projection() const override { return projection_; }
 
  private:
-  /// In the shape's frame. On the edge, where its float coordinates may be a rounding short of the grid's, within it.
+  /// Converts a point to the shape's frame. Points on the edge are moved inside, because the shape's float coordinates
+  /// may be smaller than the grid's by a rounding.
   MapPoint inShape(const MapPoint& point) const;
 
   std::unique_ptr<bullet::TerrainShape> shape_;
