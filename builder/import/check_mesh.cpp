@@ -21,7 +21,7 @@ std::string text(const Vec3d& p) {
 
 // A tree stores lengths as floats. Their squares must not overflow, and the squares of small leaves, a thousandth of
 // the size, must not lose digits.
-constexpr double kLargestDiagonal = 1e14, kMinDiagonal = 1e-15;
+constexpr double kMaxDiagonal = 1e14, kMinDiagonal = 1e-15;
 // Largest distance of a mesh from the origin, in its diagonals. Beyond it, fewer than six of a coordinate's sixteen
 // digits remain.
 constexpr double kFarthest = 1e10;

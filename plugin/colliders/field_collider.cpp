@@ -16,8 +16,7 @@ namespace {
 constexpr int kMaxDescents = 12;
 // Shortenings of a step that ends where the field rises again; each costs one query.
 constexpr int kMaxShortenings = 3;
-// Least gain of a step that is worth taking, as a fraction of the reach: on flat ground the corners stay what is
-// lowest.
+// Least expected gain of a step, as a fraction of `maxSeparation_`. On flat ground the corners then stay the lowest.
 constexpr float kDescentGain = 0.1F;
 
 }  // namespace

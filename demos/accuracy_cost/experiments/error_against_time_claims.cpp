@@ -13,7 +13,7 @@ namespace cairn::accuracy_cost {
 namespace {
 
 /// The range of errors that matter, as fractions of body size: smaller ones are invisible, larger ones unacceptable.
-constexpr double kMinError = 0.001, kGreatestError = 0.05;
+constexpr double kMinError = 0.001, kMaxError = 0.05;
 
 /// A row's time divided by the tree's, with its interval.
 struct Time {

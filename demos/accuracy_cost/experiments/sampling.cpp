@@ -33,7 +33,7 @@ constexpr double kMuchTheSame = 1.1;
 /// From this Pearson's r squared on, a relation counts as "pretty much linear".
 constexpr double kLinear = 0.95;
 /// The range of powers of the samples at which the growth of the spheres counts as linear.
-constexpr double kMinPower = 0.8, kGreatestPower = 1.25;
+constexpr double kMinPower = 0.8, kMaxPower = 1.25;
 /// Volume that still counts as "nearly zero".
 constexpr double kNearlyNothing = 0.01;
 

@@ -60,7 +60,7 @@ struct Certificate {
 /// source. Its spheres are taken as the exact reals of their floats, placed at the tree's origin.
 ///
 /// A triangle lies in a ball exactly when its corners do. A triangle that lies in no single chain of balls is split
-/// until its pieces do. Pieces are split down to `kSmallestPiece` of the bounding box's diagonal. Branch and bound
+/// until its pieces do. Pieces are split down to `kMinPiece` of the bounding box's diagonal. Branch and bound
 /// encloses protrusions to 1 % or 1e-4 of the diagonal (certify/protrusion.h). All comparisons carry a guard for the
 /// rounding of double arithmetic.
 ///
@@ -82,6 +82,6 @@ Result<Certificate> certify(const SphereTree& tree, const TriangleMesh& mesh, co
 /// overlap by less cannot be proved. Trees of `buildTree` can always be proved. Their balls hold the pieces of their
 /// regions with a margin of 2^-23 of the largest coordinate (tree frame). The largest coordinate is at least 2^-1.8 of
 /// the diagonal. So a ball that touches a piece of this length holds the whole piece.
-inline constexpr double kSmallestPiece = 0x1p-25;
+inline constexpr double kMinPiece = 0x1p-25;
 
 }  // namespace cairn::builder

@@ -10,13 +10,12 @@ namespace cairn {
 
 /// Narrow-phase operations of Eq. 2.1 of Bradshaw's thesis, with the constants of its section 7.2.
 inline constexpr std::uint32_t kSphereUpdateCost = 2;
-/// Of one test whether two spheres overlap.
 inline constexpr std::uint32_t kOverlapTestCost = 1;
 
 /// Part of a budget that is reserved for work after refinement, such as making contacts.
 struct Reservation {
-  std::uint64_t operations = 0;  ///< counted as a budget counts them
-  double nanoseconds = 0;        ///< expected
+  std::uint64_t operations = 0;
+  double nanoseconds = 0;  ///< expected
 };
 
 /// How much work may still be done: a number of operations (reproducible), a time (not reproducible), or whichever ends
@@ -27,20 +26,14 @@ struct Reservation {
 /// traversal of two trees, 80 operations.
 class Budget {
  public:
-  /// The clock that deadlines are measured by: it never goes back.
   using Clock = std::chrono::steady_clock;
-  /// Operations between two looks at the clock.
   static constexpr std::uint32_t kClockInterval = 256;
-  /// The number of operations that stands for no limit.
   static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-  /// Never ends.
   static Budget unlimited() { return Budget(kUnlimited, Clock::time_point::max()); }
-  /// Ends after `count` operations.
   static Budget operations(std::uint64_t count) { return Budget(count, Clock::time_point::max()); }
   /// A deadline this many microseconds from now. Precondition: `microseconds >= 0`.
   static Budget time(double microseconds) { return both(kUnlimited, microseconds); }
-  /// Ends with whichever is spent first. The time runs from now. Precondition: `microseconds >= 0`.
   static Budget both(std::uint64_t operations, double microseconds);
 
   /// Charges `cost` operations if they fit and the deadline has not passed; charges nothing otherwise. `charge(0)` asks
@@ -73,7 +66,6 @@ class Budget {
   /// would never end.
   void guarantee(std::uint64_t operations) { guaranteedUntil_ = used_ + operations; }
 
-  /// Operations charged so far, those that were forced included.
   std::uint64_t used() const { return used_; }
   /// Operations that may still be charged, reservations excluded.
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, reservedOperations_); }
@@ -83,7 +75,6 @@ class Budget {
   double nanosecondsFree() const { return nanosecondsLeft() - reservedNanoseconds_; }
   /// Whether work that was charged as a whole should stop: reads the clock, if there is a deadline.
   bool isLate() { return hasDeadline() && lookAtClock(); }
-  /// Whether time is limited at all.
   bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
 
  private:

@@ -30,9 +30,7 @@ class NarrowPhase {
   /// steps with `beginStep` and `endStep`. Other callers use `install`.
   explicit NarrowPhase(btCollisionDispatcher& dispatcher);
   ~NarrowPhase();
-  /// Moves; the other can only be destroyed or assigned to.
   NarrowPhase(NarrowPhase&&) noexcept;
-  /// Moves; what this was registered with is left as by the destructor.
   NarrowPhase& operator=(NarrowPhase&&) noexcept;
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
@@ -49,7 +47,7 @@ class NarrowPhase {
   void expectPairs(const ExpectedPairs& pairs);
   /// Begins a frame of `steps` steps; `stepFrame` calls this.
   void beginFrame(int steps);
-  /// What pairs answer that the budget leaves unfinished, from the next step on.
+  /// Sets the answer of unfinished pairs; `Unresolved::guard` at first.
   void setUnresolved(Unresolved policy);
   /// Sets where refinement ends, from the next step on. docs/budgets.md explains which pairs go on to triangles within
   /// a budget.
@@ -67,8 +65,6 @@ class NarrowPhase {
 
   /// Call these two around the dispatcher's pass over `pairs`.
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
-  /// The step's end: refines the pairs within the budget and writes their contacts. Precondition: `beginStep` came
-  /// before.
   void endStep();
 
   class Impl;

@@ -15,18 +15,13 @@ namespace cairn::bullet {
 /// sphere-tree included. They are not reproducible. After steps that ran over, planning aims at an earlier end, by a
 /// quarter of the limit at most.
 struct StepBudget {
-  std::optional<std::int64_t> operations;  ///< >= 0
-  std::optional<double> microseconds;      ///< >= 0
+  std::optional<std::int64_t> operations;
+  std::optional<double> microseconds;
 };
 
 /// Numbers of pairs with a sphere-tree that are still to come, besides those that exist, by the tree's collider.
 struct ExpectedPairs {
-  std::size_t trees = 0;           ///< other sphere-trees
-  std::size_t planes = 0;          ///< `btStaticPlaneShape`
-  std::size_t convexShapes = 0;    ///< boxes, balls, hulls and their like
-  std::size_t triangleMeshes = 0;  ///< Bullet's shapes of triangles
-  std::size_t distanceFields = 0;  ///< `btSdfCollisionShape`
-  std::size_t terrains = 0;        ///< `TerrainShape`
+  std::size_t trees = 0, planes = 0, convexShapes = 0, triangleMeshes = 0, distanceFields = 0, terrains = 0;
 };
 
 /// The answer of a pair whose traversal is unfinished (thesis 2.4; compared in docs/algorithms/leaf-contacts.md).
@@ -60,8 +55,9 @@ struct StepStatistics {
   /// Pairs with a sphere-tree that the broad phase reported. Trees nested in three or more compounds are answered at
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
-  /// Pairs of a body whose place, speed or force is NaN or infinite, those included that queries asked about since the
-  /// last step. They have no contacts, so that the body harms no other. The first one is reported on standard error.
+  /// Pairs with a non-finite body: its place, speed or force is NaN or infinite. They get no contacts, so that they
+  /// harm no other pair. Pairs of queries since the last step count too. The first such pair is reported on standard
+  /// error.
   std::uint32_t nonFinitePairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< those of `pairs` that got no budget, or stopped half-way
   std::uint32_t contacts = 0;         ///< points these pairs handed to the solver
@@ -71,12 +67,9 @@ struct StepStatistics {
   /// bounding box). Surfaces that are reported or unresolved are at most this and the speculative distance
   /// (`kSpeculativeFraction`) apart. An unresolved pair counts even when it reports no contact.
   double worstErrorFraction = 0;
-  double meanErrorFraction = 0;  ///< mean of the same over pairs that report anything
-  ///@{
-  /// The same errors as angles in radians at which the viewer sees them, see `cairn::seenError`; 0 without a viewer.
-  double worstSeenError = 0;
-  double meanSeenError = 0;
-  ///@}
+  double meanErrorFraction = 0;  ///< mean error over the pairs that report contacts
+  /// The same errors as angles at the viewer, in radians (`cairn::seenError`); 0 without a viewer.
+  double worstSeenError = 0, meanSeenError = 0;
 };
 
 }  // namespace cairn::bullet

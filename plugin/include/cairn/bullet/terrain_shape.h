@@ -31,7 +31,7 @@ struct TerrainGrid {
   Vec3d origin;
   /// Heights above `origin.z`, row by row, each along x. NaN means no ground at this point.
   std::vector<float> heights;
-  TerrainDiagonals diagonals = TerrainDiagonals::alternating;  ///< how cells are cut in two
+  TerrainDiagonals diagonals = TerrainDiagonals::alternating;
 };
 
 class TerrainLattice;
@@ -64,13 +64,12 @@ class TerrainShape final : public btConcaveShape {
   static Result<std::unique_ptr<TerrainShape>> create(TerrainGrid grid);
   ~TerrainShape() override;
 
-  /// The points the shape was made of.
+  /// The grid that `create` was given.
   const TerrainGrid& grid() const;
   /// The origin of the shape's frame in the user's coordinates.
   const Vec3d& origin() const { return origin_; }
   /// The bounds of all triangles, in the shape's frame.
   const btVector3& lower() const { return lower_; }
-  /// Greatest coordinates of all triangles, in the shape's frame.
   const btVector3& upper() const { return upper_; }
 
   /// Height of the triangles over (x, y) in the shape's frame; empty without ground. Constant time.
@@ -90,9 +89,7 @@ class TerrainShape final : public btConcaveShape {
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
   /// Refuses any scale except 1, with a message on standard error: scale the grid instead.
   void setLocalScaling(const btVector3& scaling) override;
-  /// Always 1.
   const btVector3& getLocalScaling() const override { return scaling_; }
-  /// The kind of shape, as everywhere in Bullet.
   const char* getName() const override { return "CairnTerrain"; }
   /// Refuses, with a message on standard error, because a `.bullet` file holds no heights. An importer finds neither
   /// shape nor body. Create the terrain again from its grid.
@@ -119,7 +116,7 @@ struct TerrainTriangle {
   std::uint32_t column = 0, row = 0;  ///< the cell from point (column, row) to (column + 1, row + 1)
   bool isUpper = false;               ///< the cell's triangle at greater y
 
-  /// The index that contacts and hits of `grid`'s terrain give this triangle.
+  /// The index in contacts and hits. Precondition: a cell of `grid`.
   int index(const TerrainGrid& grid) const {
     return static_cast<int>(2 * (row * (grid.columns - 1) + column) + (isUpper ? 1 : 0));
   }
