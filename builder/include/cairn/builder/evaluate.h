@@ -23,19 +23,22 @@ struct LevelFit {
   std::uint32_t spheres = 0;        ///< number of spheres in the cut
   double certifiedMaxFraction = 0;  ///< upper bound of the worst sphere's error
   double certifiedRmsFraction = 0;  ///< root mean square over the spheres (Eq. 6.1; see the errata)
-  /// Errors at points spread over each sphere, never above the certified ones: largest, mean, root mean square and
-  /// variance over the spheres. The variance is a fraction of the diagonal squared.
-  double sampledMaxFraction = 0, sampledMeanFraction = 0, sampledRmsFraction = 0, sampledVarianceFractionSquared = 0;
-  double uncoveredAreaFraction = 0;  ///< share of area samples that lie outside all spheres
-  /// Volume of the solid outside all spheres, and the standard error of that estimate. A tree covers the surface, so
+  /// The largest error at points spread over each sphere; never above the certified one.
+  double sampledMaxFraction = 0;
+  double sampledMeanFraction = 0;             ///< mean of these errors over the spheres
+  double sampledRmsFraction = 0;              ///< root mean square of these errors over the spheres
+  double sampledVarianceFractionSquared = 0;  ///< their variance, a fraction of the diagonal squared
+  double uncoveredAreaFraction = 0;           ///< share of area samples that lie outside all spheres
+  /// Volume of the solid outside all spheres. A tree covers the surface, so
   /// its inside may be hollow. No sphere detects a body in the hollow.
-  double uncoveredVolumeFraction = 0, uncoveredVolumeStandardErrorFraction = 0;
-  /// Depth of the uncovered volume below the surface: the deepest sample, and the root mean square over the volume.
-  double uncoveredDepthMaxFraction = 0, uncoveredDepthRmsFraction = 0;
-  /// Volume of the spheres' union outside the solid, and the standard error of that estimate.
-  double wastedVolumeFraction = 0, wastedVolumeStandardErrorFraction = 0;
-  bool coverageProven = false;   ///< as `LevelCertificate::coverageProven`
-  bool reachableProven = false;  ///< as `LevelCertificate::reachableProven`
+  double uncoveredVolumeFraction = 0;
+  double uncoveredVolumeStandardErrorFraction = 0;  ///< standard error of `uncoveredVolumeFraction`
+  double uncoveredDepthMaxFraction = 0;             ///< depth below the surface of the deepest uncovered sample
+  double uncoveredDepthRmsFraction = 0;             ///< root mean square depth over the uncovered volume
+  double wastedVolumeFraction = 0;                  ///< volume of the spheres' union outside the solid
+  double wastedVolumeStandardErrorFraction = 0;     ///< standard error of `wastedVolumeFraction`
+  bool coverageProven = false;                      ///< as `LevelCertificate::coverageProven`
+  bool reachableProven = false;                     ///< as `LevelCertificate::reachableProven`
 };
 
 /// Selects whether the sampled measures are taken too; they cost far more than the proof.

@@ -8,14 +8,16 @@
 
 namespace cairn {
 
-/// Narrow-phase operations of Eq. 2.1 of Bradshaw's thesis, with the constants of its section 7.2.
+/// Operations of moving one sphere into another frame. These costs are those of Eq. 2.1 of Bradshaw's thesis, with the
+/// constants of its section 7.2.
 inline constexpr std::uint32_t kSphereUpdateCost = 2;
+/// Operations of one overlap test of two spheres.
 inline constexpr std::uint32_t kOverlapTestCost = 1;
 
 /// Part of a budget that is reserved for work after refinement, such as making contacts.
 struct Reservation {
-  std::uint64_t operations = 0;
-  double nanoseconds = 0;  ///< expected
+  std::uint64_t operations = 0;  ///< the reserved number of operations
+  double nanoseconds = 0;        ///< expected time of that work
 };
 
 /// How much work may still be done: a number of operations (reproducible), a time (not reproducible), or whichever ends
@@ -26,14 +28,20 @@ struct Reservation {
 /// traversal of two trees, 80 operations.
 class Budget {
  public:
+  /// The clock of deadlines: it never goes back.
   using Clock = std::chrono::steady_clock;
+  /// Operations between two looks at the clock.
   static constexpr std::uint32_t kClockInterval = 256;
+  /// The number of operations that means no limit.
   static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
+  /// A budget without a limit.
   static Budget unlimited() { return Budget(kUnlimited, Clock::time_point::max()); }
+  /// A budget of `count` operations, without a deadline.
   static Budget operations(std::uint64_t count) { return Budget(count, Clock::time_point::max()); }
   /// A deadline this many microseconds from now. Precondition: `microseconds >= 0`.
   static Budget time(double microseconds) { return both(kUnlimited, microseconds); }
+  /// A budget of operations with a deadline this many microseconds from now. Precondition: `microseconds >= 0`.
   static Budget both(std::uint64_t operations, double microseconds);
 
   /// Charges `cost` operations if they fit and the deadline has not passed; charges nothing otherwise. `charge(0)` asks
@@ -66,6 +74,7 @@ class Budget {
   /// would never end.
   void guarantee(std::uint64_t operations) { guaranteedUntil_ = used_ + operations; }
 
+  /// Operations charged so far.
   std::uint64_t used() const { return used_; }
   /// Operations that may still be charged, reservations excluded.
   std::uint64_t remaining() const { return remaining_ - std::min(remaining_, reservedOperations_); }
@@ -75,6 +84,7 @@ class Budget {
   double nanosecondsFree() const { return nanosecondsLeft() - reservedNanoseconds_; }
   /// Whether work that was charged as a whole should stop: reads the clock, if there is a deadline.
   bool isLate() { return hasDeadline() && lookAtClock(); }
+  /// Whether the budget has a deadline.
   bool hasDeadline() const { return deadline_ != Clock::time_point::max(); }
 
  private:

@@ -30,7 +30,9 @@ class NarrowPhase {
   /// steps with `beginStep` and `endStep`. Other callers use `install`.
   explicit NarrowPhase(btCollisionDispatcher& dispatcher);
   ~NarrowPhase();
+  /// The dispatcher keeps its narrow phase: only the owner changes.
   NarrowPhase(NarrowPhase&&) noexcept;
+  /// Ends the narrow phase held so far, as on destruction, and takes over the other.
   NarrowPhase& operator=(NarrowPhase&&) noexcept;
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
@@ -63,8 +65,9 @@ class NarrowPhase {
   /// none; linear in the pairs where installed on a dispatcher.
   const StepStatistics& lastStep() const;
 
-  /// Call these two around the dispatcher's pass over `pairs`.
+  /// Call this before the dispatcher's pass over `pairs`.
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
+  /// Call this after that pass.
   void endStep();
 
   class Impl;

@@ -82,7 +82,9 @@ class SphereTreeShape final : public btConcaveShape {
     return create(std::make_shared<const SphereTree>(std::move(tree)), frame, scale);
   }
 
+  /// The tree that bodies with this shape collide as.
   const SphereTree& tree() const { return *tree_; }
+  /// The tree, to be shared with other shapes.
   const std::shared_ptr<const SphereTree>& sharedTree() const { return tree_; }
   /// The frame that `create` was given.
   BodyFrame bodyFrame() const { return frame_; }
@@ -98,6 +100,7 @@ class SphereTreeShape final : public btConcaveShape {
 
   /// Bytes of memory that belong to this shape alone, without the shared tree (`SphereTree::memoryBytes`).
   std::size_t memoryBytes() const;
+  /// The target that rays and sweeps hit now; see `setCastTarget`.
   CastTarget castTarget() const { return leafBalls_ ? CastTarget::spheres : CastTarget::triangles; }
   /// Sets the target for all bodies with this shape; triangles at first. Do not call while another thread casts. Cost
   /// of `spheres`: linear in the tree, and 16 bytes a node.
@@ -116,6 +119,7 @@ class SphereTreeShape final : public btConcaveShape {
   /// Refuses a margin that is negative, NaN or more than 2^23 times the size. The unit in the last place of so large a
   /// float exceeds the whole mesh. A refusal is printed on standard error and leaves the shape unchanged.
   void setMargin(btScalar margin) override;
+  /// The scale as Bullet asks for it: three times the same number.
   const btVector3& getLocalScaling() const override { return localScaling_; }
 
   /// The box of the source mesh's convex hull at this rotation, within 1e-4 of the size. It is grown by the margin and
@@ -146,7 +150,9 @@ class SphereTreeShape final : public btConcaveShape {
   /// The level whose spheres `serialize` writes for programs that know only Bullet. Leaves above the level belong to
   /// it.
   std::uint32_t compoundLevel() const { return compoundLevel_; }
+  /// Takes effect at the next `serialize`; a level deeper than the tree means its leaves.
   void setCompoundLevel(std::uint32_t level) { compoundLevel_ = level; }
+  /// Bytes of the structure that `serialize` fills.
   int calculateSerializeBufferSize() const override;
   /// For `btDefaultSerializer`. Writes a compound of the spheres of `compoundLevel`, which Bullet's own importer loads.
   /// Radii are grown by the margin, and all numbers are rounded to float. Beside the compound it writes the tree, which

@@ -15,13 +15,18 @@ namespace cairn::bullet {
 /// sphere-tree included. They are not reproducible. After steps that ran over, planning aims at an earlier end, by a
 /// quarter of the limit at most.
 struct StepBudget {
-  std::optional<std::int64_t> operations;
-  std::optional<double> microseconds;
+  std::optional<std::int64_t> operations;  ///< limit of refinement; unset: none
+  std::optional<double> microseconds;      ///< limit of elapsed time; unset: none
 };
 
 /// Numbers of pairs with a sphere-tree that are still to come, besides those that exist, by the tree's collider.
 struct ExpectedPairs {
-  std::size_t trees = 0, planes = 0, convexShapes = 0, triangleMeshes = 0, distanceFields = 0, terrains = 0;
+  std::size_t trees = 0;           ///< pairs of two trees
+  std::size_t planes = 0;          ///< pairs with a `btStaticPlaneShape`
+  std::size_t convexShapes = 0;    ///< pairs with any convex shape
+  std::size_t triangleMeshes = 0;  ///< pairs with a shape of triangles
+  std::size_t distanceFields = 0;  ///< pairs with a `btSdfCollisionShape`
+  std::size_t terrains = 0;        ///< pairs with a `TerrainShape`
 };
 
 /// The answer of a pair whose traversal is unfinished (thesis 2.4; compared in docs/algorithms/leaf-contacts.md).
@@ -68,8 +73,9 @@ struct StepStatistics {
   /// (`kSpeculativeFraction`) apart. An unresolved pair counts even when it reports no contact.
   double worstErrorFraction = 0;
   double meanErrorFraction = 0;  ///< mean error over the pairs that report contacts
-  /// The same errors as angles at the viewer, in radians (`cairn::seenError`); 0 without a viewer.
-  double worstSeenError = 0, meanSeenError = 0;
+  /// The largest error as an angle at the viewer, in radians (`cairn::seenError`); 0 without a viewer.
+  double worstSeenError = 0;
+  double meanSeenError = 0;  ///< mean of these angles over the pairs that report contacts
 };
 
 }  // namespace cairn::bullet

@@ -31,7 +31,7 @@ struct TerrainGrid {
   Vec3d origin;
   /// Heights above `origin.z`, row by row, each along x. NaN means no ground at this point.
   std::vector<float> heights;
-  TerrainDiagonals diagonals = TerrainDiagonals::alternating;
+  TerrainDiagonals diagonals = TerrainDiagonals::alternating;  ///< how cells are cut into triangles
 };
 
 class TerrainLattice;
@@ -68,8 +68,9 @@ class TerrainShape final : public btConcaveShape {
   const TerrainGrid& grid() const;
   /// The origin of the shape's frame in the user's coordinates.
   const Vec3d& origin() const { return origin_; }
-  /// The bounds of all triangles, in the shape's frame.
+  /// The lower corner of the box around all triangles, in the shape's frame.
   const btVector3& lower() const { return lower_; }
+  /// The upper corner of that box.
   const btVector3& upper() const { return upper_; }
 
   /// Height of the triangles over (x, y) in the shape's frame; empty without ground. Constant time.
@@ -89,7 +90,9 @@ class TerrainShape final : public btConcaveShape {
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
   /// Refuses any scale except 1, with a message on standard error: scale the grid instead.
   void setLocalScaling(const btVector3& scaling) override;
+  /// The scale of the grid along its axes.
   const btVector3& getLocalScaling() const override { return scaling_; }
+  /// The name of this kind of shape, as everywhere in Bullet.
   const char* getName() const override { return "CairnTerrain"; }
   /// Refuses, with a message on standard error, because a `.bullet` file holds no heights. An importer finds neither
   /// shape nor body. Create the terrain again from its grid.

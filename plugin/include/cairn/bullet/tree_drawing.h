@@ -21,8 +21,10 @@ namespace cairn::bullet {
 /// A level deeper than a tree means its leaves; leaves above a level belong to it. Cost: linear in the tree. A drawer
 /// that does not draw spheres itself gets some 150 lines a sphere.
 
-/// The range of the logarithmic colour scale: certified errors as fractions of `SphereTreeShape::size`.
-inline constexpr double kMinErrorShown = 0.003, kMaxErrorShown = 0.5;
+/// The lower end of the logarithmic colour scale: a certified error as a fraction of `SphereTreeShape::size`.
+inline constexpr double kMinErrorShown = 0.003;
+/// The upper end of that scale.
+inline constexpr double kMaxErrorShown = 0.5;
 
 /// Red, green and blue at equal steps of the scale; each step is 2.8 times the error of the last. Blue is 0.3 %, sky
 /// 0.83 %, teal 2.3 %, green 6.5 %, lime 18 %, yellow 50 %. Lightness rises steadily, so that everyone can read the
@@ -61,8 +63,10 @@ class TreeDrawing : public World {
 
   /// Sets the level to draw; unset: triangles, as Bullet draws them.
   void setTreeLevel(std::optional<std::uint32_t> level) { treeLevel_ = level; }
+  /// The level to draw; unset: triangles.
   std::optional<std::uint32_t> treeLevel() const { return treeLevel_; }
 
+  /// Draws a tree's spheres at `treeLevel`, and every other shape as Bullet does.
   void debugDrawObject(const btTransform& worldTransform, const btCollisionShape* shape,
                        const btVector3& color) override {
     const SphereTreeShape* tree = treeLevel_ ? asSphereTree(shape) : nullptr;
