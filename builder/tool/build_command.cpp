@@ -11,6 +11,7 @@
 #include "cairn/core/tree_file.h"
 #include "tool/command.h"
 #include "tool/interrupt.h"
+#include "tool/judgement.h"
 #include "tool/mesh_source.h"
 #include "tool/progress_bar.h"
 #include "tool/report.h"
@@ -73,7 +74,8 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   const auto fits =
       builder::evaluate(built.tree, built.source.mesh, built.certificate, sampling, command.options.seed, progress);
   if (!fits) return refuse(fits.error());
-  if (interrupted()) return refuse({std::string(builder::kCancelled)});
+  const Judgement judgement = judge(built.tree.info(), fits.value());
+  if (Status s = beginWriting(); !s) return refuse(s.error());
   if (Status s = writeMeshOutput(built.source, command.source); !s) return refuse(s.error());
   if (Status s = saveTree(built.tree, command.output); !s) return refuse(s.error());
   Json json = buildInfoJson(built.tree);
@@ -83,6 +85,8 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
   json["peak_rss_mb"] = peakMb;
   json["tree_sha256"] = treeSha256(built.tree);
   json["levels"] = levelsJson(fits.value(), sampling);
+  json["leaf_error_fraction"] = judgement.leafErrorFraction;
+  json["advice"] = judgement.words;
   reportMeshSource(built.source, fits.value(), json);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
   if (command.json == "-") return kDone;
@@ -90,6 +94,7 @@ int finish(const BuildCommand& command, const Built& built, double cpuSeconds, d
              built.tree.nodeCount(), built.source.mesh.triangles.size(), wallSeconds, cpuSeconds, peakMb);
   printLevels(fits.value(), sampling);
   printMeshSource(built.source, fits.value());
+  fmt::print("{}\n", judgement.words);
   return kDone;
 }
 

@@ -22,7 +22,8 @@ constexpr const char* kAboutCertify =
     "support points lie in their spheres. Not proved: that support points, face normals and region triangles, from "
     "which\n"
     "contacts are made, are well chosen.\n"
-    "Ends with 1 and the first gap found when that is not so. For a tree built with --repair or --wrap, MESH is what "
+    "Ends with 1 and the first gap found when that is not so; --json has them all. For a tree built with --repair or "
+    "--wrap, MESH is what "
     "--mesh-output wrote.\n\n"
     "  cairn certify rock.obj rock.cairn\n"
     "  cairn certify rock.obj rock.cairn --json proof.json";
@@ -52,10 +53,7 @@ int run(const CertifyCommand& command) {
   if (!examination) return refuse(examination.error());
   const Json json = certificateJson(examination.value(), command.threads);
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
-  if (command.json != "-") {
-    printLevels(examination.value().fits, builder::Sampling::none);
-    for (const std::string& failure : examination.value().failures) fmt::print("{}\n", failure);
-  }
+  if (command.json != "-") printLevels(examination.value().fits, builder::Sampling::none);
   return refuseUnproved(examination.value(), command.tree);
 }
 

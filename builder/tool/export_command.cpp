@@ -10,6 +10,7 @@
 #include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
 #include "tool/command.h"
+#include "tool/interrupt.h"
 
 namespace cairn::tool {
 namespace {
@@ -43,6 +44,7 @@ int run(const ExportCommand& command) {
   if (Status s = checkOutputs({command.tree}, {command.output}); !s) return refuse(s.error());
   const Result<SphereTree> tree = loadTree(command.tree);
   if (!tree) return refuse(tree.error());
+  if (Status s = beginWriting(); !s) return refuse(s.error());
   if (Status s = write(tree.value(), command); !s)
     return refuse({fmt::format("{}: {}", command.output, s.error().message)});
   return kDone;

@@ -138,7 +138,7 @@ int run(FractureCommand& command) {
   if (!fracture) return refuse(about(command.mesh, fracture.error()));
   const auto pieces = treesOf(command, fracture.value(), bar.callback());
   if (!pieces) return refuse(pieces.error());
-  if (interrupted()) return refuse({std::string(builder::kCancelled)});
+  if (Status s = beginWriting(); !s) return refuse(s.error());
   if (Status s = write(command, fracture.value(), pieces.value()); !s) return refuse(s.error());
   fmt::print("{}: {} pieces, {} bonds, volume kept to {:.1e}\n", command.folder, pieces.value().size(),
              fracture.value().bonds.size(), fracture.value().volumeError);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 
+#include "cairn/core/version.h"
 #include "tool/command.h"
 #include "tool/interrupt.h"
 

@@ -10,7 +10,15 @@
 
 namespace cairn::tool {
 
-ProgressBar::ProgressBar() : visible_(isatty(STDERR_FILENO) != 0) {}
+namespace {
+
+// A log is not to be filled, and short work is not to speak at all.
+constexpr std::chrono::seconds kBeforeFirstLine(2), kBetweenLines(5);
+
+}  // namespace
+
+ProgressBar::ProgressBar()
+    : visible_(isatty(STDERR_FILENO) != 0), nextLine_(std::chrono::steady_clock::now() + kBeforeFirstLine) {}
 
 ProgressBar::~ProgressBar() {
   if (shownPercent_ >= 0) fmt::print(stderr, "\r\033[K");
@@ -19,6 +27,10 @@ ProgressBar::~ProgressBar() {
 builder::ProgressCallback ProgressBar::callback() {
   return [this](std::string_view stage, double fraction) {
     const int percent = static_cast<int>(100 * fraction);
+    if (!visible_ && std::chrono::steady_clock::now() >= nextLine_) {
+      nextLine_ = std::chrono::steady_clock::now() + kBetweenLines;
+      fmt::print(stderr, "cairn: {:3} % {}\n", percent, stage);
+    }
     if (visible_ && percent != shownPercent_) {
       constexpr int kWidth = 40;
       const int filled = percent * kWidth / 100;

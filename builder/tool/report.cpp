@@ -9,6 +9,7 @@
 #include "cairn/builder/sha256.h"
 #include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
+#include "tool/interrupt.h"
 
 namespace cairn::tool {
 
@@ -50,6 +51,7 @@ std::string treeSha256(const SphereTree& tree) {
 
 Status writeJson(const Json& json, const std::string& path) {
   if (path.empty()) return {};
+  if (Status s = beginWriting(); !s) return s;
   // A file name may hold bytes that are not UTF-8; they are replaced, not fatal.
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (path != "-") return writeFileAtomically(path, text);

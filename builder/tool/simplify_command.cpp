@@ -44,6 +44,7 @@ int run(const SimplifyCommand& command) {
   const auto simple = builder::simplify(mesh.value(), command.triangles, bar.callback());
   if (interrupted()) return refuse({std::string(builder::kCancelled)});
   if (!simple) return refuse({fmt::format("{}: {}", command.mesh, simple.error().message)});
+  if (Status s = beginWriting(); !s) return refuse(s.error());
   if (Status s = writeFileAtomically(command.output, builder::objText(simple.value())); !s) return refuse(s.error());
   fmt::print("{}: {} of {} triangles\n", command.output, simple.value().triangles.size(),
              mesh.value().triangles.size());

@@ -12,20 +12,23 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: hello_bullet TREE.cairn\n"), 2;
   auto tree = cairn::loadTree(argv[1]);  // Cairn
   if (!tree) return std::fprintf(stderr, "hello_bullet: %s.\n", tree.error().message.c_str()), 1;
-  const auto rock = cairn::bullet::SphereTreeShape::create(std::move(tree).value()).value();  // Cairn
+  const auto shape = cairn::bullet::SphereTreeShape::create(std::move(tree).value());  // Cairn
+  if (!shape) return std::fprintf(stderr, "hello_bullet: %s.\n", shape.error().message.c_str()), 1;
+  const auto& rock = shape.value();
 
+  // A world lets go of its bodies when it dies: they live longer, so they come first.
+  btStaticPlaneShape plane({0, 1, 0}, 0);
+  btRigidBody ground(0, nullptr, &plane);
+  std::deque<btRigidBody> rocks;
   btDefaultCollisionConfiguration configuration;
   cairn::bullet::Dispatcher<> dispatcher(&configuration);                          // Cairn
   if (!dispatcher.setBudget({.operations = 20000, .microseconds = {}})) return 1;  // Cairn
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-  btStaticPlaneShape plane({0, 1, 0}, 0);
-  btRigidBody ground(0, nullptr, &plane);
   world.addRigidBody(&ground);
   btVector3 inertia;
   rock->calculateLocalInertia(1, inertia);
-  std::deque<btRigidBody> rocks;
   for (int i = 0; i < 20; ++i) {
     btRigidBody& body = rocks.emplace_back(1, nullptr, rock.get(), inertia);
     body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(i + 1), 0) * rock->size()));

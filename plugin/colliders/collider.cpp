@@ -2,9 +2,9 @@
 #include "colliders/collider.h"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
-#include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "cairn/bullet/sphere_tree_shape.h"
@@ -32,8 +32,7 @@ namespace {
 
 // Concave by its type, but its `processAllTriangles` is empty. Other shapes may use its type number, hence the cast.
 bool hidesTriangles(const btCollisionShape& shape) {
-  return shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE &&
-         dynamic_cast<const btGImpactCompoundShape*>(&shape) != nullptr;
+  return shape.getShapeType() == GIMPACT_SHAPE_PROXYTYPE && std::strcmp(shape.getName(), "GImpactCompound") == 0;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "cairn/core/state_hash.h"
@@ -21,7 +22,9 @@ constexpr float kInsetFraction = 1.0F / (1 << 20);
 }  // namespace
 
 const btSdfCollisionShape* asField(const btCollisionShape& shape) {
-  return shape.getShapeType() == SDF_SHAPE_PROXYTYPE ? dynamic_cast<const btSdfCollisionShape*>(&shape) : nullptr;
+  const bool isField =
+      shape.getShapeType() == SDF_SHAPE_PROXYTYPE && std::strcmp(shape.getName(), "btSdfCollisionShape") == 0;
+  return isField ? static_cast<const btSdfCollisionShape*>(&shape) : nullptr;
 }
 
 void DistanceField::take(const btSdfCollisionShape& shape) {

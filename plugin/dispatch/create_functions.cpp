@@ -4,9 +4,11 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <optional>
 #include <utility>
@@ -15,6 +17,8 @@
 #include "dispatch/compound_algorithm.h"
 #include "dispatch/narrow_phase_impl.h"
 #include "dispatch/tree_algorithm.h"
+#include "memory/virtual_table.h"
+#include "shape/unserved.h"
 
 namespace cairn::bullet {
 
@@ -45,8 +49,20 @@ void forEachCell(const Visit& visit) {
   }
 }
 
+// What GImpact registers: one object for all dispatchers, which it tells nobody but them.
+btCollisionAlgorithmCreateFunc* askGImpact() {
+  btDefaultCollisionConstructionInfo few;
+  few.m_defaultMaxPersistentManifoldPoolSize = few.m_defaultMaxCollisionAlgorithmPoolSize = 1;
+  btDefaultCollisionConfiguration configuration(few);
+  btCollisionDispatcher dispatcher(&configuration);
+  btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
+  return Tables::contacts(dispatcher)[GIMPACT_SHAPE_PROXYTYPE][GIMPACT_SHAPE_PROXYTYPE];
+}
+
+// That object, or another of its class that somebody entered by hand.
 bool isGImpacts(btCollisionAlgorithmCreateFunc* create) {
-  return dynamic_cast<btGImpactCollisionAlgorithm::CreateFunc*>(create) != nullptr;
+  static btCollisionAlgorithmCreateFunc* const gimpacts = askGImpact();
+  return create == gimpacts || virtualTableOf(create) == virtualTableOf(gimpacts);
 }
 
 }  // namespace
@@ -60,8 +76,12 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
       original(type0, type1) = table_[type0][type1];
       table_[type0][type1] = this;
     });
+    ownTable() = virtualTableOf(this);
   }
-  ~CreateTreeAlgorithm() override {
+  static bool isOne(const btCollisionAlgorithmCreateFunc* create) { return virtualTableOf(create) == ownTable(); }
+  ~CreateTreeAlgorithm() override { giveBack(); }
+  void leave() { isLeft_ = true; }
+  void giveBack() {
     forEachCell([&](int type0, int type1) {
       if (table_[type0][type1] == this) table_[type0][type1] = original(type0, type1);
     });
@@ -85,16 +105,23 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
                                                  const btCollisionObjectWrapper* body1) override {
     const btCollisionShape& shape0 = *body0->getCollisionShape();
     const btCollisionShape& shape1 = *body1->getCollisionShape();
+    if (isLeft_) giveBack();
     const bool isTree0 = asSphereTree(&shape0) != nullptr;
-    const bool hasTree = isTree0 || asSphereTree(&shape1);
+    const bool hasTree = !isLeft_ && (isTree0 || asSphereTree(&shape1));
     const std::optional<ColliderKind> kind = hasTree ? kindOf(isTree0 ? shape1 : shape0) : std::nullopt;
     if (!kind)
       return original(shape0.getShapeType(), shape1.getShapeType())->CreateCollisionAlgorithm(info, body0, body1);
     void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(TreeAlgorithm));
-    return new (memory) TreeAlgorithm(info, narrowPhase_.shared_from_this(), *kind, !isForQueries_);
+    const ServedPair bodies = ServedPair::of(body0->getCollisionObject(), body1->getCollisionObject());
+    return new (memory) TreeAlgorithm(info, narrowPhase_.shared_from_this(), {*kind, bodies, !isForQueries_});
   }
 
  private:
+  // That of all there ever were: only this file makes them.
+  static std::atomic<VirtualTable>& ownTable() {
+    static std::atomic<VirtualTable> table{nullptr};
+    return table;
+  }
   btCollisionAlgorithmCreateFunc*& original(int type0, int type1) {
     const bool isFirst = type0 == kOwnType;
     return originals_[isFirst ? 0 : 1][static_cast<std::size_t>(isFirst ? type1 : type0)];
@@ -103,6 +130,7 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
   Functions& table_;
   NarrowPhase::Impl& narrowPhase_;
   bool isForQueries_;
+  bool isLeft_ = false;
   std::array<std::array<btCollisionAlgorithmCreateFunc*, MAX_BROADPHASE_COLLISION_TYPES>, 2> originals_{};
 };
 
@@ -110,7 +138,9 @@ class CreateTreeAlgorithm final : public btCollisionAlgorithmCreateFunc {
 class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
  public:
   explicit CreateCompoundAlgorithm(Functions& table) : table_(table) { takeFromGImpact(); }
-  ~CreateCompoundAlgorithm() override {
+  ~CreateCompoundAlgorithm() override { giveBack(); }
+  void leave() { isLeft_ = true; }
+  void giveBack() {
     if (compoundFirst() == this) compoundFirst() = gimpacts_;
     if (compoundSecond() == this) compoundSecond() = gimpacts_;
   }
@@ -125,7 +155,9 @@ class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
                                                  const btCollisionObjectWrapper* body1) override {
     const bool isFirst = body0->getCollisionShape()->isCompound();
     const btCollisionShape& other = *(isFirst ? body1 : body0)->getCollisionShape();
-    if (!kindOf(other)) return gimpacts_->CreateCollisionAlgorithm(info, body0, body1);  // it hides its triangles
+    if (isLeft_) giveBack();
+    // What is left alone, or hides its triangles.
+    if (isLeft_ || !kindOf(other)) return gimpacts_->CreateCollisionAlgorithm(info, body0, body1);
     btCollisionAlgorithmCreateFunc* const childByChild =
         isFirst ? table_[COMPOUND_SHAPE_PROXYTYPE][kOwnType] : table_[kOwnType][COMPOUND_SHAPE_PROXYTYPE];
     void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(CompoundAlgorithm));
@@ -139,13 +171,14 @@ class CreateCompoundAlgorithm final : public btCollisionAlgorithmCreateFunc {
   }
 
   Functions& table_;
+  bool isLeft_ = false;
   btCollisionAlgorithmCreateFunc* gimpacts_ = nullptr;  // one for all entries
 };
 
 bool Registration::isOn(btCollisionDispatcher& dispatcher) {
   bool isFound = false;
   forEachCell([&](int type0, int type1) {
-    isFound = isFound || dynamic_cast<CreateTreeAlgorithm*>(Tables::contacts(dispatcher)[type0][type1]);
+    isFound = isFound || CreateTreeAlgorithm::isOne(Tables::contacts(dispatcher)[type0][type1]);
   });
   return isFound;
 }
@@ -156,9 +189,21 @@ Registration::Registration(btCollisionDispatcher& dispatcher, NarrowPhase::Impl&
   closestPoints_ = std::make_unique<CreateTreeAlgorithm>(Tables::closestPoints(dispatcher), narrowPhase, true);
   compoundContacts_ = std::make_unique<CreateCompoundAlgorithm>(Tables::contacts(dispatcher));
   compoundClosestPoints_ = std::make_unique<CreateCompoundAlgorithm>(Tables::closestPoints(dispatcher));
+  ++servingDispatchers();
 }
 
-Registration::~Registration() = default;
+Registration::~Registration() {
+  if (!isLeft_) --servingDispatchers();
+}
+
+void Registration::leave() {
+  isLeft_ = true;
+  --servingDispatchers();
+  contacts_->leave();
+  closestPoints_->leave();
+  compoundContacts_->leave();
+  compoundClosestPoints_->leave();
+}
 
 void Registration::renew() {
   contacts_->takeBackFromGImpact();

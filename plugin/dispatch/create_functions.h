@@ -27,6 +27,8 @@ class Registration {
   static bool isOn(btCollisionDispatcher& dispatcher);
   /// Enters the tree algorithms again where GImpact has registered itself since. This affects pairs made from now on.
   void renew();
+  /// The tables get back what they had as soon as they are asked, not at once: they may be gone. This must stay.
+  void leave();
   Registration(const Registration&) = delete;
   Registration& operator=(const Registration&) = delete;
 
@@ -35,6 +37,7 @@ class Registration {
   std::unique_ptr<CreateTreeAlgorithm> closestPoints_;
   std::unique_ptr<CreateCompoundAlgorithm> compoundContacts_;
   std::unique_ptr<CreateCompoundAlgorithm> compoundClosestPoints_;
+  bool isLeft_ = false;
 };
 
 }  // namespace cairn::bullet

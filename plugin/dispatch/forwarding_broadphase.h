@@ -6,6 +6,8 @@
 
 #include "cairn/bullet/narrow_phase.h"
 
+class btCollisionWorld;
+
 namespace cairn::bullet {
 
 /// A pair cache that forwards to another one. It tells the narrow phase when its dispatcher begins and ends a pass over
@@ -62,21 +64,25 @@ class ForwardingPairCache final : public btOverlappingPairCache {
 /// A broad phase that forwards to another one, through a forwarding pair cache.
 class ForwardingBroadphase final : public btBroadphaseInterface {
  public:
-  ForwardingBroadphase(btBroadphaseInterface& broadphase, const btDispatcher& dispatcher,
-                       NarrowPhase::Impl& narrowPhase)
-      : to_(broadphase), pairs_(broadphase, dispatcher, narrowPhase) {}
+  ForwardingBroadphase(btCollisionWorld& world, const btDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);
+
+  /// What everything is handed on to.
+
+  btBroadphaseInterface& original() { return to_; }
+  bool hasObjects() const { return objects_ > 0; }
+  /// From now on the world gets its own back when it has something to be put into it.
+  void leave() { isLeft_ = true; }
 
   /// The broad phase behind this one.
-  btBroadphaseInterface& original() { return to_; }
+  bool isLeft() const { return isLeft_; }
 
   btOverlappingPairCache* getOverlappingPairCache() override { return &pairs_; }
   const btOverlappingPairCache* getOverlappingPairCache() const override { return &pairs_; }
 
   btBroadphaseProxy* createProxy(const btVector3& lower, const btVector3& upper, int shapeType, void* user, int group,
-                                 int mask, btDispatcher* dispatcher) override {
-    return to_.createProxy(lower, upper, shapeType, user, group, mask, dispatcher);
-  }
+                                 int mask, btDispatcher* dispatcher) override;
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override {
+    --objects_;
     to_.destroyProxy(proxy, dispatcher);
   }
   void setAabb(btBroadphaseProxy* proxy, const btVector3& lower, const btVector3& upper, btDispatcher* d) override {
@@ -98,8 +104,11 @@ class ForwardingBroadphase final : public btBroadphaseInterface {
   void printStats() override { to_.printStats(); }
 
  private:
+  btCollisionWorld& world_;
   btBroadphaseInterface& to_;
   ForwardingPairCache pairs_;
+  int objects_ = 0;  // in the world, by what was put in and taken out here
+  bool isLeft_ = false;
 };
 
 }  // namespace cairn::bullet

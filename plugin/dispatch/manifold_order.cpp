@@ -9,9 +9,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <mutex>
+#include <set>
 #include <span>
 #include <tuple>
 #include <type_traits>
+
+#include "memory/virtual_table.h"
 
 namespace cairn::bullet {
 
@@ -60,6 +64,32 @@ void orderManifolds(std::span<btPersistentManifold*> manifolds, btDispatcher& di
 void orderManifolds(btCollisionDispatcher& dispatcher) {
   orderManifolds({dispatcher.getInternalManifoldPointer(), static_cast<std::size_t>(dispatcher.getNumManifolds())},
                  dispatcher);
+}
+
+namespace {
+
+// One for every library that has the template in it: a few.
+struct OrderedSolvers {
+  std::mutex mutex;
+  std::set<VirtualTable> tables;
+};
+
+OrderedSolvers& orderedSolvers() {
+  static OrderedSolvers solvers;
+  return solvers;
+}
+
+}  // namespace
+
+bool rememberOrderedSolver(const void* solver) {
+  const std::lock_guard lock(orderedSolvers().mutex);
+  orderedSolvers().tables.insert(virtualTableOf(solver));
+  return true;
+}
+
+bool isOrderedSolver(const void* solver) {
+  const std::lock_guard lock(orderedSolvers().mutex);
+  return orderedSolvers().tables.contains(virtualTableOf(solver));
 }
 
 }  // namespace cairn::bullet

@@ -7,8 +7,8 @@
 
 namespace cairn::bullet {
 
-NarrowPhase::NarrowPhase(btCollisionDispatcher& dispatcher)
-    : NarrowPhase(std::make_shared<Impl>(dispatcher, StepEnd::reported)) {}
+NarrowPhase::NarrowPhase(btCollisionDispatcher& dispatcher, DispatchThreads threads)
+    : NarrowPhase(std::make_shared<Impl>(dispatcher, StepEnd::reported, threads)) {}
 NarrowPhase::NarrowPhase(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 NarrowPhase::NarrowPhase(NarrowPhase&&) noexcept = default;
 

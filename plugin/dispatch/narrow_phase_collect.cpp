@@ -3,11 +3,12 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
-#include <typeinfo>
+#include "dispatch/ghost_pairs.h"
 
 #include "dispatch/narrow_phase_impl.h"
+#include "memory/virtual_table.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_collect.h"
 #include "pairs/pair_cull.h"
@@ -19,8 +20,22 @@ namespace cairn::bullet {
 namespace {
 
 bool isOwnedBy(const btCollisionObject& object, btOverlappingPairCache& pairs) {
-  auto* ghost = dynamic_cast<const btPairCachingGhostObject*>(&object);
-  return ghost && const_cast<btPairCachingGhostObject*>(ghost)->getOverlappingPairCache() == &pairs;
+  return ghostPairsOf(object) == &pairs;
+}
+
+struct PlainResult final : btManifoldResult {};
+struct TakesPointsItself final : btManifoldResult {
+  void addContactPoint(const btVector3&, const btVector3&, btScalar) override {}
+};
+
+// One that takes its points itself wants them before it is let go.
+bool takesPointsItself(const btManifoldResult& result) {
+  static const KeptFunction adding = [] {
+    const PlainResult plain;
+    const TakesPointsItself other;
+    return KeptFunction(&plain, &other);
+  }();
+  return !adding.isKeptBy(&result);
 }
 
 bool isGhost(const btCollisionObject& object) {
@@ -38,6 +53,7 @@ bool isGhostCache(btOverlappingPairCache& pairs) {
 }  // namespace
 
 void NarrowPhase::Impl::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
+  if (isRetired_) return;
   isCollecting_ = isWorlds(pairs);
   if (!isCollecting_) return;
   if (registration_) registration_->renew();
@@ -66,7 +82,7 @@ void NarrowPhase::Impl::process(TreePair& pair, const btCollisionObjectWrapper& 
                                 btManifoldResult& result, bool mayDefer) {
   pair.rest = PairRest::asked;
   // A result of another class belongs to a caller who wants its points before this returns.
-  const bool isPlain = typeid(result) == typeid(btManifoldResult) && result.m_closestPointDistanceThreshold <= 0;
+  const bool isPlain = !takesPointsItself(result) && result.m_closestPointDistanceThreshold <= 0;
   const bool isOfCompound = body0.m_parent || body1.m_parent;
   if (mayDefer && isOfCompound && !isRetired_ && !pair.notes.isOfCompound) noteCompound(pair);
   if (mayDefer && isPlain && !isRetired_) {

@@ -2,32 +2,58 @@
 #include "dispatch/narrow_phase_impl.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "cairn/bullet/manifold_order.h"
+#include "dispatch/left_behind.h"
 #include "dispatch/step_tuning.h"
 #include "pairs/pair_begin.h"
 
 namespace cairn::bullet {
 
-NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd)
-    : step_(dispatcher, stepEnd), hasThreads_(dynamic_cast<btCollisionDispatcherMt*>(&dispatcher) != nullptr) {
+NarrowPhase::Impl::Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd, DispatchThreads threads)
+    : step_(dispatcher, stepEnd), hasThreads_(threads == DispatchThreads::several) {
+  takeAwayLeftBehind(dispatcher);
   registration_.emplace(dispatcher, *this);
 }
 
 void NarrowPhase::Impl::hook(btCollisionWorld& world) {
+  takeAwayLeftBehind(world);
   hook_.emplace(world, step_.dispatcher, *this);
 }
 
 void NarrowPhase::Impl::retire() {
   assert(!isCollecting_ && !isAnswering_ && "a narrow phase must not die while its dispatcher is dispatching");
+  isRetired_ = true;
+  if (hostsMayBeGone()) {
+    if (hook_) hook_->leave();
+    registration_->leave();
+    return leaveBehind(shared_from_this());
+  }
   hook_.reset();
   registration_.reset();
-  isRetired_ = true;
+}
+
+// A `Dispatcher` is there while its narrow phase is; a world with objects would have taken them out as it died, and
+// pairs are gone before their dispatcher is.
+bool NarrowPhase::Impl::hostsMayBeGone() {
+  if (hook_) return !hook_->hasObjects();
+  if (step_.rules.end() == StepEnd::reported) return false;
+  const std::lock_guard lock(mutex_);
+  return !pool_.hasTaken();
+}
+
+bool NarrowPhase::Impl::undoOn(const btCollisionDispatcher& dispatcher) {
+  if (&step_.dispatcher == &dispatcher) registration_.reset();
+  return !hook_ && !registration_;
+}
+
+bool NarrowPhase::Impl::undoOn(const btCollisionWorld& world) {
+  if (hook_ && hook_->isOn(world)) hook_.reset();
+  return !hook_ && !registration_;
 }
 
 Status NarrowPhase::Impl::setBudget(const StepBudget& budget) {
@@ -80,6 +106,11 @@ void NarrowPhase::Impl::endAnswering() {
   isAnswering_ = false;
   step_.rules.adoptPriority();
   if (const auto room = std::exchange(nextRoom_, std::nullopt)) reserve(*room);
+}
+
+std::vector<ServedPair> NarrowPhase::Impl::servedPairs() {
+  const std::lock_guard lock(mutex_);
+  return pool_.servedPairs();
 }
 
 TreePair* NarrowPhase::Impl::acquire(ColliderKind kind) {

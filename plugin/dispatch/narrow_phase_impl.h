@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "dispatch/asked_pairs.h"
 #include "dispatch/create_functions.h"
@@ -23,11 +24,14 @@ namespace cairn::bullet {
 /// `acquire` and `release`, but only where somebody announces the end of a step.
 class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase::Impl> {
  public:
-  Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd);
+  Impl(btCollisionDispatcher& dispatcher, StepEnd stepEnd, DispatchThreads threads = DispatchThreads::one);
   /// Ties steps to the world's own pass. Precondition: the dispatcher is the world's.
   void hook(btCollisionWorld& world);
   /// Restores dispatcher and world. Algorithms that remain are answered at once and in full.
   void retire();
+  /// Of a retired one that was left behind: leaves a host that lives as it was. True where nothing is left to undo.
+  bool undoOn(const btCollisionDispatcher& dispatcher);
+  bool undoOn(const btCollisionWorld& world);
 
   StepRules& rules() { return step_.rules; }
   Status setBudget(const StepBudget& budget);
@@ -42,6 +46,8 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);
   void endStep();
 
+  /// Of which bodies there are algorithms of ours, sorted; children of compounds count as their bodies.
+  std::vector<ServedPair> servedPairs();
   TreePair* acquire(ColliderKind kind);
   void release(TreePair* pair);
   /// `mayDefer`: false for query algorithms.
@@ -49,6 +55,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
                const btDispatcherInfo& info, btManifoldResult& result, bool mayDefer);
 
  private:
+  bool hostsMayBeGone();
   bool isWorlds(btOverlappingPairCache& pairs);
   void takeTime(const btDispatcherInfo& info);
   bool collect(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);

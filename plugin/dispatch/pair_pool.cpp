@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #include "dispatch/pair_pool.h"
 
+#include <algorithm>
+
 #include "dispatch/step_tuning.h"
 #include "pairs/pair_prefetch.h"
 
@@ -29,6 +31,20 @@ std::size_t PairPool::reserve(const PairCounts& pairs) {
     for (TreePair* const pair : idle_[kind]) pair->contacts.expectInterruptions();
   }
   return all_.size();
+}
+
+bool PairPool::hasTaken() const {
+  std::size_t idle = 0;
+  for (const std::vector<TreePair*>& ofKind : idle_) idle += ofKind.size();
+  return idle < all_.size();
+}
+
+std::vector<ServedPair> PairPool::servedPairs() const {
+  std::vector<ServedPair> served;
+  for (const std::unique_ptr<TreePair>& pair : all_)
+    if (pair->handles.served.isKnown()) served.push_back(pair->handles.served);
+  std::sort(served.begin(), served.end());
+  return served;
 }
 
 void PairPool::endStep() {

@@ -22,6 +22,10 @@ class PairPool {
   void giveBack(TreePair& pair);
   /// Makes idle pairs until there are as many of each kind as given. Returns the number of all pairs.
   std::size_t reserve(const PairCounts& pairs);
+  /// Whether any pair is taken and not given back.
+  bool hasTaken() const;
+  /// The bodies of all taken pairs, sorted.
+  std::vector<ServedPair> servedPairs() const;
   /// Called once a step: looks at some pairs in turn, so that pairs at rest give memory back.
   void endStep();
 

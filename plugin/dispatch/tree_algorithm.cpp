@@ -10,12 +10,13 @@
 namespace cairn::bullet {
 
 TreeAlgorithm::TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                             std::shared_ptr<NarrowPhase::Impl> narrowPhase, ColliderKind kind, bool mayDefer)
+                             std::shared_ptr<NarrowPhase::Impl> narrowPhase, const TreeAlgorithmFor& pair)
     : btCollisionAlgorithm(info),
       narrowPhase_(std::move(narrowPhase)),
-      pair_(narrowPhase_->acquire(kind)),
-      mayDefer_(mayDefer) {
+      pair_(narrowPhase_->acquire(pair.kind)),
+      mayDefer_(pair.mayDefer) {
   pair_->handles.setAlgorithm(this);
+  if (pair.mayDefer) pair_->handles.served = pair.bodies;
 }
 
 TreeAlgorithm::~TreeAlgorithm() {

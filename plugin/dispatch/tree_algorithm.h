@@ -8,10 +8,18 @@
 
 #include "cairn/bullet/narrow_phase.h"
 #include "colliders/collider.h"
+#include "pairs/pair_handles.h"
 
 namespace cairn::bullet {
 
 struct TreePair;
+
+/// The pair that an algorithm serves. `mayDefer`: it may answer later than it is asked; queries cannot wait.
+struct TreeAlgorithmFor {
+  ColliderKind kind;
+  ServedPair bodies;
+  bool mayDefer;
+};
 
 /// Bullet's algorithm for a pair with a sphere-tree. It holds the pair's state and a share of the narrow phase, which
 /// may leave the dispatcher while Bullet still holds this. It must stay small, because Bullet's pool of algorithms
@@ -19,7 +27,7 @@ struct TreePair;
 class TreeAlgorithm final : public btCollisionAlgorithm {
  public:
   TreeAlgorithm(const btCollisionAlgorithmConstructionInfo& info, std::shared_ptr<NarrowPhase::Impl> narrowPhase,
-                ColliderKind kind, bool mayDefer);
+                const TreeAlgorithmFor& pair);
   ~TreeAlgorithm() override;
   TreeAlgorithm(const TreeAlgorithm&) = delete;
   TreeAlgorithm& operator=(const TreeAlgorithm&) = delete;

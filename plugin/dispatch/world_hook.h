@@ -20,12 +20,18 @@ class WorldHook {
  public:
   WorldHook(btCollisionWorld& world, btCollisionDispatcher& dispatcher, NarrowPhase::Impl& narrowPhase);
   ~WorldHook();
+  bool isOn(const btCollisionWorld& world) const { return &world_ == &world; }
+  /// Whether objects are in the world: one that dies takes them out.
+  bool hasObjects() const;
+  /// The world gets its broad phase back when the next object comes, not at once: it may be gone. This must stay.
+  void leave();
   WorldHook(const WorldHook&) = delete;
   WorldHook& operator=(const WorldHook&) = delete;
 
  private:
   btCollisionWorld& world_;
   btCollisionDispatcher& dispatcher_;
+  NarrowPhase::Impl& narrowPhase_;
   std::unique_ptr<ForwardingBroadphase> broadphase_;
 };
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 #include <span>
-#include <typeinfo>
 
 #include "cairn/bullet/ordered_solver.h"
+#include "memory/virtual_table.h"
 #include "rolling_solver.h"
 
 namespace cairn::effects {
@@ -66,14 +66,12 @@ class SolverHook final : public btConstraintSolver {
 
   // Only of these very classes: another may do more than the own solver does.
   static Plain* plainOf(btConstraintSolver& solver) {
-    const bool isKnown = typeid(solver) == typeid(Plain) || isOrdered(solver);
+    static const bullet::VirtualTable plain = bullet::virtualTableOf(std::make_unique<Plain>().get());
+    const bool isKnown = bullet::virtualTableOf(&solver) == plain || bullet::isOrderedSolver(&solver);
     return isKnown ? static_cast<Plain*>(&solver) : nullptr;
   }
-  static bool isOrdered(const btConstraintSolver& solver) {
-    return typeid(solver) == typeid(bullet::OrderedSolver<Plain>);
-  }
   std::unique_ptr<RollingSolver> ownSolver() const {
-    if (isOrdered(solver_)) return std::make_unique<bullet::OrderedSolver<RollingSolver>>();
+    if (bullet::isOrderedSolver(&solver_)) return std::make_unique<bullet::OrderedSolver<RollingSolver>>();
     return std::make_unique<RollingSolver>();
   }
 

@@ -24,6 +24,7 @@ void TreePair::reset() {
   trajectory.speculative = {};
   trajectory.isFast = false;
   motion.roots.reset();
+  handles.served = {};
   notes = {};
 }
 

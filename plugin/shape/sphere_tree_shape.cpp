@@ -3,32 +3,46 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
-#include <typeinfo>
 #include <utility>
 
 #include "placement/bullet_math.h"
 #include "queries/leaf_balls.h"
 #include "queries/region_balls.h"
 #include "shape/extreme_points.h"
+#include "shape/unserved.h"
 
 namespace cairn::bullet {
 
 namespace {
 
-Status checkScale(const btVector3& scaling) {
-  const btScalar s = scaling.x();
-  if (scaling.y() != s || scaling.z() != s)
-    return Error{"a sphere-tree shape cannot be scaled by (" + std::to_string(s) + ", " + std::to_string(scaling.y()) +
-                 ", " + std::to_string(scaling.z()) +
-                 "): spheres stay spheres only under uniform scale, so scale the mesh and build its tree again"};
-  if (!(s > 0) || !std::isfinite(s))
-    return Error{"a sphere-tree shape cannot be scaled by " + std::to_string(s) + ": give a positive, finite scale"};
-  return {};
+// Where it is tells the class: nobody else's name is there.
+constexpr char kTreeName[] = "CairnSphereTree";
+
+// As many digits as it takes to tell two numbers apart.
+std::string exactly(btScalar number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", std::numeric_limits<btScalar>::max_digits10, double(number));
+  return text.data();
+}
+
+Result<btScalar> uniformScale(const btVector3& scaling) {
+  const btScalar x = scaling.x(), y = scaling.y(), z = scaling.z();
+  if (x == y && y == z) {
+    if (x > 0 && std::isfinite(x)) return x;
+    return Error{"a sphere-tree shape cannot be scaled by " + exactly(x) + ": give a positive, finite scale"};
+  }
+  const btScalar mean = x / 3 + y / 3 + z / 3;
+  const btScalar most = std::max({std::abs(x - mean), std::abs(y - mean), std::abs(z - mean)});
+  if (mean > 0 && std::isfinite(mean) && most <= kScaleRounding * mean) return mean;
+  return Error{"a sphere-tree shape cannot be scaled by (" + exactly(x) + ", " + exactly(y) + ", " + exactly(z) +
+               "): spheres stay spheres only under uniform scale, so scale the mesh and build its tree again"};
 }
 
 // All tolerances of the narrow phase are fractions of the size, in float whatever Bullet's precision is. Beyond these
@@ -63,7 +77,7 @@ Status checkSize(float diagonal, btScalar scale) {
 Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr<const SphereTree> tree,
                                                                  BodyFrame frame, btScalar scale) {
   if (!tree) return Error{"a sphere-tree shape was asked for without a tree: load one with cairn::loadTree first"};
-  if (Status status = checkScale(btVector3(scale, scale, scale)); !status) return status.error();
+  if (const auto uniform = uniformScale(btVector3(scale, scale, scale)); !uniform) return uniform.error();
   if (Status status = checkSize(boxDiagonal(tree->vertices()), scale); !status) return status.error();
   return std::unique_ptr<SphereTreeShape>(new SphereTreeShape(std::move(tree), frame, scale));
 }
@@ -72,6 +86,7 @@ SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFra
     : tree_(std::move(tree)),
       extremes_(std::make_unique<ExtremePoints>(tree_->vertices())),
       regionBalls_(std::make_unique<const RegionBalls>(*tree_)),
+      unserved_(std::make_unique<UnservedWatch>()),
       frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   applyScale(scale);
@@ -99,11 +114,12 @@ void SphereTreeShape::setCastTarget(CastTarget target) {
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {
-  if (Status status = checkScale(scaling); !status) return status;
-  if (Status status = checkSize(extremes_->diagonal(), scaling.x()); !status) return status;
-  const btScalar size = btScalar(extremes_->diagonal()) * scaling.x();
+  const Result<btScalar> scale = uniformScale(scaling);
+  if (!scale) return scale.error();
+  if (Status status = checkSize(extremes_->diagonal(), scale.value()); !status) return status;
+  const btScalar size = btScalar(extremes_->diagonal()) * scale.value();
   if (Status status = checkMargin(getMargin(), size); !status) return status;
-  applyScale(scaling.x());
+  applyScale(scale.value());
   return {};
 }
 
@@ -120,6 +136,7 @@ void SphereTreeShape::setMargin(btScalar margin) {
 }
 
 void SphereTreeShape::getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const {
+  unserved_->see(t, size_);
   const btTransform worldFromTree = t * bodyFromTree_;
   const btScalar grow = getMargin() + kSpeculativeFraction * size_;
   // Bullet also computes with the fourth floats.
@@ -164,8 +181,13 @@ void SphereTreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform
   inertia = toBullet(m.principalMoments * (double(mass) * double(scale_) * double(scale_)));
 }
 
+const char* SphereTreeShape::getName() const {
+  return kTreeName;
+}
+
+// Run-time type information would be asked of shapes that may have none.
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape) {
-  if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || typeid(*shape) != typeid(SphereTreeShape)) return nullptr;
+  if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || shape->getName() != kTreeName) return nullptr;
   return static_cast<const SphereTreeShape*>(shape);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "placement/bullet_math.h"
+#include "queries/bullet_casts.h"
 #include "queries/convex_caster.h"
 #include "queries/query_frame.h"
 #include "terrain/swept_path.h"
@@ -136,11 +137,11 @@ void castConvex(const TerrainLattice& lattice, btTriangleConvexcastCallback& cal
 }  // namespace
 
 bool answerCast(const TerrainLattice& lattice, btTriangleCallback& callback) {
-  if (auto* const ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
+  if (auto* const ray = asRay(callback)) {
     castRay(lattice, *ray);
     return true;
   }
-  auto* const sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback);
+  auto* const sweep = asSweep(callback);
   if (sweep) castConvex(lattice, *sweep);
   return sweep != nullptr;
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <typeinfo>
 #include <utility>
 
 #include "placement/bullet_math.h"
@@ -18,7 +17,8 @@ namespace cairn::bullet {
 
 namespace {
 
-constexpr std::uint32_t kMaxPoints = 1U << 20;  // points a side
+constexpr char kTerrainName[] = "CairnTerrain";  // where it is tells the class, as with trees
+constexpr std::uint32_t kMaxPoints = 1U << 20;   // points a side
 constexpr std::uint64_t kMaxCells = 1ULL << 30;
 // Least cell size in units in the last place of the farthest coordinate. Then neighbouring cells differ in width by at
 // most an eighth.
@@ -132,8 +132,12 @@ void TerrainShape::serializeSingleShape(btSerializer* /*serializer*/) const {
   std::fprintf(stderr, "a terrain's heights are not written to .bullet files: make it again from its grid\n");
 }
 
+const char* TerrainShape::getName() const {
+  return kTerrainName;
+}
+
 const TerrainShape* asTerrain(const btCollisionShape* shape) {
-  if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || typeid(*shape) != typeid(TerrainShape)) return nullptr;
+  if (shape->getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE || shape->getName() != kTerrainName) return nullptr;
   return static_cast<const TerrainShape*>(shape);
 }
 

@@ -10,7 +10,7 @@
 namespace cairn::vec3_test {
 namespace {
 
-// GCC 12 optimises this rounding away unless told not to: see cmake/Targets.cmake.
+// GCC 12 optimises this rounding away unless told not to: see cmake/CairnTargets.cmake.
 [[gnu::noinline]] Vec3d roundedToFloat(const Vec3d& v) {
   return Vec3d(Vec3(v));
 }

@@ -333,6 +333,35 @@ TEST_P(Installed, LeavesTheUsersOwnHooksAlone) {
   }
 }
 
+// Members of a class in the wrong order, say. Under the address sanitizer this says more than here.
+TEST_P(Installed, MayGoAfterWorldAndDispatcher) {
+  for (const bool isEmptied : {false, true}) {
+    std::optional<NarrowPhase> cairn;
+    auto w = std::make_unique<StockWorld>();
+    cairn = installOn(*w).value();
+    btRigidBody& body = addCubeOnBox(*w);
+    w->step(2);
+    if (isEmptied) w->remove(body);
+    w.reset();
+    EXPECT_EQ(cairn->lastStep().pairs, 1U);
+    cairn.reset();
+  }
+}
+
+// Of a world without objects nobody knows whether it lives: it is as it was when something is put into it again.
+TEST(InstalledOnAWorld, LeavesAnEmptyOneAsItWasOnceSomethingComes) {
+  CountingCreate before;
+  StockWorld w;
+  btBroadphaseInterface* const broadphase = w.world.getBroadphase();
+  w.dispatcher.registerCollisionCreateFunc(FAST_CONCAVE_MESH_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &before);
+  w.dispatcher.registerCollisionCreateFunc(BOX_SHAPE_PROXYTYPE, FAST_CONCAVE_MESH_PROXYTYPE, &before);
+  for (int i = 0; i < 3; ++i) (void)install(static_cast<btCollisionWorld&>(w.world)).value();
+  addCubeOnBox(w);
+  EXPECT_EQ(w.world.getBroadphase(), broadphase);
+  w.step(2);
+  EXPECT_GE(before.calls, 1);
+}
+
 #ifndef NDEBUG
 std::optional<NarrowPhase>* gInstalled = nullptr;
 
@@ -355,6 +384,7 @@ TEST(InstalledOnAWorld, AssertsThatItsBroadPhaseIsNotReplaced) {
   btDbvtBroadphase another;
   EXPECT_DEATH(
       {
+        w.addGround();
         std::optional<NarrowPhase> cairn = install(static_cast<btCollisionWorld&>(w.world)).value();
         w.world.setBroadphase(&another);
         cairn.reset();

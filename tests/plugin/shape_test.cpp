@@ -174,6 +174,31 @@ TEST(SphereTreeShape_Errors, NameWhatIsWrong) {
   EXPECT_EQ(shape->getLocalScaling().y(), 3);
 }
 
+// An engine takes its matrices apart and puts them together, and rounds.
+TEST(SphereTreeShape_Scale, ThatDiffersByRoundingIsUniform) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1)));
+  const btScalar one = btScalar(0.99999994);
+  for (const btVector3& scaling : {btVector3(1, one, 1), btVector3(one, 1, one), btVector3(1, 1, btScalar(1.000002))}) {
+    ASSERT_TRUE(shape->setScale(scaling).ok());
+    EXPECT_NEAR(double(shape->scale()), 1, double(bullet::kScaleRounding));
+    EXPECT_EQ(shape->getLocalScaling().x(), shape->getLocalScaling().z());
+  }
+  const Status uneven = shape->setScale(btVector3(1, btScalar(0.9999), 1));
+  ASSERT_FALSE(uneven.ok());
+  EXPECT_NE(uneven.error().message.find("(1, 0.9999"), std::string::npos) << uneven.error().message;
+  const Status tiny = shape->setScale(btVector3(btScalar(1e-30), btScalar(2e-30), btScalar(1e-30)));
+  EXPECT_NE(tiny.error().message.find("e-30"), std::string::npos) << "what was compared: " << tiny.error().message;
+}
+
+// As every shape of Bullet: a scale takes the place of the one before, that of `create` too.
+TEST(SphereTreeShape_Scale, IsThatOfTheMesh) {
+  const auto shape = treeShape(plainTree(cuboid({1, 1, 1}, 1)), btScalar(0.5));
+  EXPECT_EQ(shape->getLocalScaling().x(), btScalar(0.5));
+  const btScalar half = shape->size();
+  shape->setLocalScaling(btVector3(1, 1, 1));
+  EXPECT_EQ(shape->size(), 2 * half);
+}
+
 TEST(SphereTreeShape_Tag, ForeignShapeOfTheSameTypeIsNotOurs) {
   struct Foreign final : btTriangleMeshShape {
     explicit Foreign(btStridingMeshInterface* mesh) : btTriangleMeshShape(mesh) {

@@ -8,6 +8,7 @@
 #include "accuracy_cost/figures/draw.h"
 #include "accuracy_cost/runs/seal.h"
 #include "cairn/core/atomic_file.h"
+#include "cairn/core/version.h"
 
 namespace cairn::accuracy_cost {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "cairn/core/atomic_file.h"
 #include "cairn/core/tree_file.h"
+#include "cairn/core/version.h"
 #include "rockfall/case/content_hash.h"
 #include "rockfall/ensemble/program_hash.h"
 #include "rockfall/ensemble/result_json.h"

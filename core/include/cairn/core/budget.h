@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// Operations of moving one sphere into another frame. These costs are those of Eq. 2.1 of Bradshaw's thesis, with the
@@ -26,7 +28,7 @@ struct Reservation {
 /// Work is charged *before* it is done and only if it fits, so an operation budget is never exceeded. The clock is read
 /// every `kClockInterval` operations. A deadline can be exceeded by that much work and by one charge: eight steps of a
 /// traversal of two trees, 80 operations.
-class Budget {
+class CAIRN_CORE_EXPORT Budget {
  public:
   /// The clock of deadlines: it never goes back.
   using Clock = std::chrono::steady_clock;

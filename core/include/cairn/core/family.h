@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/vec3.h"
 
 namespace cairn {
@@ -61,17 +63,22 @@ static_assert(sizeof(SupportBlock) == 192 && std::is_trivially_copyable_v<Suppor
 /// Bit i is set when lane i of the family and `s` (same frame and unit) have a point in common, up to rounding: see
 /// `kOverlapSlack` for what a caller adds to `s.radius` to be conservative. One step of the fastest instruction set
 /// present; the same bits as `overlapScalar` on every one.
+CAIRN_CORE_EXPORT
 std::uint32_t overlap(const Family& family, const Sphere& s);
 
 /// The scalar twin, for tests and as the definition of the result.
+CAIRN_CORE_EXPORT
 std::uint32_t overlapScalar(const Family& family, const Sphere& s);
 
 /// The lane whose point is farthest along `direction`; the lowest such lane on a tie.
+CAIRN_CORE_EXPORT
 std::uint32_t supportLane(const SupportBlock& block, const Vec3& direction);
 /// The scalar twin, for tests and as the definition of the result.
+CAIRN_CORE_EXPORT
 std::uint32_t supportLaneScalar(const SupportBlock& block, const Vec3& direction);
 
 /// Name of the instruction set `overlap` uses on this machine ("AVX2", ...).
+CAIRN_CORE_EXPORT
 const char* simdTargetName();
 
 /// Relative slack that makes an overlap test conservative, in the lengths involved: moving a centre (three products,

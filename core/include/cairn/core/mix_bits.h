@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// A bijection of 64 bits in which every bit of the input changes about half of the output's: the finaliser of

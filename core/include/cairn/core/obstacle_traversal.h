@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/core/traversal.h"
 
 namespace cairn {
@@ -20,7 +21,7 @@ class Obstacle {
 
 /// Breadth-first traversal of one sphere-tree against an obstacle. A pair is (node, element). A step costs one update
 /// of the element and one test per child (Eq. 2.1).
-class ObstacleTraversal final : public Traversal {
+class CAIRN_CORE_EXPORT ObstacleTraversal final : public Traversal {
  public:
   /// Begins anew with the root against every element. `scale` is world length per tree unit. The tree and the obstacle
   /// must outlive the traversal. The root tests are part of starting and are not charged.

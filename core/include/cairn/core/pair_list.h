@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// Two things a traversal found overlapping: a node of tree A, and a node of tree B or an element of an obstacle.

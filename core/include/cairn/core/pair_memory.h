@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/priority.h"
 
 namespace cairn {

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/ranked_priority.h"
 
 namespace cairn {
@@ -20,7 +22,7 @@ namespace cairn {
 /// unfinished pairs and 3/2 at most; 1 where nothing moves.
 ///
 /// Without a viewer the projected gap is the error alone, world length, and visibility and acuity are 1.
-class Perceptual final : public RankedPriority {
+class CAIRN_CORE_EXPORT Perceptual final : public RankedPriority {
  public:
   /// Visibility of a pair that is out of view.
   static constexpr double kOutOfView = 1.0 / 16;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn {
@@ -28,6 +29,6 @@ struct Similarity {
 
 /// Maps points of the body at `from` into the frame and length unit of the body at `to`. Computed in double, rounded
 /// once.
-Similarity relativePose(const Pose& to, const Pose& from);
+CAIRN_CORE_EXPORT Similarity relativePose(const Pose& to, const Pose& from);
 
 }  // namespace cairn

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/traversal.h"
 #include "cairn/core/viewer.h"
 
@@ -28,7 +30,7 @@ struct ScheduledPair {
 /// Decides which unfinished pair is refined next. A policy gets the pairs of a step, hands out turns, and learns how
 /// each turn ended. The same calls must give the same answers on every run. Cairn's policies let no pair starve, and
 /// allocate nothing once they have seen as many pairs.
-class Priority {
+class CAIRN_CORE_EXPORT Priority {
  public:
   virtual ~Priority() = default;
   /// A new step: `pairs` ascend by id and live until the step ends. Finished traversals may be among them.

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// The pairs of a step by rank, greatest first; of equal ranks the smaller ticket. A binary heap that knows where each
 /// pair is, so that the rank of one can change. O(log n) a change.
-class RankHeap {
+class CAIRN_CORE_EXPORT RankHeap {
  public:
   /// A pair with its rank.
   struct Entry {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/priority.h"
 #include "cairn/core/rank_heap.h"
 #include "cairn/core/waiting_line.h"
@@ -21,7 +22,7 @@ namespace cairn {
 ///
 /// A turn costs O(log n) and what `error` costs; beginning a step O(n log n). Ranks are IEEE arithmetic on what the
 /// pairs say, in one order: the same calls give the same bits.
-class RankedPriority : public Priority {
+class CAIRN_CORE_EXPORT RankedPriority : public Priority {
  public:
   /// One turn in so many goes to the pair that has waited longest.
   static constexpr std::uint64_t kTurnsToLine = 2;

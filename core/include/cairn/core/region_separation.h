@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/pair_list.h"
 #include "cairn/core/pose.h"
 #include "cairn/core/sphere_tree.h"
@@ -43,6 +45,7 @@ struct RegionSeparation {
 };
 
 /// Separation of two nodes, a's and b's, along `normal` (unit, from b to a). Two support points, some 200 cycles.
+CAIRN_CORE_EXPORT
 RegionSeparation measureSeparation(const PlacedRegions& a, const PlacedRegions& b, const NodePair& pair,
                                    const Vec3& normal, const SeparationLimits& limits);
 
@@ -70,6 +73,7 @@ struct alignas(64) RegionSeparations {
 /// Fills in the first `pairs.size()` lanes of `separations`; no bits are set for others. The same bits as
 /// `measureSeparation` along `line / length(line)` on every instruction set, in a third of the time a pair.
 /// Precondition: one to sixteen pairs.
+CAIRN_CORE_EXPORT
 void measureSeparations(const PlacedRegions& a, const PlacedRegions& b, std::span<const NodePair> pairs,
                         const SeparationLimits& limits, RegionSeparations& separations);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <cassert>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "cairn/core/export.h"
 
 namespace cairn {
 
@@ -13,6 +16,12 @@ namespace cairn {
 struct Error {
   std::string message;  ///< for a user, without a final line break
 };
+
+/// Prints the sentence on standard error and ends the program by `std::abort`, in every build type.
+[[noreturn]] inline void dieUnchecked(const char* what, const char* message) {
+  std::fprintf(stderr, "cairn: %s%s\n", what, message);
+  std::abort();
+}
 
 /// A value, or the reason there is none. Used wherever data comes from outside; inside, preconditions are asserted.
 template <class T>
@@ -28,29 +37,33 @@ class [[nodiscard]] Result {
   /// The same as `ok()`.
   explicit operator bool() const { return ok(); }
 
-  /// Precondition: `ok()`.
+  /// Ask `ok()` first: of an error, the error is printed and the program aborts, in every build type.
   T& value() & {
-    assert(ok());
+    requireValue();
     return *std::get_if<0>(&state_);
   }
   /// Precondition: `ok()`.
   const T& value() const& {
-    assert(ok());
+    requireValue();
     return *std::get_if<0>(&state_);
   }
   /// Precondition: `ok()`. The value moves out.
   T&& value() && {
-    assert(ok());
+    requireValue();
     return std::move(*std::get_if<0>(&state_));
   }
 
-  /// Precondition: `!ok()`.
+  /// Ask `ok()` first: of a value, the program aborts, in every build type.
   const Error& error() const {
-    assert(!ok());
+    if (ok()) dieUnchecked("the error of a result was asked for that is none", "");
     return *std::get_if<1>(&state_);
   }
 
  private:
+  void requireValue() const {
+    if (!ok()) dieUnchecked("a result was used unchecked, and is an error: ", std::get_if<1>(&state_)->message.c_str());
+  }
+
   std::variant<T, Error> state_;
 };
 
@@ -65,9 +78,9 @@ class [[nodiscard]] Status {
   bool ok() const { return !error_; }
   /// The same as `ok()`.
   explicit operator bool() const { return ok(); }
-  /// Precondition: `!ok()`.
+  /// Ask `ok()` first: of a success, the program aborts, in every build type.
   const Error& error() const {
-    assert(!ok());
+    if (ok()) dieUnchecked("the error of a status was asked for that is none", "");
     return *error_;
   }
 

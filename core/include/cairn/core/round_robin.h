@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/pair_memory.h"
 #include "cairn/core/priority.h"
 
@@ -13,7 +14,7 @@ namespace cairn {
 /// stand in line over all steps: one that has had its turn goes back to the end. Pairs that have never been served, of
 /// which nothing is known yet, have a line of their own and every other turn; so no pair starves under any budget that
 /// lets one turn through.
-class RoundRobin final : public Priority {
+class CAIRN_CORE_EXPORT RoundRobin final : public Priority {
  public:
   bool hasImportances() const override { return false; }
   void begin(std::span<const ScheduledPair> pairs) override;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "cairn/core/budget.h"
+#include "cairn/core/export.h"
 #include "cairn/core/family.h"
 #include "cairn/core/priority.h"
 
@@ -20,7 +21,7 @@ class TurnListener {
 };
 
 /// Shares one budget over all pairs of a step.
-class Scheduler {
+class CAIRN_CORE_EXPORT Scheduler {
  public:
   /// Operations a pair may use before the next pair has its turn: about eight full families, long enough to amortise
   /// the switch, short enough that a hundred pairs all move within a ten-thousand-operation budget.

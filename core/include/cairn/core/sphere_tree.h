@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/family.h"
 #include "cairn/core/mass_properties.h"
 #include "cairn/core/result.h"
@@ -106,7 +107,7 @@ struct SphereTreeData {
 /// Hot data is one cache-aligned block of centres and radii per family of up to eight siblings, and half a cache line
 /// per node; what only contacts or reports need is kept apart. Invariant, proved by the builder: every point of every
 /// source triangle lies in a leaf all of whose ancestors contain it too; that is what makes pruning at a parent safe.
-class SphereTree {
+class CAIRN_CORE_EXPORT SphereTree {
  public:
   /// Checks everything a traversal relies on (order, links, finiteness, ranges) but not the cover, which needs the
   /// mesh: see the builder's `certify`. Fails with the first offending element. Linear.

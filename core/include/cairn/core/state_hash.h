@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// FNV-1a over the bit patterns it is fed, for comparing states of two runs. Not for security.
-class StateHash {
+class CAIRN_CORE_EXPORT StateHash {
  public:
   /// Feeds eight bytes, the lowest first.
   void add(std::uint64_t bits) {

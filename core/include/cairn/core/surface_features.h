@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn {
@@ -34,7 +35,7 @@ struct SurfaceFace {
 /// How the triangles of a mesh hang together: what a contact needs to know of the surface around a vertex or an edge.
 /// Derived from the mesh alone, in time n log n; immutable. Lengths and frame are the mesh's. Works for open surfaces
 /// and for edges of more than two triangles, which are paired in the order of the file.
-class SurfaceFeatures {
+class CAIRN_CORE_EXPORT SurfaceFeatures {
  public:
   SurfaceFeatures() = default;
   /// Precondition: indices are below `vertices.size()`. The mesh is not kept.

@@ -8,12 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/surface_features.h"
 
 namespace cairn {
 
 /// An axis-parallel box.
-struct Box {
+struct CAIRN_CORE_EXPORT Box {
   Vec3 lower, upper;  ///< opposite corners, in the frame of whoever holds the box
 
   /// Grows the box to hold a point.
@@ -87,7 +89,7 @@ struct alignas(32) PatchFamily {
 
 /// A surface cut into patches of at most `kMaxTriangles`, each triangle in one, and a tree of boxes above them.
 /// Immutable.
-class SurfacePatches {
+class CAIRN_CORE_EXPORT SurfacePatches {
  public:
   SurfacePatches() = default;
   /// The mesh that the features are of. It is not kept.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/tree_surface.h"
 
 namespace cairn {
@@ -20,7 +21,7 @@ struct SurfaceHit {
 };
 
 /// Casts rays; keeps its working memory from one to the next.
-class SurfaceRay {
+class CAIRN_CORE_EXPORT SurfaceRay {
  public:
   /// `direction`: unit. `except`: a triangle that is not met, the one the ray starts from. Some microseconds.
   SurfaceHit cast(const SurfaceView& surface, const Vec3& origin, const Vec3& direction,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cairn/core/budget.h"
+#include "cairn/core/export.h"
 #include "cairn/core/pair_list.h"
 #include "cairn/core/sphere_tree.h"
 
@@ -25,7 +26,7 @@ inline constexpr double kErrorGrowth = 1 + 0x1p-21;
 /// `refine` works until it is done or the budget refuses a step; called again it goes on where it stopped, and any way
 /// of cutting the work into calls gives the same bits. At every stop the answer is `front() + leafPairs()`: everything
 /// that can touch lies in one of these pairs. No allocation once the lists have reached their working size.
-class Traversal {
+class CAIRN_CORE_EXPORT Traversal {
  public:
   virtual ~Traversal() = default;
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/sphere_tree.h"
 
 namespace cairn {
@@ -15,16 +16,16 @@ inline constexpr std::uint32_t kTreeFileVersion = 1;
 
 /// The tree as the bytes of a `.cairn` file (FlatBuffers, little-endian, checksummed): the same tree gives the same
 /// bytes.
-std::vector<std::byte> encodeTree(const SphereTree& tree);
+CAIRN_CORE_EXPORT std::vector<std::byte> encodeTree(const SphereTree& tree);
 
 /// Reads the bytes of a `.cairn` file. Nothing in them is trusted: length, identifier, version, checksum, FlatBuffers
 /// structure and every element are verified first. The error names what is wrong, without the file's name.
-Result<SphereTree> decodeTree(std::span<const std::byte> bytes);
+CAIRN_CORE_EXPORT Result<SphereTree> decodeTree(std::span<const std::byte> bytes);
 
 /// Reads a `.cairn` file; the error names the file.
-Result<SphereTree> loadTree(const std::filesystem::path& path);
+CAIRN_CORE_EXPORT Result<SphereTree> loadTree(const std::filesystem::path& path);
 
 /// Writes a `.cairn` file completely or not at all.
-Status saveTree(const SphereTree& tree, const std::filesystem::path& path);
+CAIRN_CORE_EXPORT Status saveTree(const SphereTree& tree, const std::filesystem::path& path);
 
 }  // namespace cairn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/core/pose.h"
 #include "cairn/core/traversal.h"
 
@@ -9,7 +10,7 @@ namespace cairn {
 /// Staircase traversal of two sphere-trees (thesis 2.7.1, after Palmer and Grimsdale): each step splits one node of a
 /// pair, the one with the larger certified error, and tests its children against the other sphere, which alone is
 /// moved. A step costs one sphere update and one test per child (Eq. 2.1).
-class TreePairTraversal final : public Traversal {
+class CAIRN_CORE_EXPORT TreePairTraversal final : public Traversal {
  public:
   /// Begins anew at the two roots. `margin` (world length, >= 0): surfaces this far apart still count as touching. Both
   /// trees must outlive the traversal. The root test is part of starting and is not charged.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cairn/core/export.h"
 #include "cairn/core/surface_features.h"
 #include "cairn/core/surface_patches.h"
 
@@ -34,7 +35,7 @@ struct SurfaceView {
 
 /// The tenth percentile, by area, of the way from a face's middle straight inwards to where it leaves the body, over at
 /// most `kThicknessSamples` faces. Some microseconds a sample.
-float surfaceThickness(const SurfaceView& surface);
+CAIRN_CORE_EXPORT float surfaceThickness(const SurfaceView& surface);
 
 /// Faces that `surfaceThickness` looks through at most.
 inline constexpr std::uint32_t kThicknessSamples = 512;

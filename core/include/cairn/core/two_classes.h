@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "cairn/core/export.h"
 #include "cairn/core/ranked_priority.h"
 
 namespace cairn {
@@ -13,7 +14,7 @@ namespace cairn {
 /// when its bodies approach by more than the smaller one's size within a second: closingSpeed > kHighRate size. A low
 /// pair counts `kLowWeight`: it goes before a high one that has just been served once it has waited for 1 / kLowWeight
 /// steps.
-class TwoClasses final : public RankedPriority {
+class CAIRN_CORE_EXPORT TwoClasses final : public RankedPriority {
  public:
   static constexpr double kHighEccentricity = 2 * kHalfAcuityEccentricity;  ///< radians: acuity is a third of the best
   static constexpr double kHighRate = 1;                                    ///< per second

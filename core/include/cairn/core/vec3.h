@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "cairn/core/export.h"
+
 namespace cairn {
 
 /// A point or direction. `Vec3` (float) is what a tree stores, `Vec3d` is what proofs compute with.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/result.h"
 #include "cairn/core/vec3.h"
 
@@ -17,6 +19,7 @@ struct Viewer {
 };
 
 /// Refuses what is not finite, a direction of length zero and a field of view out of range, in one sentence.
+CAIRN_CORE_EXPORT
 Status checkViewer(const Viewer& viewer);
 
 /// How a viewer sees a ball.
@@ -28,6 +31,7 @@ struct Sight {
 
 /// `center` and `radius` (world length, > 0) describe the ball. A ball that is infinitely far away, or at NaN, is not
 /// visible.
+CAIRN_CORE_EXPORT
 Sight sightOf(const Viewer& viewer, const Vec3d& center, double radius);
 
 /// Eccentricity at which two things must be twice as far apart as at the gaze to be told apart: 2.5 degrees, in the
@@ -36,10 +40,12 @@ inline constexpr double kHalfAcuityEccentricity = 0.0436;
 
 /// Acuity away from the gaze relative to that at it, 1 / (1 + eccentricity / kHalfAcuityEccentricity): the angle that
 /// can be resolved grows linearly with eccentricity (Weymouth 1958; Levi, Klein and Aitsebaomo 1985).
+CAIRN_CORE_EXPORT
 double acuityAt(double eccentricity);
 
 /// The angle in radians at which an error of world length `error` is seen: projected from its distance and weighed by
 /// acuity, so that it compares with a gap seen at the gaze; 0 when nothing of the ball is in view. For small angles.
+CAIRN_CORE_EXPORT
 double seenError(const Sight& sight, double error);
 
 }  // namespace cairn

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/pair_memory.h"
 #include "cairn/core/priority.h"
 
@@ -13,7 +14,7 @@ namespace cairn {
 /// The unfinished pairs in the order of their last turns, over all steps: who has waited longest is first.
 ///
 /// Nobody is ever put in front of another, so the k-th in line is first after k turns of whoever was first before it.
-class WaitingLine {
+class CAIRN_CORE_EXPORT WaitingLine {
  public:
   /// A new step; `pairs` ascend by id. Who is new, or had nothing to wait for, stands behind all others, by id.
   /// O(n log n) for n pairs.

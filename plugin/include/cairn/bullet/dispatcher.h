@@ -2,12 +2,15 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "cairn/bullet/narrow_phase.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 
@@ -30,7 +33,7 @@ class Dispatcher : public Base {
  public:
   /// As `Base`'s, with the same arguments.
   template <class... Args>
-  explicit Dispatcher(Args&&... args) : Base(std::forward<Args>(args)...), narrowPhase_(*this) {}
+  explicit Dispatcher(Args&&... args) : Base(std::forward<Args>(args)...), narrowPhase_(*this, kThreads) {}
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
@@ -63,6 +66,9 @@ class Dispatcher : public Base {
   }
 
  private:
+  static constexpr DispatchThreads kThreads =
+      std::is_base_of_v<btCollisionDispatcherMt, Base> ? DispatchThreads::several : DispatchThreads::one;
+
   NarrowPhase narrowPhase_;
 };
 

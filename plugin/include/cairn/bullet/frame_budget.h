@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "cairn/bullet/step.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 
@@ -16,7 +17,7 @@ namespace cairn::bullet {
 ///
 /// The front ends hold one (`setFrameBudget`, `beginFrame`), and `stepFrame` in step_frame.h counts the steps for them.
 /// Use the class directly only where you drive steps yourself.
-class FrameBudget {
+class CAIRN_BULLET_EXPORT FrameBudget {
  public:
   FrameBudget() = default;
   /// The budget of every frame from now on; an unset field is no limit. The current frame starts anew.

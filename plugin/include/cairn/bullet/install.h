@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cairn/bullet/narrow_phase.h"
+#include "cairn/core/export.h"
 #include "cairn/core/result.h"
 
 class btCollisionDispatcher;
@@ -17,9 +18,10 @@ namespace cairn::bullet {
 ///     if (!cairn) return fail(cairn.error().message);
 ///     if (!cairn.value().setBudget({.operations = 50000})) return 1;
 ///
-/// **Lifetime.** Destroy the narrow phase before its world or dispatcher; declare it after them and this holds. Bullet
-/// reports the death of neither, so a later destruction is undefined behaviour. Do not destroy it during a dispatch,
-/// for instance in a contact callback (asserted).
+/// **Lifetime.** The narrow phase may be destroyed before or after its world or dispatcher. Bullet reports the death of
+/// neither. So a narrow phase destroyed while the world has no objects (while the dispatcher has no pair of trees)
+/// touches neither. Both are restored when the next object comes, or the next narrow phase is installed. Do not destroy
+/// it during a dispatch, for instance in a contact callback (asserted).
 ///
 /// One world or dispatcher can have one narrow phase at a time; a second one is an error. A new one may follow the old
 /// one. If other code replaced something that `install` had set, an assertion reports it and the new value stays.
@@ -36,6 +38,7 @@ namespace cairn::bullet {
 ///
 /// Fails when the world has no `btCollisionDispatcher`, or one with sphere-trees registered. Fails also for a
 /// `btCollisionDispatcherMt`, which reports no pass to the pair cache; use `Dispatcher<btCollisionDispatcherMt>` there.
+CAIRN_BULLET_EXPORT
 Result<NarrowPhase> install(btCollisionWorld& world);
 
 /// Installs on a dispatcher alone, for callers that cannot reach the world. A plain dispatcher reports neither the
@@ -57,6 +60,7 @@ Result<NarrowPhase> install(btCollisionWorld& world);
 /// not outlive its bodies.
 ///
 /// Fails when sphere-trees are registered already, and for a `btCollisionDispatcherMt`.
+CAIRN_BULLET_EXPORT
 Result<NarrowPhase> install(btCollisionDispatcher& dispatcher);
 
 }  // namespace cairn::bullet

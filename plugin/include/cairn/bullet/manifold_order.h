@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "cairn/core/export.h"
+
 class btCollisionDispatcher;
 class btDispatcher;
 class btPersistentManifold;
@@ -18,11 +20,19 @@ namespace cairn::bullet {
 /// `dispatcher` is the maker of the manifolds. The span may be its own list, which Bullet hands to the solver when
 /// islands are not split; the dispatcher then still finds its manifolds. Precondition: no pass is under way, and nobody
 /// remembers an index in the list. Cost: linear for a sorted list, else n log n.
+CAIRN_BULLET_EXPORT
 void orderManifolds(std::span<btPersistentManifold*> manifolds, btDispatcher& dispatcher);
 
 /// Sorts all manifolds of a dispatcher. `btCollisionDispatcherMt` lists manifolds by the thread that made them. With
 /// Bullet's own shapes the solver would then see another order in every run. `Dispatcher<btCollisionDispatcherMt>`
 /// calls this after each pass.
+CAIRN_BULLET_EXPORT
 void orderManifolds(btCollisionDispatcher& dispatcher);
+
+/// For `OrderedSolver<>` and who has to know it, without run-time type information: notes the very class of `solver`,
+/// an object with virtual functions, and returns true. From any thread.
+CAIRN_BULLET_EXPORT bool rememberOrderedSolver(const void* solver);
+/// Whether it is of a class that was noted, and not of one derived from it.
+CAIRN_BULLET_EXPORT bool isOrderedSolver(const void* solver);
 
 }  // namespace cairn::bullet

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "cairn/bullet/step.h"
+#include "cairn/core/export.h"
 #include "cairn/core/result.h"
 #include "cairn/core/scheduler.h"
 #include "cairn/core/viewer.h"
@@ -16,6 +18,12 @@ struct btDispatcherInfo;
 
 namespace cairn::bullet {
 
+/// Whether one thread goes through a dispatcher's pairs, or several.
+enum class DispatchThreads : std::uint8_t {
+  one,     ///< Bullet's plain dispatcher
+  several  ///< `btCollisionDispatcherMt`
+};
+
 /// The sphere-tree narrow phase of one dispatcher. It registers the collision algorithms and collects their pairs
 /// during a dispatch. Then it refines all pairs under one budget and writes the contacts. You meet it inside a
 /// `Dispatcher`, or as the result of `install`:
@@ -23,12 +31,13 @@ namespace cairn::bullet {
 ///     Result<NarrowPhase> narrowPhase = cairn::bullet::install(world);
 ///     if (narrowPhase) narrowPhase.value().setFinest(Finest::leaves);
 ///
-/// Its destructor removes all it registered. Destroy it before the dispatcher, and not during a dispatch (asserted).
-class NarrowPhase {
+/// Its destructor removes all it registered. Do not destroy it during a dispatch (asserted). One made by hand must be
+/// destroyed before its dispatcher.
+class CAIRN_BULLET_EXPORT NarrowPhase {
  public:
   /// Registers with `dispatcher`, which must outlive this object and have no sphere-trees registered. The caller marks
   /// steps with `beginStep` and `endStep`. Other callers use `install`.
-  explicit NarrowPhase(btCollisionDispatcher& dispatcher);
+  explicit NarrowPhase(btCollisionDispatcher& dispatcher, DispatchThreads threads = DispatchThreads::one);
   ~NarrowPhase();
   /// The dispatcher keeps its narrow phase: only the owner changes.
   NarrowPhase(NarrowPhase&&) noexcept;

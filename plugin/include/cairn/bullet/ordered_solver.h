@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include "cairn/bullet/manifold_order.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 
@@ -34,6 +36,11 @@ class OrderedSolver : public Solver {
     return Solver::solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer,
                               dispatcher);
   }
+
+ private:
+  static constexpr bool kIsOfPlain = std::is_same_v<Solver, btSequentialImpulseConstraintSolver>;
+
+  [[maybe_unused]] bool isKnown_ = kIsOfPlain && rememberOrderedSolver(this);
 };
 
 }  // namespace cairn::bullet

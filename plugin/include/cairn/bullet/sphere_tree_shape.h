@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/result.h"
 #include "cairn/core/sphere_tree.h"
 
@@ -44,10 +46,15 @@ enum class ContactPart : std::uint8_t {
 class ExtremePoints;
 class LeafBalls;
 class RegionBalls;
+class UnservedWatch;
 
 /// Surfaces closer than this fraction of the smaller body's size are reported although they do not touch. The solver
 /// then lets them close the separation and no more, so that resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
+
+/// Scale factors that differ by no more than this fraction are uniform: some units in the last place of a float, as an
+/// engine gets them by decomposing and composing matrices.
+inline constexpr btScalar kScaleRounding = btScalar(4e-6);
 
 /// The default level that `serialize` writes as a compound. Level 2 of a tree with branching 8 has at most 64 spheres.
 inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
@@ -62,7 +69,7 @@ inline constexpr std::uint32_t kDefaultCompoundLevel = 2;
 /// The type is `FAST_CONCAVE_MESH_PROXYTYPE`. So Bullet's generic code for concave shapes works on the source
 /// triangles, through `processAllTriangles`: rays, sweeps, debug drawing and unregistered pairs. Pairs handled by
 /// `Dispatcher` use the spheres. One tree serves any number of shapes and bodies.
-class SphereTreeShape final : public btConcaveShape {
+class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
  public:
   /// Creates the shape with margin 0 and casts on triangles. The margin (`setMargin`) grows contacts, boxes and
   /// bounding spheres; it is in metres at any scale.
@@ -145,7 +152,7 @@ class SphereTreeShape final : public btConcaveShape {
   void processAllTriangles(btTriangleCallback* callback, const btVector3& aabbMin,
                            const btVector3& aabbMax) const override;
   /// Names the kind of shape, as all of Bullet's shapes do. The serializer gets a shape's own name.
-  const char* getName() const override { return "CairnSphereTree"; }
+  const char* getName() const override;
 
   /// The level whose spheres `serialize` writes for programs that know only Bullet. Leaves above the level belong to
   /// it.
@@ -168,6 +175,7 @@ class SphereTreeShape final : public btConcaveShape {
   std::unique_ptr<const ExtremePoints> extremes_;
   std::unique_ptr<const RegionBalls> regionBalls_;
   std::unique_ptr<const LeafBalls> leafBalls_;  // null unless casts hit spheres
+  std::unique_ptr<UnservedWatch> unserved_;
   BodyFrame frame_;
   std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar scale_ = 1;
@@ -179,6 +187,7 @@ class SphereTreeShape final : public btConcaveShape {
 
 /// The shape as a `SphereTreeShape`, or null. Decided by its C++ class, because other shapes may use the same type
 /// number.
+CAIRN_BULLET_EXPORT
 const SphereTreeShape* asSphereTree(const btCollisionShape* shape);
 
 }  // namespace cairn::bullet

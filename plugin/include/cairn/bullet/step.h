@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "cairn/core/export.h"
+
 namespace cairn::bullet {
 
 /// The limit on the work of one simulation step, for all pairs together. An unset field is no limit; with both set, the

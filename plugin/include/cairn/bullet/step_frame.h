@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "cairn/core/export.h"
+
 namespace cairn::bullet {
 
 /// How many steps `world.stepSimulation` would make now with the same arguments. Follows Bullet's rule and clamps by

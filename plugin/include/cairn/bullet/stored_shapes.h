@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 
@@ -30,6 +31,7 @@ struct StoredShape {
 /// For your own importers; `WorldImporter` uses it together with Bullet's importer. Nothing is trusted: it checks
 /// lengths, names and numbers, and verifies trees as `decodeTree` does for `.cairn` files. The error says what is
 /// wrong, without the file's name. Cost: linear in the file's size.
+CAIRN_BULLET_EXPORT
 Result<std::vector<StoredShape>> readStoredShapes(std::span<const std::byte> bulletFile);
 
 }  // namespace cairn::bullet

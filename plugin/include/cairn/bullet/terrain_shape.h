@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 #include "cairn/core/result.h"
 #include "cairn/core/vec3.h"
 
@@ -56,7 +58,7 @@ class TerrainLattice;
 /// Frame: origin at the middle of the grid in x and y, heights unchanged. `origin()` gives this point in the user's
 /// coordinates. A body at the world's origin makes world coordinates equal to the user's minus `origin()`. Float then
 /// resolves a terrain of ten kilometres to half a millimetre.
-class TerrainShape final : public btConcaveShape {
+class CAIRN_BULLET_EXPORT TerrainShape final : public btConcaveShape {
  public:
   /// Fails for less than two or more than 2^20 points a side, and for more than 2^30 cells. Fails for a cell size that
   /// is not positive and finite, or too small for the precision of the coordinates. Fails for a wrong number of
@@ -93,7 +95,7 @@ class TerrainShape final : public btConcaveShape {
   /// The scale of the grid along its axes.
   const btVector3& getLocalScaling() const override { return scaling_; }
   /// The name of this kind of shape, as everywhere in Bullet.
-  const char* getName() const override { return "CairnTerrain"; }
+  const char* getName() const override;
   /// Refuses, with a message on standard error, because a `.bullet` file holds no heights. An importer finds neither
   /// shape nor body. Create the terrain again from its grid.
   void serializeSingleShape(btSerializer* serializer) const override;
@@ -131,6 +133,7 @@ inline TerrainTriangle terrainTriangle(const TerrainGrid& grid, int index) {
 }
 
 /// The shape as a `TerrainShape`, or null. Decided by its C++ class, never by the type number alone.
+CAIRN_BULLET_EXPORT
 const TerrainShape* asTerrain(const btCollisionShape* shape);
 
 }  // namespace cairn::bullet

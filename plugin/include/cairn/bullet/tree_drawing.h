@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 
@@ -38,17 +39,21 @@ inline constexpr std::array<std::array<double, 3>, 6> kErrorColors{{{0.29, 0.36,
 
 /// The place of an error on the colour scale: 0 at its least error, 1 at its greatest. `errorFraction` is a fraction of
 /// the size. Errors beyond the scale give values outside [0, 1].
+CAIRN_BULLET_EXPORT
 double onErrorScale(double errorFraction);
 
 /// The colour of an error, as a fraction of the size. Errors beyond the scale get the colour of its nearer end.
+CAIRN_BULLET_EXPORT
 btVector3 errorColor(double errorFraction);
 
 /// Draws the spheres of a level, margin included, of a body at `bodyTransform` (world frame).
+CAIRN_BULLET_EXPORT
 void drawTree(btIDebugDraw& drawer, const btTransform& bodyTransform, const SphereTreeShape& shape,
               std::uint32_t level);
 
 /// Draws all trees of a world with the world's drawer, also those in compounds, in addition to `debugDrawWorld`. Omits
 /// objects with CF_DISABLE_VISUALIZE_OBJECT. Does nothing without a drawer.
+CAIRN_BULLET_EXPORT
 void drawTrees(btCollisionWorld& world, std::uint32_t level);
 
 /// A world that draws spheres *instead of* a tree's triangles while a level is set. It affects `debugDrawWorld` and

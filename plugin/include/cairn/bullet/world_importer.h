@@ -17,6 +17,7 @@
 
 #include "cairn/bullet/stored_shapes.h"
 #include "cairn/core/atomic_file.h"
+#include "cairn/core/export.h"
 
 namespace cairn::bullet {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -11,7 +12,7 @@ namespace cairn::effects {
 /// round however long the step. Spin is left alone.
 ///
 /// Criterion: has a volume, and is faster than `leastSpeed`. For a rock of 1 m at 30 m/s it is 1.4 % of its weight.
-class AirDrag final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT AirDrag final : public Effect, ForceHook {
  public:
   /// The air, and the bodies' shape in it.
   struct Options {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 namespace cairn::effects {
 
 /// A log of events until somebody takes them. It has room for a fixed number of entries; when it is full, the oldest

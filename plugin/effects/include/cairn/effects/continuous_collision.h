@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 class btCollisionShape;
@@ -16,7 +17,7 @@ namespace cairn::effects {
 /// leaves. Counts the bodies that are fast enough in a step.
 ///
 /// Concave shapes that are not sphere-trees (compounds, GImpact) have no continuous collision in Bullet.
-class ContinuousCollision final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT ContinuousCollision final : public Effect, ForceHook {
  public:
   /// Which bodies are looked ahead for.
   struct Options {

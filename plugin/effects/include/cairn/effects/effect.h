@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "cairn/core/export.h"
+
 #include "cairn/effects/materials.h"
 
 class btCollisionObject;
@@ -24,7 +26,7 @@ struct Traits {
 };
 
 /// A moving body in an `EffectSet`.
-struct Body {
+struct CAIRN_EFFECTS_EXPORT Body {
   /// A body of the world that takes part from now on, under this id.
   Body(btRigidBody* rigidBody, const Traits& itsTraits, std::uint32_t itsId);
 
@@ -71,7 +73,7 @@ struct Contact {
 
 /// A blow between two objects: all their contacts in all manifolds together. Bullet takes two steps to stop bodies that
 /// are about to touch. Such a blow is reported once, when it is over, with the motion before it began.
-struct Impact {
+struct CAIRN_EFFECTS_EXPORT Impact {
   std::array<Side, 2> sides;               ///< the two objects; at least one of them moves
   btVector3 place;                         ///< of the contact that closed fastest, world frame
   btVector3 normal;                        ///< there, unit, from side 1 to side 0
@@ -97,7 +99,7 @@ class ForceHook {
 /// Changes friction, restitution or normals of contacts. Contacts between two sleeping objects are left out. Returns
 /// the number of contacts changed. The change must not depend on a change in an earlier step, because Bullet keeps
 /// points.
-class MaterialHook {
+class CAIRN_EFFECTS_EXPORT MaterialHook {
  public:
   virtual ~MaterialHook() = default;
   /// Whether it might change contacts of these materials, in either order; those that no effect is concerned with it
@@ -168,7 +170,7 @@ enum class Turn : std::uint8_t {
 };
 
 /// One effect of a scene, which acts through its hooks on whatever meets its criterion.
-class Effect {
+class CAIRN_EFFECTS_EXPORT Effect {
  public:
   virtual ~Effect() = default;
   /// The effect's name in reports and case files. Valid as long as the effect.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/core/result.h"
 #include "cairn/effects/effect.h"
 
@@ -42,10 +43,12 @@ struct EffectReport {
 /// The effects of a scene, and nothing else: what was not added is not there, and a set without effects leaves every
 /// bit of a simulation as it is.
 ///
-///     auto effects = cairn::effects::EffectSet::create(world);
-///     effects.value()->add(std::make_unique<cairn::effects::AirDrag>(options));
-///     effects.value()->addBody(rock, {.material = kLimestone, .volume = volume});
-///     effects.value()->describe(ground, {.material = kSoil});
+///     auto made = cairn::effects::EffectSet::create(world);
+///     if (!made) return fail(made.error().message);
+///     cairn::effects::EffectSet& effects = *made.value();
+///     effects.add(std::make_unique<cairn::effects::AirDrag>(options));
+///     effects.addBody(rock, {.material = kLimestone, .volume = volume});
+///     effects.describe(ground, {.material = kSoil});
 ///
 /// It stands between the world and its solver and is called in every internal step: forces and materials after
 /// collision detection and before solving, impacts and events after solving and before bodies move. So it works with
@@ -55,7 +58,7 @@ struct EffectReport {
 ///
 /// **Lifetime.** It must die before the world, and before or after all bodies as you like, if these were removed. While
 /// it lives, `world.getConstraintSolver()` is not the solver you made; a solver set since is left alone (asserted).
-class EffectSet {
+class CAIRN_EFFECTS_EXPORT EffectSet {
  public:
   /// An error for a world that made its solver itself (it would free it) and for multibody and soft-body worlds, which
   /// keep another one.

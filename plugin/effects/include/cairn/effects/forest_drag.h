@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 #include "cairn/effects/ground_height.h"
 #include "cairn/effects/region.h"
@@ -12,7 +13,7 @@ namespace cairn::effects {
 /// v exp(-coefficient t / m): left alone, a body stops after m v / coefficient. Spin is left alone.
 ///
 /// Criterion: moves, is in the region, below the height, over known ground.
-class ForestDrag final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT ForestDrag final : public Effect, ForceHook {
  public:
   /// The forest.
   struct Options {

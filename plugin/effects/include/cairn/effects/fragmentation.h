@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 #include "cairn/effects/fragments.h"
 
@@ -31,7 +32,7 @@ struct Break {
 /// inherit is the motion after the blow. Siblings touch along their cuts, and their spheres reach beyond these, which
 /// Bullet would drive apart the harder the shorter its step is; until they have parted once, their contacts only keep
 /// them from coming closer. So energy never rises by breaking. A body breaks at most once a step.
-class Fragmentation final : public Effect, MaterialHook, ImpactHook {
+class CAIRN_EFFECTS_EXPORT Fragmentation final : public Effect, MaterialHook, ImpactHook {
  public:
   /// When bodies break.
   struct Options {

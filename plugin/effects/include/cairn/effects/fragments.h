@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cairn/bullet/sphere_tree_shape.h"
+#include "cairn/core/export.h"
 #include "cairn/core/result.h"
 
 class btCollisionShape;
@@ -26,7 +27,7 @@ struct Fragments {
 };
 
 /// The pieces of the kind that one body consists of.
-struct FragmentPart {
+struct CAIRN_EFFECTS_EXPORT FragmentPart {
   std::shared_ptr<const Fragments> kind;  ///< not null
   std::vector<std::uint32_t> pieces;      ///< ascending
   btScalar scale = 1;                     ///< mesh unit to m
@@ -58,12 +59,14 @@ struct FragmentBody {
 };
 
 /// The piece of a body whose spheres come nearest to a place (world frame). Linear in the leaves.
+CAIRN_EFFECTS_EXPORT
 std::uint32_t nearestPiece(const btRigidBody& body, const FragmentPart& part, const btVector3& place);
 
 /// The bodies left when one piece breaks off: the piece, then each group of the others that hangs together, in the
 /// order of its first piece. They move as the matter of the old body did, so mass, momentum, angular momentum and
 /// kinetic energy add up to the old body's. Precondition: `piece` is one of at least two of the body's.
 /// Fails for what the shapes refuse.
+CAIRN_EFFECTS_EXPORT
 Result<std::vector<FragmentBody>> breakOff(const btRigidBody& body, const FragmentPart& part, std::uint32_t piece);
 
 }  // namespace cairn::effects

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
 
 /// Coulomb friction by pair of materials, in place of Bullet's product of the two bodies' coefficients.
-class Friction final : public Effect, MaterialHook {
+class CAIRN_EFFECTS_EXPORT Friction final : public Effect, MaterialHook {
  public:
   /// Coefficients, >= 0.
   explicit Friction(PairTable<btScalar> coefficients) : coefficients_(std::move(coefficients)) {}

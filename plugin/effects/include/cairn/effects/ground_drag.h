@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
+
 #include "cairn/effects/effect.h"
 #include "cairn/effects/ground_height.h"
 
@@ -10,7 +12,7 @@ namespace cairn::effects {
 /// to rest after v^2 / (2 deceleration), and never turns round. Spin stays unchanged.
 ///
 /// Criterion: the body moves slower than `below`, and the ball of its volume is less than `within` above the ground.
-class GroundDrag final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT GroundDrag final : public Effect, ForceHook {
  public:
   /// Where and how much rocks are braked.
   struct Options {

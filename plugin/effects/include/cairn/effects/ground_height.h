@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "cairn/core/export.h"
+
 namespace cairn::effects {
 
 /// How high the ground is, for effects that act near it. z is up.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -17,7 +18,7 @@ namespace cairn::effects {
 /// Criterion: the ratio of the greatest to the smallest principal moment is at least `minInertiaRatio` when the body
 /// comes (those bodies' gyroscopic flags are switched off until they leave; others keep Bullet's), and it spins. Bodies
 /// that cannot turn about some axis are left alone.
-class Gyroscopic final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT Gyroscopic final : public Effect, ForceHook {
  public:
   /// Which bodies it is for.
   struct Options {

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/bounded_log.h"
 #include "cairn/effects/effect.h"
 
@@ -10,7 +11,7 @@ namespace cairn::effects {
 
 /// Tells a game where to draw dust and play sounds: blows whose normal impulse is greater than a threshold. Changes
 /// nothing.
-class ImpactEvents final : public Effect, EventHook {
+class CAIRN_EFFECTS_EXPORT ImpactEvents final : public Effect, EventHook {
  public:
   /// Which blows are told.
   struct Options {

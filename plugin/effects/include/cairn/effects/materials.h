@@ -9,13 +9,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "cairn/core/export.h"
+
 namespace cairn::effects {
 
 /// A material's number, counted from zero by whoever names materials: a place in tables, so keep them dense.
 using MaterialId = std::uint16_t;
 
 /// The material an object shows at a place: a terrain's zones.
-class MaterialMap {
+class CAIRN_EFFECTS_EXPORT MaterialMap {
  public:
   virtual ~MaterialMap() = default;
   /// `place`: world frame. Asked for each contact in each step; must not allocate.

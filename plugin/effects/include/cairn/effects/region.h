@@ -5,10 +5,12 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
+
 namespace cairn::effects {
 
 /// A part of the map: everywhere, or the inside of a polygon in x and y (world frame, m; z is up).
-class Region {
+class CAIRN_EFFECTS_EXPORT Region {
  public:
   /// A corner.
   struct Point {

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -33,7 +34,7 @@ btScalar at(const Law& law, btScalar value, btScalar closingSpeed);
 /// points tell the solver a distance that leaves the speed alone (see docs/algorithms/effects.md).
 ///
 /// Bodies' own restitution is overridden. Bounces below `EffectSet::kImpactSpeed` end.
-class Restitution final : public Effect, MaterialHook {
+class CAIRN_EFFECTS_EXPORT Restitution final : public Effect, MaterialHook {
  public:
   /// `values` mean what `law` says of the table.
   Restitution(PairTable<btScalar> values, restitution::Law law) : values_(std::move(values)), law_(law) {}

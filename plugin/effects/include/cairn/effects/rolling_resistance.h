@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -12,7 +13,7 @@ namespace cairn::effects {
 ///
 /// Bullet's own rolling rows end at the torque of a normal impulse of 1 N s; these are solved by the set, which
 /// cannot do that beside every solver of a world (see `EffectSet::canAct`).
-class RollingResistance final : public Effect, MaterialHook {
+class CAIRN_EFFECTS_EXPORT RollingResistance final : public Effect, MaterialHook {
  public:
   /// Lever arms of one pair of materials.
   struct Lengths {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 #include "cairn/effects/ground_height.h"
 
@@ -22,7 +23,7 @@ class StemGrid;
 /// however close to each other (Rockyfor3D before 6.0 kept one a cell: ecorisQ, "In-depth revision of Rockyfor3D").
 ///
 /// Criterion: has a volume, moves, and touches a stem. Stems where the ground is unknown do not stand.
-class SingleTrees final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT SingleTrees final : public Effect, ForceHook {
  public:
   /// One tree.
   struct Stem {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -17,7 +18,7 @@ namespace cairn::effects {
 /// likes.
 ///
 /// Counts the bodies of the set that are asleep.
-class Sleeping final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT Sleeping final : public Effect, ForceHook {
  public:
   /// When bodies fall asleep.
   struct Options {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -11,7 +12,7 @@ namespace cairn::effects {
 /// by the slip speed while the body touches one of the given pairs of materials and dies away as exp(-recovery t) while
 /// it does not. Soil heaps up before a rock and lets it go in the air (Leine et al. 2014, Multibody System Dynamics 32,
 /// 241-271). It replaces `Friction`'s value for these pairs, unless `most` is zero, which is off.
-class SlipFriction final : public Effect, MaterialHook {
+class CAIRN_EFFECTS_EXPORT SlipFriction final : public Effect, MaterialHook {
  public:
   /// How friction grows.
   struct Options {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/bounded_log.h"
 #include "cairn/effects/effect.h"
 
@@ -17,7 +18,7 @@ namespace cairn::effects {
 ///
 /// Criterion: has a volume, and strikes something that does not move and whose material is soil here. Acts after the
 /// solver, on top of restitution and friction.
-class SoilScarring final : public Effect, ImpactHook {
+class CAIRN_EFFECTS_EXPORT SoilScarring final : public Effect, ImpactHook {
  public:
   /// A material's softness.
   struct Soil {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -14,7 +15,7 @@ namespace cairn::effects {
 ///
 /// Counter-based: a tilt is a pure function of the seed, the body's id and the step's number, so neither threads nor
 /// other bodies change it.
-class SurfaceRoughness final : public Effect, MaterialHook {
+class CAIRN_EFFECTS_EXPORT SurfaceRoughness final : public Effect, MaterialHook {
  public:
   /// `heights`: m, by material, of the side that does not move; materials beyond it are smooth.
   SurfaceRoughness(std::vector<btScalar> heights, std::uint64_t seed) : heights_(std::move(heights)), seed_(seed) {}

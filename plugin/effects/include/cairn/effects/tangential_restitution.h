@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 
 namespace cairn::effects {
@@ -18,7 +19,7 @@ namespace cairn::effects {
 /// is a point: each of its blows but those that follow a touch is one. Of several blows in one step the first counts.
 ///
 /// Only against static objects; moving bodies that strike each other keep their friction. Energy never rises.
-class TangentialRestitution final : public Effect, MaterialHook, ImpactHook {
+class CAIRN_EFFECTS_EXPORT TangentialRestitution final : public Effect, MaterialHook, ImpactHook {
  public:
   /// Of a fall from rest that takes as long as the shortest free flight, in radii of the body.
   static constexpr btScalar kFallenRadii = 1;

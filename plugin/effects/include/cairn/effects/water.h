@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include "cairn/core/export.h"
 #include "cairn/effects/effect.h"
 #include "cairn/effects/region.h"
 
@@ -14,7 +15,7 @@ namespace cairn::effects {
 /// left out. A body sinks to (m - density volume) g = F, or floats where f = m / (density volume).
 ///
 /// Criterion: has a volume, its ball reaches below the level, and its centre is in the region.
-class Water final : public Effect, ForceHook {
+class CAIRN_EFFECTS_EXPORT Water final : public Effect, ForceHook {
  public:
   /// The water, and the bodies' shape in it.
   struct Options {

@@ -30,13 +30,19 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/install/cairnConfig.cmak
                               INSTALL_DESTINATION ${cairn_package_dir})
 write_basic_package_version_file(cairn${cairn_suffix}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cairn${cairn_suffix}Config.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/cairn${cairn_suffix}ConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/Bullet.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/cairn${cairn_suffix}ConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/CairnBullet.cmake
         DESTINATION ${cairn_package_dir} COMPONENT plugin)
 
+set(cairn_pc_definitions "")
+if(BUILD_SHARED_LIBS)
+  set(cairn_pc_definitions " -DCAIRN_SHARED")
+endif()
 file(RELATIVE_PATH cairn_prefix_from_pc /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/install/cairn.pc.in cairn${cairn_suffix}.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cairn${cairn_suffix}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
-        COMPONENT plugin)
+foreach(package cairn cairn-effects)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/install/${package}.pc.in ${package}${cairn_suffix}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}${cairn_suffix}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT plugin)
+endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/plugin/LICENSE RENAME copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcairn${cairn_suffix}-dev COMPONENT plugin)
 

@@ -70,6 +70,59 @@ function(cairn_check_bullet_definitions target)
   endforeach()
 endfunction()
 
+# Headers older than 3.0 lack what Cairn calls. Where a target's folders cannot be read yet, nothing is known and nothing said.
+function(cairn_check_bullet_version target)
+  get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  string(REGEX REPLACE "\\$<[A-Z_]+:([^>]*)>" "\\1" folders "${folders}")
+  foreach(folder IN LISTS folders)
+    if(EXISTS ${folder}/LinearMath/btScalar.h)
+      file(STRINGS ${folder}/LinearMath/btScalar.h line REGEX "#define BT_BULLET_VERSION [0-9]+")
+      string(REGEX MATCH "[0-9]+$" version "${line}")
+      if(version AND version LESS 300)
+        message(FATAL_ERROR "Bullet ${version} (${folder}) is too old: Cairn needs 3.0 or newer.")
+      endif()
+      return()
+    endif()
+  endforeach()
+endfunction()
+
+# Bullet's own project, added to this one, calls its libraries by these names and says of them neither where their headers
+# are nor, to others, with which definitions they are compiled.
+function(cairn_take_bullets_own_targets)
+  get_target_property(source LinearMath SOURCE_DIR)
+  get_target_property(definitions LinearMath COMPILE_DEFINITIONS)
+  list(FILTER definitions INCLUDE REGEX "^BT_(USE_DOUBLE_PRECISION|THREADSAFE)")
+  foreach(name Collision Dynamics)
+    add_library(cairn_own_bullet_${name} INTERFACE)
+    add_library(Bullet::${name} ALIAS cairn_own_bullet_${name})
+    target_include_directories(cairn_own_bullet_${name} SYSTEM INTERFACE ${source}/..)
+    target_compile_definitions(cairn_own_bullet_${name} INTERFACE ${definitions})
+    target_link_libraries(cairn_own_bullet_${name} INTERFACE Bullet${name} BulletCollision LinearMath)
+  endforeach()
+endfunction()
+
+# Whether a class derived from one of Bullet's can have run-time type information: not where Bullet was built without. Cairn,
+# which does not use it, is then built without as well. With MSVC the two go together.
+function(cairn_follow_bullets_rtti target)
+  if(MSVC OR NOT CAIRN_RTTI)
+    return()
+  endif()
+  set(CMAKE_REQUIRED_LIBRARIES ${target})
+  check_cxx_source_compiles("
+    #include <btBulletCollisionCommon.h>
+    struct Own : btCollisionDispatcher { using btCollisionDispatcher::btCollisionDispatcher; };
+    int main() {
+      btDefaultCollisionConfiguration configuration;
+      Own own(&configuration);
+      return own.getNumManifolds();
+    }" CAIRN_BULLET_HAS_RTTI${cairn_bullet_suffix})
+  if(NOT CAIRN_BULLET_HAS_RTTI${cairn_bullet_suffix})
+    unset(CAIRN_BULLET_HAS_RTTI${cairn_bullet_suffix} CACHE)
+    message(STATUS "Bullet was built without run-time type information: so is Cairn")
+    set(CAIRN_RTTI OFF PARENT_SCOPE)
+  endif()
+endfunction()
+
 # Whether all a target stands for exists already.
 function(cairn_is_imported target result)
   get_target_property(imported ${target} IMPORTED)
@@ -82,11 +135,16 @@ function(cairn_is_imported target result)
   set(${result} ${imported} PARENT_SCOPE)
 endfunction()
 
+if(NOT TARGET Bullet::Collision AND TARGET BulletCollision AND TARGET BulletDynamics AND TARGET LinearMath)
+  cairn_take_bullets_own_targets()
+endif()
 if(TARGET Bullet::Collision AND TARGET Bullet::Dynamics)
+  cairn_check_bullet_version(Bullet::Collision)
   cairn_is_imported(Bullet::Collision cairn_bullet_exists)
   if(cairn_bullet_exists)
     unset(CAIRN_BULLET_PRECISION_MATCHES${cairn_bullet_suffix} CACHE)  # another target than last time, perhaps
     cairn_check_bullet_precision(Bullet::Collision)
+    cairn_follow_bullets_rtti(Bullet::Collision)
   else()
     cairn_check_bullet_definitions(Bullet::Collision)
   endif()
@@ -128,6 +186,7 @@ endfunction()
 cairn_import_bullet(Bullet::Collision BulletCollision LinearMath)
 cairn_import_bullet(Bullet::Dynamics BulletDynamics BulletCollision LinearMath)
 cairn_check_bullet_precision(Bullet::Collision)
+cairn_follow_bullets_rtti(Bullet::Collision)
 message(STATUS "Bullet ${BULLET_VERSION_STRING}${cairn_bullet_suffix}: ${CAIRN_BulletCollision${cairn_bullet_suffix}}")
 
 foreach(library BulletWorldImporter BulletFileLoader)

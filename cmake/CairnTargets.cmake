@@ -22,6 +22,18 @@ function(cairn_library name)
   target_compile_features(cairn_${name} PUBLIC cxx_std_20)
 endfunction()
 
+# A library that programs link: it shows what its headers mark (`CAIRN_CORE_EXPORT` and the like) and nothing else, and asks
+# nobody for run-time type information.
+function(cairn_shown_library name)
+  set_target_properties(cairn_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(BUILD_SHARED_LIBS)
+    target_compile_definitions(cairn_${name} PUBLIC CAIRN_SHARED)
+  endif()
+  if(NOT CAIRN_RTTI)
+    target_compile_options(cairn_${name} PRIVATE $<IF:$<CXX_COMPILER_ID:MSVC>,/GR-,-fno-rtti>)
+  endif()
+endfunction()
+
 # Where the build is a unity build, sources of one folder are compiled together, so names only have to differ within it.
 # Those that include CGAL, whose templates fill a compiler by themselves, and those Highway includes again for every
 # instruction set stay alone.
