@@ -8,7 +8,15 @@
 
 namespace cairn::rockfall {
 
-std::string explainText(const Scene& scene, const SceneBounds& bounds, const std::vector<EffectOutlook>& outlooks) {
+Explanation explain(const Scene& scene) {
+  Explanation explanation{boundsOf(scene), {}, {}};
+  explanation.outlooks = explainEffects(scene.description, explanation.bounds);
+  explanation.warnings = sceneWarnings(scene.description, explanation.bounds);
+  return explanation;
+}
+
+std::string explainText(const Scene& scene, const Explanation& explanation) {
+  const auto& [bounds, outlooks, warnings] = explanation;
   const Case& description = scene.description;
   std::string text =
       fmt::format("case {}: step {:g} s, duration {:g} s, ground from {:.4g} to {:.4g} m\n", description.name,
@@ -34,12 +42,14 @@ std::string explainText(const Scene& scene, const SceneBounds& bounds, const std
                      outlook.reason);
     else if (!outlook.advice.empty())
       fmt::format_to(out, "warning: /effects/{}: \"{}\": {}\n", outlook.index, outlook.name, outlook.advice);
+  for (const SceneWarning& warning : warnings) fmt::format_to(out, "warning: {}: {}\n", warning.path, warning.text);
   return text;
 }
 
-std::string explainJson(const Scene& scene, const SceneBounds& bounds, const std::vector<EffectOutlook>& outlooks) {
+std::string explainJson(const Scene& scene, const Explanation& explanation) {
   using Ordered = nlohmann::ordered_json;
-  Ordered groups = Ordered::array(), effects = Ordered::array();
+  const auto& [bounds, outlooks, sceneWarnings] = explanation;
+  Ordered groups = Ordered::array(), effects = Ordered::array(), warnings = Ordered::array();
   for (std::size_t g = 0; g < bounds.groups.size(); ++g) {
     const GroupBounds& group = bounds.groups[g];
     groups.push_back({{"rocks", scene.description.rocks[g].count},
@@ -56,10 +66,13 @@ std::string explainJson(const Scene& scene, const SceneBounds& bounds, const std
                        {"groups", outlook.groups},
                        {"needs", outlook.reason},
                        {"advice", outlook.advice}});
+  for (const SceneWarning& warning : sceneWarnings)
+    warnings.push_back({{"path", warning.path}, {"warning", warning.text}});
   const Ordered json{{"case", scene.description.name},
                      {"ground_m", {scene.ground->lower().z, scene.ground->upper().z}},
                      {"groups", groups},
-                     {"effects", effects}};
+                     {"effects", effects},
+                     {"warnings", warnings}};
   return json.dump(1) + "\n";
 }
 

@@ -10,17 +10,19 @@
 #include "cairn/core/atomic_file.h"
 #include "explain_report.h"
 #include "options.h"
+#include "rockfall/convergence/convergence_report.h"
 #include "rockfall/ensemble/run_folder.h"
 #include "rockfall/outputs/merge_outputs.h"
 #include "rockfall/simulation/run_effects.h"
 #include "scenes/command/program.h"
+#include "validate_command.h"
 
 namespace cairn::rockfall {
 namespace {
 
 /// Puts the case file's name before an error sentence that begins with a path in the case.
 Error inCase(const std::filesystem::path& file, const Error& error) {
-  for (const char* section : {"/terrain", "/rocks/", "/effects/", "/outputs/"})
+  for (const char* section : {"/terrain", "/step_s", "/budget/", "/rocks/", "/effects/", "/collectors/", "/outputs/"})
     if (error.message.starts_with(section)) return Error{fmt::format("{}: {}", file.string(), error.message)};
   return error;
 }
@@ -68,10 +70,9 @@ Status execute(const ExplainCommand& command) {
   if (!description) return description.error();
   const auto scene = prepare(command.caseFile, command.cache, std::move(description).value());
   if (!scene) return scene.error();
-  const SceneBounds bounds = boundsOf(scene.value());
-  const auto outlooks = explainEffects(scene.value().description, bounds);
-  fmt::print("{}", explainText(scene.value(), bounds, outlooks));
-  return command.json ? writeFileAtomically(*command.json, explainJson(scene.value(), bounds, outlooks)) : Status();
+  const Explanation explanation = explain(scene.value());
+  fmt::print("{}", explainText(scene.value(), explanation));
+  return command.json ? writeFileAtomically(*command.json, explainJson(scene.value(), explanation)) : Status();
 }
 
 Status execute(const MergeCommand& command) {
@@ -85,6 +86,28 @@ Status execute(const MergeCommand& command) {
                merged.effects[i].acted, merged.effects[i].elapsedUs / 1e6, merged.did[i].energyTakenJ / 1e3);
   fmt::print("merged hash {}\n", merged.hash);
   return {};
+}
+
+Status execute(const ConvergeCommand& command) {
+  if (command.json)
+    if (Status writable = checkWritable(*command.json); !writable) return writable;
+  auto description = readCase(command.caseFile);
+  if (!description) return description.error();
+  if (const Status checked = checkConvergence(description.value(), command.options); !checked)
+    return inCase(command.caseFile, checked.error());
+  auto scene = prepare(command.caseFile, command.cache, std::move(description).value());
+  if (!scene) return scene.error();
+  scenes::ProgressLine progress("runs");
+  const auto found = converge(scene.value(), command.options, [&](double done) { return progress.show("done", done); });
+  if (!found) return inCase(command.caseFile, found.error());
+  const Case& read = scene.value().description;
+  fmt::print("{}", convergenceText(found.value(), read, command.options.tolerance));
+  if (!command.json) return {};
+  return writeFileAtomically(*command.json, convergenceJson(found.value(), read, command.options.tolerance));
+}
+
+Status execute(const ValidateCommand& command) {
+  return validate(command);
 }
 
 Status execute(const SchemaCommand&) {

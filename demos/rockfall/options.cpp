@@ -17,24 +17,25 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  rockfall run slope.json --runs 0:100 --jobs 4 -o out/runs\n"
     "  rockfall merge out/runs -o out/merged --png\n"
+    "  rockfall validate authume --jobs 4 --figure validation.svg --json validation.json\n"
     "  parallel --joblog jobs.log --resume rockfall run slope.json --runs 0:1000 --part {}/8 -o out/part-{} ::: 1 2 3 "
     "4 5 "
     "6 7 8";
 
 struct Texts {
-  std::string runs = "0:1";
+  std::string runs = "0:1", convergeRuns = "0:20";
   std::optional<std::string> part;
 };
+
+std::string refuseNoRange(const std::string& text) {
+  const auto range = parseRange(text);
+  return range ? std::string() : range.error().message;
+}
 
 CLI::App* addRun(CLI::App& app, RunCommand& run, Texts& texts) {
   CLI::App* command = app.add_subcommand("run", "simulate runs of a case that the folder does not hold yet");
   command->add_option("CASE", run.caseFile, "the case file")->required();
-  command->add_option("--runs", texts.runs, "a:b, the runs a to b - 1")
-      ->check([](const std::string& text) {
-        const auto range = parseRange(text);
-        return range ? std::string() : range.error().message;
-      })
-      ->capture_default_str();
+  command->add_option("--runs", texts.runs, "a:b, the runs a to b - 1")->check(refuseNoRange)->capture_default_str();
   command->add_option("--part", texts.part, "i/n, only the i-th of n parts of these runs")
       ->check([](const std::string& text) {
         const auto part = partOf({0, kMaxRuns}, text);
@@ -63,6 +64,62 @@ CLI::App* addMerge(CLI::App& app, MergeCommand& merge) {
   return command;
 }
 
+CLI::App* addConverge(CLI::App& app, ConvergeCommand& converge, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "converge",
+      "run the same rocks at the case's step, at half of it, at a quarter, and say which step is fine enough, and how "
+      "sure that is");
+  command->add_option("CASE", converge.caseFile, "the case file")->required();
+  command->add_option("--runs", texts.convergeRuns, "a:b, the runs a to b - 1, at least five; more runs tell more")
+      ->check(refuseNoRange)
+      ->capture_default_str();
+  command->add_option("--halvings", converge.options.halvings, "how often the case's step is halved")
+      ->check(CLI::Range(1U, 8U))
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", converge.options.tolerance,
+                   "by which part means may differ from those at the finest step")
+      ->check(CLI::Range(0.001, 1.0))
+      ->capture_default_str();
+  command->add_option("--json", converge.json, "write the same to this file");
+  command->add_option("--jobs", converge.options.jobs, "processes")
+      ->check(CLI::Range(1U, 1024U))
+      ->capture_default_str();
+  command->add_option("--cache", converge.cache, "folder for sphere-trees, as for run");
+  command->footer(
+      "Examples:\n"
+      "  rockfall converge slope.json --jobs 4\n"
+      "  rockfall converge slope.json --runs 0:100 --halvings 4 --tolerance 0.05 --json steps.json");
+  return command;
+}
+
+CLI::App* addValidate(CLI::App& app, ValidateCommand& validate) {
+  CLI::App* command = app.add_subcommand("validate",
+                                         "let the blocks of a real experiment fall (the quarry of Authume) and print "
+                                         "where they stop, beside where the real "
+                                         "ones did and beside the published simulations: see docs/validation.md");
+  command->add_option("DIR", validate.folder, "the experiment's data as they were published")->required();
+  command->add_option("--settings", validate.settings,
+                      "what the experiment does not say: step, effects, ranges; default the program's own");
+  command->add_option("--calibrate", validate.calibrated,
+                      "look for better values of the settings' parameters first, on profile P1 alone, and write the "
+                      "settings with them to this file");
+  command->add_option("--json", validate.json, "write the same to this file");
+  command->add_option("--figure", validate.figure, "draw the distributions to this file (SVG)");
+  command->add_option("--every", validate.every, "let only every n-th block fall, for a first look")
+      ->check(CLI::Range(1U, 1000U))
+      ->capture_default_str();
+  command->add_option("--jobs", validate.jobs, "processes")->check(CLI::Range(1U, 1024U))->capture_default_str();
+  command->add_option("--cache", validate.cache, "folder for sphere-trees, as for run");
+  command->footer(
+      "Examples:\n"
+      "  rockfall validate authume --jobs 4\n"
+      "  rockfall validate authume --every 16\n"
+      "  rockfall validate authume --jobs 4 --calibrate mine.json --figure mine.svg\n"
+      "  rockfall validate authume --jobs 4 --settings mine.json --json mine-result.json");
+  return command;
+}
+
 }  // namespace
 
 std::variant<Command, int> parseOptions(int argc, const char* const* argv) {
@@ -72,10 +129,14 @@ std::variant<Command, int> parseOptions(int argc, const char* const* argv) {
   RunCommand run;
   ExplainCommand explain;
   MergeCommand merge;
+  ValidateCommand validate;
+  ConvergeCommand converge;
   Texts texts;
   const CLI::App* runs = addRun(app, run, texts);
   const CLI::App* explains = addExplain(app, explain);
   const CLI::App* merges = addMerge(app, merge);
+  const CLI::App* converges = addConverge(app, converge, texts);
+  const CLI::App* validates = addValidate(app, validate);
   app.add_subcommand("schema", "print the JSON Schema of case files");
   if (const auto code = scenes::parseCommandLine(app, argc, argv)) return *code;
   if (*runs) {
@@ -85,6 +146,11 @@ std::variant<Command, int> parseOptions(int argc, const char* const* argv) {
   }
   if (*explains) return Command(explain);
   if (*merges) return Command(merge);
+  if (*converges) {
+    converge.options.runs = parseRange(texts.convergeRuns).value();
+    return Command(converge);
+  }
+  if (*validates) return Command(validate);
   return Command(SchemaCommand{});
 }
 

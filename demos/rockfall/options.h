@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "rockfall/convergence/convergence.h"
 #include "rockfall/ensemble/run_range.h"
 
 namespace cairn::rockfall {
@@ -32,7 +33,19 @@ struct MergeCommand {
 
 struct SchemaCommand {};
 
-using Command = std::variant<RunCommand, ExplainCommand, MergeCommand, SchemaCommand>;
+struct ValidateCommand {
+  std::filesystem::path folder;
+  std::optional<std::filesystem::path> settings, json, figure, calibrated, cache;
+  std::uint32_t jobs = 1, every = 1;
+};
+
+struct ConvergeCommand {
+  std::filesystem::path caseFile;
+  ConvergenceOptions options;
+  std::optional<std::filesystem::path> json, cache;
+};
+
+using Command = std::variant<RunCommand, ExplainCommand, MergeCommand, SchemaCommand, ValidateCommand, ConvergeCommand>;
 
 /// The command, or the exit code if the program is to end now.
 std::variant<Command, int> parseOptions(int argc, const char* const* argv);

@@ -51,8 +51,8 @@ void BlowOrder::arrange(std::span<Contact> contacts, const Step& step) {
   if (std::ranges::none_of(firsts_, &First::isAsked)) return;
   for (Contact& contact : contacts) {
     const btScalar radius = radiusOf(contact);
-    if (!isInBlow(contact) || !(radius > 0)) continue;
-    const First& first = firsts_[static_cast<std::size_t>(contact.impact)];
+    if (!isInOrder(contact) || !(radius > 0)) continue;
+    const First& first = firstOf(contact);
     if (!first.isAsked || first.isDeep) continue;
     const btScalar later = first.sinceTouch - sinceTouch(contact);
     if (later * contact.closingSpeed > kTogetherRadii * radius)
@@ -62,16 +62,29 @@ void BlowOrder::arrange(std::span<Contact> contacts, const Step& step) {
   }
 }
 
+BlowOrder::First& BlowOrder::firstOf(const Contact& contact) {
+  return firsts_[static_cast<std::size_t>(contact.impact)];
+}
+
+bool BlowOrder::isInOrder(const Contact& contact) {
+  return isInBlow(contact) && contact.closingSpeed >= kSlowestPart * firstOf(contact).fastest;
+}
+
 void BlowOrder::findFirst(std::span<const Contact> contacts) {
   firsts_.clear();
+  for (const Contact& contact : contacts) {
+    if (!isInBlow(contact)) continue;
+    if (const auto impacts = static_cast<std::size_t>(contact.impact) + 1; firsts_.size() < impacts)
+      firsts_.resize(impacts);
+    First& first = firstOf(contact);
+    first.fastest = std::max(first.fastest, contact.closingSpeed);
+  }
   for (const Contact& contact : contacts)
-    if (isInBlow(contact)) note(contact);
+    if (isInOrder(contact)) note(contact);
 }
 
 void BlowOrder::note(const Contact& contact) {
-  const auto impact = static_cast<std::size_t>(contact.impact);
-  if (firsts_.size() <= impact) firsts_.resize(impact + 1);
-  First& first = firsts_[impact];
+  First& first = firstOf(contact);
   first.sinceTouch = first.isKnown ? std::max(first.sinceTouch, sinceTouch(contact)) : sinceTouch(contact);
   first.isKnown = true;
   first.isAsked = first.isAsked || contact.ordersBlow;
@@ -83,9 +96,12 @@ void BlowOrder::remember(const Contact& contact) {
   changed_.push_back({contact.point, point.m_distance1, point.m_positionWorldOnA, point.m_positionWorldOnB});
 }
 
+// The solver passes it over, and leaves the impulses that it had: they are none of this step's.
 void BlowOrder::actLater(Contact& contact) {
   remember(contact);
-  contact.point->m_distance1 = kNoSay;
+  btManifoldPoint& point = *contact.point;
+  point.m_distance1 = kNoSay;
+  point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
 }
 
 // A corner that comes down ahead of a rolling body is under it by then. Contacts that do not touch within the step stay
@@ -93,14 +109,14 @@ void BlowOrder::actLater(Contact& contact) {
 void BlowOrder::actAtTouch(Contact& contact, const Step& step) {
   const btScalar time = -sinceTouch(contact);
   if (time > step.timeStep) return;
-  remember(contact);
   btManifoldPoint& point = *contact.point;
-  point.m_distance1 = 0;
   const btCollisionObject &a = *contact.sides[0].object, &b = *contact.sides[1].object;
   const btVector3 onA = turned(a, point.m_positionWorldOnA, time), onB = turned(b, point.m_positionWorldOnB, time);
   const btVector3 velocity = velocityAt(a, onA) - velocityAt(b, onB);
   const btScalar closing = -velocity.dot(point.m_normalWorldOnB);
   if (closing <= EffectSet::kImpactSpeed) return;
+  remember(contact);
+  point.m_distance1 = 0;
   point.m_positionWorldOnA = onA;
   point.m_positionWorldOnB = onB;
   contact.relativeVelocity = velocity;

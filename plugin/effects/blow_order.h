@@ -24,6 +24,9 @@ class BlowOrder {
   /// Of the body's radius: what touches no farther apart than this touches together. A twentieth: of 80 rocks down a
   /// cliff, half or twice as much leaves the mean speed 5 % off at 5 ms, or nearly so.
   static constexpr btScalar kTogetherRadii = btScalar(0.05);
+  /// Contacts slower than this fraction of the pair's fastest closing speed have no order. A corner about which the
+  /// body turns hardly moves, so its depth over its speed does not show when it touched.
+  static constexpr btScalar kSlowestPart = btScalar(0.25);
 
   /// Before the solver, when effects have changed the contacts.
   void arrange(std::span<Contact> contacts, const Step& step);
@@ -32,6 +35,7 @@ class BlowOrder {
 
  private:
   struct First {
+    btScalar fastest = 0;     // m/s, greatest closing speed of the pair's contacts
     btScalar sinceTouch = 0;  // s, negative: ahead
     bool isKnown = false, isAsked = false;
     bool isDeep = false;  // deeper than a radius, so that the first corner is unknown
@@ -42,6 +46,8 @@ class BlowOrder {
     btVector3 onA, onB;
   };
 
+  First& firstOf(const Contact& contact);
+  bool isInOrder(const Contact& contact);
   void note(const Contact& contact);
   void findFirst(std::span<const Contact> contacts);
   void actLater(Contact& contact);

@@ -42,6 +42,7 @@ std::uint32_t TangentialRestitution::changeContacts(std::span<Contact> contacts,
         {&point, point.m_combinedFriction, point.m_combinedRollingFriction, point.m_combinedSpinningFriction});
     point.m_combinedFriction = point.m_combinedRollingFriction = point.m_combinedSpinningFriction = 0;
     contact.rollingLength = contact.spinningLength = 0;
+    contact.ordersBlow = false;  // without friction the order of corners takes no spin
   }
   return 0;  // the bounces count, once they have come
 }

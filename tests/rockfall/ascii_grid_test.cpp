@@ -73,6 +73,23 @@ TEST(AsciiGrid, KnowsCornersAndCentersAndWhereNorthIs) {
   expectSame(nan.value(), {2, 1, 1, 0, 0, {kNone, 3}, {}});
 }
 
+TEST(AsciiGrid, ReadsWhatOtherProgramsWrite) {
+  const std::string head = "ncols 3\nnrows 1\nxllcenter 0\nyllcenter 0\n";
+  const auto expectRead = [&](const std::string& rest, const std::vector<double>& values) {
+    const Result<Raster> read = parseAsciiGrid(head + rest, "text");
+    ASSERT_TRUE(read) << read.error().message;
+    expectSame(read.value(), {3, 1, 2, 0, 0, values, {}});
+  };
+  // the least float, with all its digits and with as many as a float needs
+  expectRead("cellsize 2\nNODATA_value -3.4028234663852886e+38\n-3.4028235e+38 2 3\n", {kNone, 2, 3});
+  expectRead("cellsize 2\nNODATA_value -3.4028235e+38\n1 -3.4028234663852886e+38 3\n", {1, kNone, 3});
+  expectRead("cellsize 2\nNODATA_value -9999\nnan NaN 3\n", {kNone, kNone, 3});
+  expectRead("cellsize 2\nNODATA_value -9999\n-9998.99 -9999.00000001 0\n", {-9998.99, kNone, 0});
+  expectRead("cellsize 2\nNODATA_value 0\n1e-30 0 3\n", {1e-30, kNone, 3});
+  expectRead("dx 2\ndy 2\nNODATA_value -1\n1 -1 3\n", {1, kNone, 3});
+  expectRead("DX 2\nDY 2.000000000001\n1 2 3\n", {1, 2, 3});
+}
+
 std::string refusal(const std::string& text) {
   const Result<Raster> read = parseAsciiGrid(text, "dem.asc");
   return read ? "accepted" : read.error().message;
@@ -95,8 +112,14 @@ TEST(AsciiGrid, RefusesInOneSentenceWithTheLine) {
   EXPECT_EQ(refusal(head + "NODATA_value none\n"), "dem.asc, line 6: NODATA_value is \"none\": give a number");
   EXPECT_EQ(refusal(head + "1 2\n3 x\x01\n"),
             "dem.asc, line 7: the value is \"x?\": give a finite number or NODATA_value");
-  EXPECT_EQ(refusal(head + "1 2\nnan 3\n"),
-            "dem.asc, line 7: the value is \"nan\": give a finite number or NODATA_value");
+  EXPECT_EQ(refusal(head + "1 2\ninf 3\n"),
+            "dem.asc, line 7: the value is \"inf\": give a finite number or NODATA_value");
+  EXPECT_EQ(refusal("ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ndx 2\ndy 3\n1 2\n"),
+            "dem.asc, line 6: has cells of 2.000000 x 3.000000 m: warp it to square ones first");
+  EXPECT_EQ(refusal("ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ndx -2\ndy -2\n1 2\n"),
+            "dem.asc, line 5: dx is not positive: give the distance of two values in metres");
+  EXPECT_EQ(refusal("ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ndx 2\n1 2\n"),
+            "dem.asc, line 6: found \"1\" where dy has to be");
   EXPECT_EQ(refusal(head + "1 2\n3   \n"), "dem.asc, line 8: the file ends after 3 of 4 values");
   EXPECT_EQ(refusal(head + "1 2\n3 4\n5\n"), "dem.asc, line 8: found \"5\" after the last value");
   EXPECT_EQ(refusal("ncols 1000000\nnrows 200\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n"),

@@ -156,6 +156,19 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{
             R"([{"op": "replace", "path": "/rocks/0/make/kind", "value": "pebble\u0007\n"}])",
             R"(case.json: /rocks/0/make/kind: there is no kind of rock "pebble\u0007\n": use angular, slabby, rounded)"},
+        Slip{R"([{"op": "replace", "path": "/rocks/0/density_kg_per_m3", "value": 2.7}])",
+             "case.json: /rocks/0/density_kg_per_m3: 2.7 kg/m3 is lighter than any rock: if these are t/m3, give 2700"},
+        Slip{
+            R"([{"op": "add", "path": "/effects/-", "value": {"effect": "trees", "stems": [[1, 2, 28]]}}])",
+            "case.json: /effects/1/stems/0/2: no stem is 28 m thick: give its diameter at breast height in metres, not "
+            "its height, nor centimetres"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value":
+                  {"effect": "trees", "stems": {"density_per_ha": 300, "diameter_m": [0.2, 30]}}}])",
+             "case.json: /effects/1/stems/diameter_m/1: no stem is 30 m thick: give its diameter at breast height in "
+             "metres, not its height, nor centimetres"},
+        Slip{R"([{"op": "replace", "path": "/terrain/zones/0/polygon_m", "value": [[0, 0], [4, 4], [4, 0], [0, 4]]}])",
+             "case.json: /terrain/zones/0/polygon_m: the edges from corner 0 and from corner 2 cross: give the corners "
+             "in order around the area, and two areas as two polygons"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "events"}}])",
              "case.json: /effects/1: \"dust_impulse_n_s\" or \"sound_impulse_n_s\" must be given"}));
 
@@ -191,6 +204,35 @@ TEST(Case_Polygon, ContainsWhatIsInsideOnly) {
   EXPECT_FALSE(contains(corner, {3, 3}));
   EXPECT_FALSE(contains(corner, {-0.1, 0.5}));
   EXPECT_TRUE(contains({}, {1e6, -1e6})) << "no polygon: everywhere";
+}
+
+// Against the slow way: every two edges that do not share a corner, as lines with two unknowns.
+TEST(Case_Polygon, KnowsWhetherItCrossesItself) {
+  EXPECT_FALSE(crossingEdges({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}));
+  EXPECT_EQ(crossingEdges({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), (std::pair<std::size_t, std::size_t>{0, 2}));
+  EXPECT_FALSE(crossingEdges({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})) << "it touches itself";
+  constexpr std::uint64_t kSeed = 72;
+  std::mt19937_64 engine(kSeed);
+  int crossing = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Polygon polygon(3 + engine() % 4);
+    for (MapPoint& corner : polygon) corner = {test::uniform(engine, 0, 1), test::uniform(engine, 0, 1)};
+    bool expected = false;
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        if (i == j || (i + 1) % n == j || (j + 1) % n == i) continue;
+        const MapPoint &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[j], &d = polygon[(j + 1) % n];
+        const double ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
+        const double det = uy * vx - ux * vy, x = c[0] - a[0], y = c[1] - a[1];
+        const double s = (y * vx - x * vy) / det, t = (ux * y - uy * x) / det;
+        expected |= s > 0 && s < 1 && t > 0 && t < 1;
+      }
+    ASSERT_EQ(crossingEdges(polygon).has_value(), expected) << "seed " << kSeed << ", trial " << trial;
+    crossing += expected;
+  }
+  EXPECT_GT(crossing, 200);
+  EXPECT_LT(crossing, 1800);
 }
 
 // A square cut along a random line: every point belongs to exactly one part.

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <ostream>
+#include <string>
 
 #include "prepared_scene.h"
+#include "rockfall/case/scene_warnings.h"
 #include "rockfall/simulation/run.h"
 #include "rockfall/simulation/scene_bounds.h"
 
@@ -104,6 +108,56 @@ TEST(ExplainedRollingResistance, AsksForWhatStopsTheSpinOfRocksThatItHoldsUp) {
   EXPECT_EQ(adviceOn(R"({"effect": "rolling_resistance", "default_m": 0})"), "");
 }
 
+/// What is warned of in the plain case, changed: 22 m/s at most, smallest radius 0.2 m, cells of 1 m.
+std::string warningsAbout(const std::function<void(json&)>& change) {
+  json document = test::plainCase();
+  document["rocks"][0]["tree_depth"] = 1;
+  document["effects"] = json::array({{{"effect", "friction"}, {"default", 0.5}},
+                                     {{"effect", "restitution"}, {"law", "constant"}, {"default", 0.3}},
+                                     {{"effect", "ccd"}}});
+  document["step_s"] = 0.004;
+  change(document);
+  const Scene scene = test::prepared(document);
+  std::string all;
+  for (const SceneWarning& warning : sceneWarnings(scene.description, boundsOf(scene)))
+    all += warning.path + ": " + warning.text + "\n";
+  return all;
+}
+
+TEST(SceneWarnings, AreNoneForASceneThatHasWhatItNeeds) {
+  EXPECT_EQ(warningsAbout([](json&) {}), "");
+}
+
+TEST(SceneWarnings, AreOfStepsInWhichASmallRockPassesItsRadius) {
+  EXPECT_EQ(warningsAbout([](json& d) { d["step_s"] = 0.008; }), "");
+  const std::string told = warningsAbout([](json& d) { d["step_s"] = 0.012; });
+  EXPECT_NE(told.find("/step_s: a rock of group 0 may pass 0.2"), std::string::npos) << told;
+  EXPECT_NE(told.find("radius of 0.2 m: try 0.00"), std::string::npos) << told;
+  EXPECT_EQ(std::ranges::count(told, '\n'), 1) << told;
+}
+
+TEST(SceneWarnings, AreOfStepsInWhichACellOfTheGroundIsPassed) {
+  const std::string told = warningsAbout([](json& d) {
+    d["step_s"] = 0.008;
+    d["terrain"]["cell_m"] = 0.1;
+  });
+  EXPECT_NE(told.find("a cell of the ground of 0.1 m"), std::string::npos) << told;
+}
+
+TEST(SceneWarnings, AreOfWhatASceneNeedsAndDoesNotList) {
+  const auto without = [](std::size_t effect) {
+    return warningsAbout([effect](json& d) { d["effects"].erase(effect); });
+  };
+  EXPECT_NE(without(0).find("no \"friction\" is listed"), std::string::npos);
+  EXPECT_NE(without(1).find("no \"restitution\" is listed"), std::string::npos);
+  EXPECT_EQ(without(2), "") << "9 cm in a step: less than half a radius";
+  const std::string fast = warningsAbout([](json& d) {
+    d["effects"].erase(2);
+    d["step_s"] = 0.006;
+  });
+  EXPECT_NE(fast.find("no \"ccd\" is listed"), std::string::npos) << fast;
+}
+
 TEST(SceneBounds_OfSpeedAndFall, HoldForRunsOfTheScene) {
   json document = test::plainCase();
   document["effects"] = json::array();  // nothing brakes
@@ -124,7 +178,7 @@ TEST(SceneBounds_GroundMaterials, AreThoseSomewhereOnTheGround) {
   json document = test::plainCase();
   document["materials"].push_back("far");
   document["terrain"]["zones"].push_back(
-      json::parse(R"({"material": "far", "polygon_m": [[100, 0], [110, 0], [110, 10]]})"));
+      json::parse(R"({"material": "far", "polygon_m": [[41, 5], [41, 20], [38, 20]]})"));
   const Scene scene = test::prepared(document);
   EXPECT_EQ(boundsOf(scene).groundMaterials, (std::vector<MaterialId>{0, 1}));
 }

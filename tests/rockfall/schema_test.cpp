@@ -82,6 +82,7 @@ bool isBeyondTheSchema(const std::string& sentence) {
                                      "ends of the line",
                                      "must not be below",
                                      "comes first",
+                                     "cross: give the corners",
                                      "No such file",
                                      "cannot open"};
   for (const char* words : kWords)

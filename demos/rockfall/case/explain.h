@@ -23,6 +23,7 @@ struct GroupBounds {
 /// Bounds for a scene before any simulation.
 struct SceneBounds {
   std::vector<GroupBounds> groups;
+  double groundCellM = 0;                   ///< between the points of its grid
   std::vector<MaterialId> groundMaterials;  ///< those the ground has somewhere
   /// Returns the lowest ground within a region; nothing for a region without ground.
   std::function<std::optional<double>(const Polygon&)> lowestGround;

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effects of what a body is in: air, water, forest, the layer over the ground.
+#include <fmt/format.h>
+
 #include "rockfall/case/effect_readers.h"
 
 namespace cairn::rockfall {
 namespace {
 
-constexpr Range kDensity = between(0, 20000), kCoefficient = between(0, 100), kDiameter{0, 20, true};
+constexpr Range kDensity = between(0, 20000), kCoefficient = between(0, 100), kDiameter{0, 1000, true};
 constexpr std::size_t kMaxStems = 1000000;
+
+double readDiameter(const Value& value) {
+  constexpr double kThickest = 5;  // m; of the rarest trees, with few exceptions
+  const double diameter = value.number(kDiameter);
+  if (diameter > kThickest)
+    value.refuse(
+        fmt::format("no stem is {:g} m thick: give its diameter at breast height in metres, not its height, nor "
+                    "centimetres",
+                    diameter));
+  return diameter;
+}
 
 StandOfTrees readStand(const Value& value) {
   Object object(value);
@@ -14,7 +27,7 @@ StandOfTrees readStand(const Value& value) {
   stand.densityPerHa = object.at("density_per_ha").number(between(0, 100000));
   const Value diameters = object.at("diameter_m");
   if (const auto ends = diameters.items(2, 2); ends.size() == 2) {
-    stand.diameterM = {ends[0].number(kDiameter), ends[1].number(kDiameter)};
+    stand.diameterM = {readDiameter(ends[0]), readDiameter(ends[1])};
     if (stand.diameterM[1] < stand.diameterM[0]) diameters.refuse("the smaller diameter comes first");
   }
   stand.polygon = readRegion(object);
@@ -27,7 +40,7 @@ std::vector<Stem> readStems(const Value& value) {
     const auto parts = item.items(3, 3);
     if (parts.size() != 3) return stems;
     const MapPoint place{parts[0].number(between(-1e7, 1e7)), parts[1].number(between(-1e7, 1e7))};
-    stems.push_back({place, parts[2].number(kDiameter)});
+    stems.push_back({place, readDiameter(parts[2])});
   }
   return stems;
 }

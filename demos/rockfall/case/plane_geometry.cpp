@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/case/plane_geometry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace cairn::rockfall {
 namespace {
 
 constexpr std::size_t kMaxCorners = 10000;
+
+// Positive where c lies to the left of the way from a to b.
+double side(const MapPoint& a, const MapPoint& b, const MapPoint& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool areApart(const MapPoint& a, const MapPoint& b, const MapPoint& c, const MapPoint& d) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+        std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]))
+      return true;
+  return false;
+}
+
+// In a point inside both: edges that only touch do not cross.
+bool cross(const MapPoint& a, const MapPoint& b, const MapPoint& c, const MapPoint& d) {
+  return !areApart(a, b, c, d) && side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
 
 }  // namespace
 
@@ -19,12 +39,25 @@ MapPoint readPoint(const Value& value) {
 Polygon readPolygon(const Value& value) {
   Polygon polygon;
   for (const Value& corner : value.items(3, kMaxCorners)) polygon.push_back(readPoint(corner));
+  if (const auto edges = crossingEdges(polygon))
+    value.refuse(
+        fmt::format("the edges from corner {} and from corner {} cross: give the corners in order around the "
+                    "area, and two areas as two polygons",
+                    edges->first, edges->second));
   return polygon;
 }
 
 Polygon readRegion(Object& object) {
   const auto polygon = object.find("polygon_m");
   return polygon ? readPolygon(*polygon) : Polygon();
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> crossingEdges(const Polygon& polygon) {
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 2; j < count; ++j)
+      if (cross(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % count])) return std::pair(i, j);
+  return {};
 }
 
 bool contains(const Polygon& polygon, const MapPoint& point) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "rockfall/case/cursor.h"
@@ -14,9 +17,13 @@ using MapPoint = std::array<double, 2>;
 using Polygon = std::vector<MapPoint>;
 
 MapPoint readPoint(const Value& value);
+/// Refuses one that crosses itself.
 Polygon readPolygon(const Value& value);
 /// The key polygon_m, or everywhere.
 Polygon readRegion(Object& object);
+
+/// The first two edges that cross, by the corners they begin at, counted from 0. Quadratic in the corners.
+std::optional<std::pair<std::size_t, std::size_t>> crossingEdges(const Polygon& polygon);
 
 /// By the even-odd rule: the polygon may cross itself. Of a border shared by two polygons every point belongs to
 /// exactly one. Everything is in an empty polygon. Linear in the corners.

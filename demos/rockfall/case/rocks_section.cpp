@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/case/rocks_section.h"
 
+#include <fmt/format.h>
+
 namespace cairn::rockfall {
 namespace {
 
@@ -55,6 +57,15 @@ Release readRelease(const Value& value) {
   return release;
 }
 
+double readDensity(const Value& value) {
+  constexpr double kLightest = 50;  // kg/m^3: lighter than any wood or pumice, heavier than osmium is in t/m^3
+  const double density = value.number({1, 20000});
+  if (density < kLightest)
+    value.refuse(
+        fmt::format("{:g} kg/m3 is lighter than any rock: if these are t/m3, give {:g}", density, 1000 * density));
+  return density;
+}
+
 RockGroup readGroup(const Value& value, const Materials& materials) {
   Object object(value);
   RockGroup group;
@@ -62,7 +73,7 @@ RockGroup readGroup(const Value& value, const Materials& materials) {
   group.source = readRockSource(object);
   group.sieve = readSieve(object.at("sieve_m"));
   if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
-  group.densityKgPerM3 = object.at("density_kg_per_m3").number({1, 20000});
+  group.densityKgPerM3 = readDensity(object.at("density_kg_per_m3"));
   group.material = readMaterial(object.at("material"), materials);
   group.release = readRelease(object.at("release"));
   return group;

@@ -88,13 +88,19 @@ Zone makeZone(MaterialId material, Polygon polygon) {
   return zone;
 }
 
+std::optional<MaterialId> MaterialGrid::at(const MapPoint& point) const {
+  const double column = (point[0] - cornerM[0]) / cellM, row = (point[1] - cornerM[1]) / cellM;
+  if (!(column >= 0 && column < columns && row >= 0 && row < rows)) return {};
+  return materials[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+}
+
 MaterialId TerrainSection::materialAt(const MapPoint& point) const {
   for (auto zone = zones.rbegin(); zone != zones.rend(); ++zone) {
     const bool isInBox = point[0] >= zone->lower[0] && point[0] <= zone->upper[0] && point[1] >= zone->lower[1] &&
                          point[1] <= zone->upper[1];
     if (isInBox && contains(zone->polygon, point)) return zone->material;
   }
-  return material;
+  return grid.at(point).value_or(material);
 }
 
 TerrainSection readTerrain(const Value& value, const Materials& materials) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -69,10 +70,22 @@ struct Zone {
 };
 Zone makeZone(MaterialId material, Polygon polygon);
 
+/// A material for each square cell of a grid.
+struct MaterialGrid {
+  std::uint32_t columns = 0, rows = 0;
+  double cellM = 1;
+  MapPoint cornerM{};                 ///< of the first cell, where x and y are least
+  std::vector<MaterialId> materials;  ///< row by row from the south, each along x
+
+  /// Nothing outside the grid.
+  std::optional<MaterialId> at(const MapPoint& point) const;
+};
+
 struct TerrainSection {
   TerrainSource source;
   MaterialId material = 0;
-  std::vector<Zone> zones;
+  MaterialGrid grid;        ///< before `material`; empty: there is none
+  std::vector<Zone> zones;  ///< before `grid`, the last first
 
   MaterialId materialAt(const MapPoint& point) const;
 };

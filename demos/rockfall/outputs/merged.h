@@ -31,7 +31,7 @@ struct MergedRuns {
   using Cell = std::pair<std::int32_t, std::int32_t>;  ///< row, column
 
   std::uint64_t runs = 0, rocks = 0, impacts = 0;
-  std::array<std::uint64_t, 5> endings{};  ///< by `RockEnd`
+  std::array<std::uint64_t, kRockEnds> endings{};  ///< by `RockEnd`
   double runoutSumM = 0, releasedEnergyJ = 0;
   LogHistogram runoutM, energyJ, heightM;
   std::map<Cell, CellSummary> cells;

@@ -2,6 +2,7 @@
 #include "rockfall/outputs/tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,14 +11,16 @@
 namespace cairn::rockfall {
 
 const char* nameOf(RockEnd ending) {
-  static constexpr std::array kNames{"resting", "moving", "left", "lost", "broken"};
+  static constexpr std::array kNames{"resting", "moving", "left", "lost", "broken", "hole"};
+  static_assert(kNames.size() == kRockEnds);
   return kNames[static_cast<std::size_t>(ending)];
 }
 
 Tables::Tables(const Case& description)
     : description_(description),
       runs_(
-          "run,rocks,resting,moving,left,lost,broken,impacts,crossings,max_energy_j,max_height_m,max_runout_m,steps,"
+          "run,rocks,resting,moving,left,lost,broken,hole,impacts,crossings,max_energy_j,max_height_m,max_runout_m,"
+          "steps,"
           "operations,max_operations,released_energy_j,energy_rise_j,state_hash\n"),
       rocks_(
           "run,rock,broken_from,group,variant,sieve_m,mass_kg,release_s,end_s,ending,start_x_m,start_y_m,start_z_m,end_"
@@ -28,7 +31,7 @@ Tables::Tables(const Case& description)
       effects_("run,index,effect,acts,energy_taken_j,impulse_n_s,torque_impulse_n_m_s\n") {}
 
 void Tables::add(const RunResult& result) {
-  std::array<std::uint32_t, 5> endings{};
+  std::array<std::uint32_t, kRockEnds> endings{};
   std::uint64_t impacts = 0;
   double energy = 0, height = 0, runout = 0;
   for (std::size_t i = 0; i < result.rocks.size(); ++i) {
@@ -60,11 +63,10 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(std::back_inserter(effects_), "{},{},{},{},{:.6g},{:.6g},{:.6g}\n", result.run, i, effect.name,
                    effect.acts, effect.energyTakenJ, effect.impulseNS, effect.torqueImpulseNMS);
   }
-  fmt::format_to(std::back_inserter(runs_),
-                 "{},{},{},{},{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n", result.run,
-                 result.rocks.size(), endings[0], endings[1], endings[2], endings[3], endings[4], impacts,
-                 result.crossings.size(), energy, height, runout, result.steps, result.operations, result.maxOperations,
-                 result.releasedEnergyJ, result.energyRiseJ, result.stateHash);
+  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n", result.run,
+                 result.rocks.size(), fmt::join(endings, ","), impacts, result.crossings.size(), energy, height, runout,
+                 result.steps, result.operations, result.maxOperations, result.releasedEnergyJ, result.energyRiseJ,
+                 result.stateHash);
 }
 
 }  // namespace cairn::rockfall

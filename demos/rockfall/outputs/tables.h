@@ -26,7 +26,7 @@ class Tables {
   std::string runs_, rocks_, impacts_, crossings_, effects_;
 };
 
-/// resting, moving, left or lost.
+/// resting, moving, left, lost, broken or hole.
 const char* nameOf(RockEnd ending);
 
 }  // namespace cairn::rockfall

@@ -24,6 +24,10 @@ class Ground {
   /// Where the shape's body stands. To be used of a scene's ground only: the map's coordinates may be too large.
   virtual btTransform place() const = 0;
 
+  /// Over the ground or one of its holes.
+  bool isWithin(const MapPoint& point) const {
+    return point[0] >= lower().x && point[0] < upper().x && point[1] >= lower().y && point[1] < upper().y;
+  }
   /// Not over holes of a raster.
   virtual bool covers(const MapPoint& point) const = 0;
   /// Of the surface that bodies collide with. Precondition: `covers(point)`.
@@ -31,6 +35,8 @@ class Ground {
   /// Upward, of unit length. Precondition: `covers(point)`.
   virtual Vec3d normalAt(const MapPoint& point) const = 0;
   virtual MaterialId materialAt(const MapPoint& point) const = 0;
+  /// Between the points of its grid, along x and y.
+  virtual double cellM() const = 0;
   /// Corners of the box around the surface.
   virtual Vec3d lower() const = 0;
   virtual Vec3d upper() const = 0;

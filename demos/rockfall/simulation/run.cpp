@@ -19,13 +19,16 @@
 namespace cairn::rockfall {
 namespace {
 
+// Of many rocks a hundred steps take a tenth of a second; the question takes less than a microsecond.
+constexpr std::uint32_t kStepsBetweenQuestions = 100;
+
 /// One run while it goes on.
 class Running {
  public:
-  Running(const Scene& scene, std::uint64_t run, RunWorld& world)
+  Running(const Scene& scene, std::uint64_t run, std::vector<ReleasedRock> releases, RunWorld& world)
       : scene_(scene),
         world_(world),
-        releases_(releaseRocks(scene, run)),
+        releases_(std::move(releases)),
         bodies_(releases_.size()),
         gone_(releases_.size()),
         energies_(scene.description.gravityMPerS2, scene.ground->lower().z) {
@@ -128,8 +131,9 @@ class Running {
   void follow(std::uint32_t rock) {
     const Vec3d center = scenes::fromBullet(bodies_[rock]->getWorldTransform().getOrigin());
     const MapPoint point{center.x, center.y};
-    if (!isFinite(center) || !scene_.ground->covers(point))
-      return remove(rock, isFinite(center) ? RockEnd::left : RockEnd::lost);
+    if (!isFinite(center)) return remove(rock, RockEnd::lost);
+    if (!scene_.ground->covers(point))
+      return remove(rock, scene_.ground->isWithin(point) ? RockEnd::hole : RockEnd::left);
     // The ground lifts again what has dived into it; from all of a rock below it nothing can be told.
     const auto reach = static_cast<double>(bodies_[rock]->getCollisionShape()->getAngularMotionDisc());
     if (center.z + reach < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
@@ -185,20 +189,23 @@ class Running {
 }  // namespace
 
 Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, const std::function<bool()>& keepGoing) {
+  return simulate(scene, run, releaseRocks(scene, run), keepGoing);
+}
+
+Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, std::vector<ReleasedRock> releases,
+                             const std::function<bool()>& keepGoing) {
   const double start = scenes::threadCpuMicroseconds();
   auto world = RunWorld::create(scene, run);
   if (!world) return world.error();
-  Running running(scene, run, *world.value());
+  Running running(scene, run, std::move(releases), *world.value());
   StateHash hash;
   const auto stepsASecond = static_cast<std::uint32_t>(std::max(1.0, std::round(1 / scene.description.stepS)));
   for (std::uint32_t step = 1; step <= scene.description.stepCount(); ++step) {
     if (const Status released = running.releaseDue(); !released) return released.error();
     running.step();
     if (const Status broken = running.breakRocks(); !broken) return broken.error();
-    if (step % stepsASecond == 0) {
-      running.addState(hash);
-      if (keepGoing && !keepGoing()) return Error{std::string(builder::kCancelled)};
-    }
+    if (step % stepsASecond == 0) running.addState(hash);
+    if (step % kStepsBetweenQuestions == 0 && keepGoing && !keepGoing()) return Error{std::string(builder::kCancelled)};
     if (running.isOver()) break;
   }
   running.addState(hash);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
+#include "rockfall/simulation/release.h"
 #include "rockfall/simulation/run_result.h"
 #include "rockfall/simulation/scene.h"
 
@@ -14,8 +16,12 @@ struct FinishedRun {
 };
 
 /// Simulates one run to its end: the case's duration, or until all rocks have been released and sleep or are gone. Asks
-/// `keepGoing` once a simulated second and fails with `builder::kCancelled` if it says no; fails as the world and
+/// `keepGoing` every hundred steps and fails with `builder::kCancelled` if it says no; fails as the world and
 /// the shapes do.
 Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, const std::function<bool()>& keepGoing = {});
+
+/// The same of rocks that begin as `releases` say, in the world's coordinates, in place of those that the case draws.
+Result<FinishedRun> simulate(const Scene& scene, std::uint64_t run, std::vector<ReleasedRock> releases,
+                             const std::function<bool()>& keepGoing = {});
 
 }  // namespace cairn::rockfall

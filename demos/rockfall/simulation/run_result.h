@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,10 +16,12 @@ namespace cairn::rockfall {
 enum class RockEnd : std::uint8_t {
   resting,  ///< asleep
   moving,   ///< the run's time was over
-  left,     ///< it left the ground, over its edge or a hole
+  left,     ///< it left the ground over its edge
   lost,     ///< all of it was below the ground
   broken,   ///< its pieces go on as rocks of their own
+  hole,     ///< it came over a hole of the ground, where the terrain has no heights
 };
+inline constexpr std::size_t kRockEnds = 6;
 
 /// Energies are kinetic, of translation and rotation. Heights are those of the centre of mass above the ground below
 /// it. Places are centres of mass, in the map's coordinates once a run has ended. Times since the run's begin. SI

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -15,11 +17,6 @@
 namespace cairn::rockfall {
 namespace {
 
-bool isWithin(const Ground& ground, const MapPoint& point) {
-  return point[0] >= ground.lower().x && point[0] < ground.upper().x && point[1] >= ground.lower().y &&
-         point[1] < ground.upper().y;
-}
-
 Status checkReleases(const Case& description, const Ground& ground, const MapPoint& origin) {
   for (std::size_t group = 0; group < description.rocks.size(); ++group) {
     const auto& [a, b] = description.rocks[group].release.boxM;
@@ -30,7 +27,45 @@ Status checkReleases(const Case& description, const Ground& ground, const MapPoi
                         "x from {:.10g} to {:.10g} and y from {:.10g} to {:.10g}{}",
                         group, origin[0] + corner[0], origin[1] + corner[1], origin[0] + ground.lower().x,
                         origin[0] + ground.upper().x, origin[1] + ground.lower().y, origin[1] + ground.upper().y,
-                        isWithin(ground, corner) ? " but for holes" : "")};
+                        ground.isWithin(corner) ? " but for holes" : "")};
+  }
+  return {};
+}
+
+// As `contains` and `covers` have it, looked at in as many points as make a cell's width between them, at most this
+// many.
+constexpr int kMaxPoints = 2000;
+
+bool isSomewhereOver(const Ground& ground, const std::array<MapPoint, 2>& line) {
+  const double length = std::hypot(line[1][0] - line[0][0], line[1][1] - line[0][1]);
+  const int count = std::clamp(static_cast<int>(std::min(length / ground.cellM(), 1e6)) + 1, 1, kMaxPoints);
+  for (int i = 0; i <= count; ++i) {
+    const double part = static_cast<double>(i) / count;
+    if (ground.covers({line[0][0] + part * (line[1][0] - line[0][0]), line[0][1] + part * (line[1][1] - line[0][1])}))
+      return true;
+  }
+  return false;
+}
+
+Error besideTheGround(const std::string& path, const Ground& ground, const MapPoint& origin) {
+  return Error{
+      fmt::format("{}: no part of it is over the ground, which covers x from {:.10g} to {:.10g} and y from "
+                  "{:.10g} to {:.10g}: give it in the terrain's own coordinates, or leave it out",
+                  path, origin[0] + ground.lower().x, origin[0] + ground.upper().x, origin[1] + ground.lower().y,
+                  origin[1] + ground.upper().y)};
+}
+
+/// What lies beside the ground can never be met: a slip of the pen, or coordinates of another map.
+Status checkPlaces(const Case& description, const Ground& ground, const MapPoint& origin) {
+  for (std::size_t i = 0; i < description.collectors.size(); ++i)
+    if (!isSomewhereOver(ground, description.collectors[i].line))
+      return besideTheGround(fmt::format("/collectors/{}/line_m", i), ground, origin);
+  for (std::size_t i = 0; i < description.terrain.zones.size(); ++i) {
+    const Zone& zone = description.terrain.zones[i];
+    if (zone.polygon.empty()) continue;
+    const bool isBeside = zone.upper[0] < ground.lower().x || zone.lower[0] > ground.upper().x ||
+                          zone.upper[1] < ground.lower().y || zone.lower[1] > ground.upper().y;
+    if (isBeside) return besideTheGround(fmt::format("/terrain/zones/{}/polygon_m", i), ground, origin);
   }
   return {};
 }
@@ -65,7 +100,12 @@ void add(ContentHash& hash, const bullet::TerrainGrid& grid) {
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress) {
   auto terrain = terrainOf(description);
   if (!terrain) return terrain.error();
-  bullet::TerrainGrid& grid = terrain.value().grid;
+  return prepareScene(std::move(description), std::move(terrain).value(), cache, progress);
+}
+
+Result<Scene> prepareScene(Case description, MapTerrain terrain, TreeCache& cache,
+                           const builder::ProgressCallback& progress) {
+  bullet::TerrainGrid& grid = terrain.grid;
   const auto worldOrigin = worldOriginOf(grid);
   if (!worldOrigin) return worldOrigin.error();
   const MapPoint& origin = worldOrigin.value();
@@ -74,9 +114,10 @@ Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::Pr
   add(hash, grid);
   moveToWorld(description, origin);
   grid.origin = grid.origin - Vec3d(origin[0], origin[1], 0);
-  auto ground = makeGround(std::move(terrain).value(), description.terrain);
+  auto ground = makeGround(std::move(terrain), description.terrain);
   if (!ground) return ground.error();
   if (const Status checked = checkReleases(description, *ground.value(), origin); !checked) return checked.error();
+  if (const Status checked = checkPlaces(description, *ground.value(), origin); !checked) return checked.error();
   if (const Status checked = checkRaster(description, *ground.value()); !checked) return checked.error();
   if (const Status checked = checkStands(description, *ground.value()); !checked) return checked.error();
   auto stock = stockRocks(description, cache, progress);

@@ -26,4 +26,9 @@ struct Scene {
 /// without it.
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
+/// The same on ground that is there already, in the map's coordinates, in place of the case's terrain, whose material,
+/// grid and zones hold.
+Result<Scene> prepareScene(Case description, MapTerrain terrain, TreeCache& cache,
+                           const builder::ProgressCallback& progress = {});
+
 }  // namespace cairn::rockfall

@@ -89,6 +89,7 @@ SceneBounds boundsOf(const Scene& scene) {
   const std::vector<ReleasedRock> released = releaseRocks(scene, 0);
   for (std::size_t group = 0; group < scene.description.rocks.size(); ++group)
     bounds.groups.push_back(boundsOf(scene, released, group));
+  bounds.groundCellM = scene.ground->cellM();
   bounds.groundMaterials = materialsOf(*scene.ground);
   bounds.lowestGround = [ground = scene.ground.get()](const Polygon& polygon) {
     std::optional<double> lowest;

@@ -21,6 +21,7 @@ class TerrainGround final : public Ground {
   double heightAt(const MapPoint& point) const override;
   Vec3d normalAt(const MapPoint& point) const override;
   MaterialId materialAt(const MapPoint& point) const override { return section_.materialAt(point); }
+  double cellM() const override { return shape_->grid().cell; }
   Vec3d lower() const override { return lower_; }
   Vec3d upper() const override { return upper_; }
   const std::string& projection() const override { return projection_; }

@@ -66,6 +66,7 @@ void moveToWorld(Case& description, const MapPoint& origin) {
     mover.move(zone.polygon);
     zone = makeZone(zone.material, zone.polygon);
   }
+  mover.move(description.terrain.grid.cornerM);
   for (RockGroup& group : description.rocks)
     for (MapPoint& corner : group.release.boxM) mover.move(corner);
   for (Collector& collector : description.collectors)

@@ -17,6 +17,7 @@ namespace cairn::rockfall {
 namespace {
 
 constexpr double kUsualNoData = -9999;
+constexpr double kSquare = 1e-6;           // by how much of itself a cell may be longer than wide
 constexpr std::size_t kLongestShown = 24;  // of a word from the file, in an error
 
 // The words of a text and the lines they are on.
@@ -72,6 +73,12 @@ struct Header {
   double noData = kUsualNoData;
 };
 
+// Whether they are one number in single precision, of which programs print more digits or fewer.
+bool isSameFloat(double a, double b) {
+  constexpr double kHalfUlp = 0x1p-24;
+  return std::abs(a - b) <= kHalfUlp * std::abs(b);
+}
+
 class GridReader {
  public:
   GridReader(std::string_view text, const std::string& name) : words_(text, name), name_(name) {}
@@ -122,14 +129,30 @@ class GridReader {
       return words_.error("found " + shown(word) + " where " + axis + "llcorner or " + axis + "llcenter has to be");
     return readNumber(axis + (isCorner ? "llcorner" : "llcenter"), place);
   }
+  // `cellsize`, or `dx` and `dy` as GDAL writes them, where they say the same.
+  Status readCell() {
+    const std::string_view word = words_.next();
+    const bool isByAxis = isKey(word, "dx");
+    if (!isByAxis && !isKey(word, "cellsize"))
+      return words_.error("found " + shown(word) + " where cellsize has to be");
+    const char* const key = isByAxis ? "dx" : "cellsize";
+    if (Status status = readNumber(key, header_.cell); !status) return status;
+    if (header_.cell <= 0)
+      return words_.error(std::string(key) + " is not positive: give the distance of two values in metres");
+    if (!isByAxis) return {};
+    double dy = 0;
+    if (Status status = expectKey("dy"); !status) return status;
+    if (Status status = readNumber("dy", dy); !status) return status;
+    if (std::abs(dy - header_.cell) <= kSquare * header_.cell) return {};
+    return words_.error("has cells of " + std::to_string(header_.cell) + " x " + std::to_string(dy) +
+                        " m: warp it to square ones first");
+  }
   Status readHeader() {
     if (Status status = readCount("ncols", header_.columns); !status) return status;
     if (Status status = readCount("nrows", header_.rows); !status) return status;
     if (Status status = readPlace("x", header_.x, header_.isXCorner); !status) return status;
     if (Status status = readPlace("y", header_.y, header_.isYCorner); !status) return status;
-    if (Status status = expectKey("cellsize"); !status) return status;
-    if (Status status = readNumber("cellsize", header_.cell); !status) return status;
-    if (header_.cell <= 0) return words_.error("cellsize is not positive: give the distance of two values in metres");
+    if (Status status = readCell(); !status) return status;
     word_ = words_.next();
     if (!isKey(word_, "nodata_value")) return {};
     word_ = words_.next();
@@ -148,7 +171,7 @@ class GridReader {
                               std::to_string(std::size_t(raster.rows - 1 - row) * raster.columns + column) + " of " +
                               std::to_string(raster.values.size()) + " values");
         const std::optional<double> value = numberOf(word_);
-        const bool isNone = value && (*value == header_.noData || (std::isnan(*value) && std::isnan(header_.noData)));
+        const bool isNone = value && (std::isnan(*value) || isSameFloat(*value, header_.noData));
         if (!value || (!isNone && !std::isfinite(*value)))
           return words_.error("the value is " + shown(word_) + ": give a finite number or NODATA_value");
         raster.at(column, row) = isNone ? std::numeric_limits<double>::quiet_NaN() : *value;

@@ -5,6 +5,7 @@
 
 #include "rockfall/terrain/generated.h"
 #include "rockfall/terrain/geo_raster.h"
+#include "rockfall/terrain/height_traps.h"
 #include "rockfall/terrain/mesh_raster.h"
 
 namespace cairn::rockfall {
@@ -20,6 +21,7 @@ Result<MapTerrain> terrainFrom(const Result<Raster>& raster, const char* key, co
   if (values.columns < 2 || values.rows < 2)
     return refused("has " + std::to_string(values.columns) + " x " + std::to_string(values.rows) +
                    " values: a terrain needs at least two a side");
+  if (const auto why = whyNoHeights(values)) return refused(*why);
   auto grid = terrainGridOf(values);
   if (!grid) return refused(grid.error().message);
   return MapTerrain{std::move(grid).value(), values.projection};

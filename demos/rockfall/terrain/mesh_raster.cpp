@@ -67,8 +67,12 @@ Result<Raster> rasterOfMesh(const builder::TriangleMesh& mesh, double cell) {
   Raster raster{
       static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), cell, box.lower.x, box.lower.y, {}, {}};
   raster.values.assign(std::size_t(raster.columns) * raster.rows, std::numeric_limits<double>::quiet_NaN());
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) drape(mesh.corners(i), raster);
+  drape(mesh, raster);
   return raster;
+}
+
+void drape(const builder::TriangleMesh& mesh, Raster& raster) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) drape(mesh.corners(i), raster);
 }
 
 Result<Raster> readMeshRaster(const std::filesystem::path& path, double cell) {

@@ -17,4 +17,7 @@ Result<Raster> rasterOfMesh(const builder::TriangleMesh& mesh, double cell);
 /// Samples a mesh file of any format that the builder reads. Errors name the file.
 Result<Raster> readMeshRaster(const std::filesystem::path& path, double cell);
 
+/// Lifts the raster's values to the mesh where it is higher, or where there is none yet.
+void drape(const builder::TriangleMesh& mesh, Raster& raster);
+
 }  // namespace cairn::rockfall

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rockfall/validation/quarry_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rockfall/validation/closed_scans.h"
+#include "rockfall/validation/quarry_ground.h"
+#include "scenes/bodies/model.h"
+
+namespace cairn::rockfall {
+namespace {
+
+// A scan's size comes from its tree; of the groups' sieve curves nothing is drawn.
+constexpr double kScanSieveM = 1;
+
+// A box around all places from which blocks fall.
+std::array<MapPoint, 2> boxOf(const QuarryData& data) {
+  MapPoint lower{1e300, 1e300}, upper{-1e300, -1e300};
+  for (const QuarryProfile& profile : data.profiles)
+    for (const Vec3d& drop : profile.drops)
+      for (int axis = 0; axis < 2; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        lower[i] = std::min(lower[i], drop[axis]);
+        upper[i] = std::max(upper[i], drop[axis]);
+      }
+  return {lower, upper};
+}
+
+RockGroup groupOf(const std::filesystem::path& scan, const QuarryData& data, const ValidationSettings& settings) {
+  RockGroup group;
+  group.source = MeshRocks{scan.string()};
+  group.sieve.points = {{kScanSieveM, 0}, {kScanSieveM, 1}};
+  group.treeDepth = settings.treeDepth;
+  group.densityKgPerM3 = settings.densityKgPerM3;
+  group.release.boxM = boxOf(data);
+  return group;
+}
+
+Case caseOf(const QuarryData& data, const ClosedScans& scans, const ValidationSettings& settings) {
+  Case description;
+  description.name = "authume";
+  description.seed = settings.seed;
+  description.stepS = settings.stepS;
+  description.durationS = settings.durationS;
+  description.materials = settings.materials;
+  description.effects = settings.effects;
+  description.folder = data.folder;
+  for (std::size_t scan = 0; scan < kScanNames.size(); ++scan)
+    description.rocks.push_back(groupOf(scans.file(scan), data, settings));
+  return description;
+}
+
+Status checkDrops(const QuarryData& data, const Scene& scene) {
+  for (const QuarryProfile& profile : data.profiles)
+    for (const Vec3d& drop : profile.drops) {
+      const MapPoint point{drop.x - scene.worldOrigin[0], drop.y - scene.worldOrigin[1]};
+      if (!scene.ground->covers(point) || scene.ground->heightAt(point) > drop.z)
+        return Error{fmt::format("{}: the place ({:g}, {:g}, {:g}) of positions_{}.xyz is not above the ground",
+                                 data.folder.string(), drop.x, drop.z, -drop.y, profile.name)};
+    }
+  return {};
+}
+
+btMatrix3x3 matrixOf(const Mat3d& m) {
+  btMatrix3x3 result;
+  for (int column = 0; column < 3; ++column) {
+    Vec3d axis;
+    axis[column] = 1;
+    const Vec3d image = m * axis;
+    for (int row = 0; row < 3; ++row) result[row][column] = static_cast<btScalar>(image[row]);
+  }
+  return result;
+}
+
+const btMatrix3x3& mapFromData() {
+  static const btMatrix3x3 turn(1, 0, 0, 0, 0, -1, 0, 1, 0);
+  return turn;
+}
+
+}  // namespace
+
+Result<QuarryScene> prepareQuarry(const std::filesystem::path& folder, const ValidationSettings& settings,
+                                  TreeCache& cache, const builder::ProgressCallback& progress) {
+  auto data = readQuarry(folder);
+  if (!data) return data.error();
+  auto ground = readQuarryGround(folder, settings.cellM, settings.materials);
+  if (!ground) return ground.error();
+  const auto scans = ClosedScans::create(folder);
+  if (!scans) return scans.error();
+  Case description = caseOf(data.value(), *scans.value(), settings);
+  description.terrain = std::move(ground.value().section);
+  auto scene = prepareScene(std::move(description), std::move(ground.value().terrain), cache, progress);
+  if (!scene) return scene.error();
+  if (const Status checked = checkDrops(data.value(), scene.value()); !checked) return checked.error();
+  return QuarryScene{std::move(data).value(), std::move(scene).value(), scans.value()->repairs()};
+}
+
+std::vector<BlockRun> runsOf(const QuarryScene& quarry, std::size_t profile) {
+  std::vector<BlockRun> runs;
+  for (std::size_t scan = 0; scan < kScanNames.size(); ++scan)
+    for (std::size_t drop = 0; drop < quarry.data.profiles[profile].drops.size(); ++drop)
+      for (std::size_t orientation = 0; orientation < quarry.data.orientations.size(); ++orientation)
+        runs.push_back({profile, scan, drop, orientation});
+  return runs;
+}
+
+ReleasedRock releaseOf(const QuarryScene& quarry, const BlockRun& run) {
+  const RockShape& shape = quarry.scene.stock.groups[run.scan].front();
+  const auto& [q0, q1, q2, q3] = quarry.data.orientations[run.orientation];
+  const btQuaternion turn(static_cast<btScalar>(q1), static_cast<btScalar>(q2), static_cast<btScalar>(q3),
+                          static_cast<btScalar>(q0));
+  const MapPoint& origin = quarry.scene.worldOrigin;
+  const Vec3d place = quarry.data.profiles[run.profile].drops[run.drop] - Vec3d(origin[0], origin[1], 0);
+  ReleasedRock rock;
+  rock.group = static_cast<std::uint32_t>(run.scan);
+  rock.sieveM = 1 / shape.scale;  // as it was scanned
+  rock.massKg =
+      quarry.scene.description.rocks[run.scan].densityKgPerM3 * shape.volume * rock.sieveM * rock.sieveM * rock.sieveM;
+  rock.reachM = shape.reach * rock.sieveM;
+  // The body's axes are the mesh's principal ones.
+  rock.pose.setBasis(mapFromData() * btMatrix3x3(turn) * matrixOf(shape.tree->mass().principalAxes));
+  rock.pose.setOrigin(scenes::toBullet(place));
+  rock.velocity = btVector3(0, 0, 0);
+  return rock;
+}
+
+}  // namespace cairn::rockfall
