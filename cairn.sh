@@ -35,6 +35,8 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench effects [OPTIONS] what effects cost that are not listed, or listed with nothing to act on
   ./cairn.sh bench terrain [OPTIONS] rocks and rays on a terrain, beside Bullet's height field and mesh of the same points
   ./cairn.sh bench interrupted [TREE] what certified error traversals cut short are left with, in turn, worst first, in the best order there is
+  ./cairn.sh bench covers MESH... [OPTIONS] what flat covers of 4 to 256 spheres prove and cost, objective by objective, beside a
+                             tree's levels (--help lists the options)
   ./cairn.sh bench budgets [OPTIONS] what budgets of operations cost in accuracy and save in time, policy by policy, and what
                              several threads save, as tables and a figure (--help lists the options)
   ./cairn.sh bench worlds [OPTIONS] what thousands of bodies that lie still cost beside a hundred that move, time and bytes
@@ -219,6 +221,13 @@ bench_builder() {
   tests/bench/builder.sh "$@"
 }
 
+bench_covers() {
+  case " $* " in *' --help '* | *' -h '*) python3 tests/bench/covers.py --help; return ;; esac
+  need "${everything[@]}"
+  configure_and_build release --target cairn > /dev/null
+  python3 tests/bench/covers.py "$@"
+}
+
 bench_budgets() {
   case " $* " in *' --help '* | *' -h '*) python3 tests/bench/budgets/run.py --help; return ;; esac
   need "${everything[@]}" accuracy
@@ -242,6 +251,7 @@ bench() {
     builder) bench_builder "${@:2}"; return ;;
     queries) bench_program query "${@:2}"; return ;;
     budgets) bench_budgets "${@:2}"; return ;;
+    covers) bench_covers "${@:2}"; return ;;
     effects | fits | interrupted | kernel | laws | matrix | memory | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
   esac
   build release

@@ -21,22 +21,21 @@ namespace {
 
 constexpr int kSubdivisions = 2;  // 320 triangles a sphere: round at a glance, 160 000 for 512 spheres
 
-/// One mesh with all spheres of the cut.
-std::unique_ptr<aiMesh> meshOf(const SphereTree& tree, const std::vector<NodeId>& cut) {
+/// One mesh with all spheres.
+std::unique_ptr<aiMesh> meshOf(std::span<const Ball> balls) {
   const TriangleMesh unit = unitIcosphere(kSubdivisions);
   auto mesh = std::make_unique<aiMesh>();
   mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-  mesh->mNumVertices = static_cast<unsigned>(unit.vertices.size() * cut.size());
+  mesh->mNumVertices = static_cast<unsigned>(unit.vertices.size() * balls.size());
   mesh->mVertices = new aiVector3D[mesh->mNumVertices];  // aiMesh deletes them
   mesh->mNormals = new aiVector3D[mesh->mNumVertices];
-  mesh->mNumFaces = static_cast<unsigned>(unit.triangles.size() * cut.size());
+  mesh->mNumFaces = static_cast<unsigned>(unit.triangles.size() * balls.size());
   mesh->mFaces = new aiFace[mesh->mNumFaces];
   unsigned vertex = 0, face = 0;
-  for (const NodeId node : cut) {
-    const Sphere sphere = tree.sphere(node);
+  for (const Ball& ball : balls) {
     const unsigned first = vertex;
     for (const Vec3d& direction : unit.vertices) {
-      const Vec3 n(direction), p(tree.origin() + Vec3d(sphere.center) + direction * static_cast<double>(sphere.radius));
+      const Vec3 n(direction), p(ball.center + direction * ball.radius);
       mesh->mNormals[vertex] = {n.x, n.y, n.z};
       mesh->mVertices[vertex++] = {p.x, p.y, p.z};
     }
@@ -81,9 +80,12 @@ Result<std::vector<std::byte>> bytesOf(const aiScene& scene, SurfaceFormat forma
 
 Status writeSphereSurfaces(const SphereTree& tree, std::uint32_t level, SurfaceFormat format,
                            const std::filesystem::path& path) {
-  if (level > tree.depth())
-    return Error{fmt::format("the tree has levels 0 to {}, not {}; choose one of them", tree.depth(), level)};
-  const std::unique_ptr<aiScene> scene = sceneOf(meshOf(tree, tree.levelCut(level)));
+  const Result<std::vector<Ball>> balls = ballsOfLevel(tree, level);
+  return balls ? writeSphereSurfaces(balls.value(), format, path) : balls.error();
+}
+
+Status writeSphereSurfaces(std::span<const Ball> balls, SurfaceFormat format, const std::filesystem::path& path) {
+  const std::unique_ptr<aiScene> scene = sceneOf(meshOf(balls));
   const auto bytes = bytesOf(*scene, format);
   return bytes ? writeFileAtomically(path, std::span(bytes.value())) : bytes.error();
 }

@@ -16,6 +16,17 @@ Vec3d meshCenter(const SphereTree& tree, const NodeData& node) {
 
 }  // namespace
 
+Result<std::vector<Ball>> ballsOfLevel(const SphereTree& tree, std::uint32_t level) {
+  if (level > tree.depth())
+    return Error{fmt::format("the tree has levels 0 to {}, not {}; choose one of them", tree.depth(), level)};
+  std::vector<Ball> balls;
+  for (const NodeId node : tree.levelCut(level)) {
+    const Sphere sphere = tree.sphere(node);
+    balls.push_back({tree.origin() + Vec3d(sphere.center), sphere.radius, 0});
+  }
+  return balls;
+}
+
 std::string spheresText(const SphereTree& tree) {
   std::string text;
   for (std::uint32_t i = 0; i < tree.nodeCount(); ++i) {

@@ -8,13 +8,6 @@
 namespace cairn::builder {
 namespace {
 
-/// Integrals of 1, x and x x^T over the solid, about `reference`.
-struct Moments {
-  double volume = 0;
-  Vec3d first;
-  Mat3d second{{Vec3d{}, Vec3d{}, Vec3d{}}};
-};
-
 Moments momentsAbout(const TriangleMesh& mesh, const Vec3d& reference) {
   Moments m;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -73,16 +66,19 @@ void diagonalize(MassProperties& mass) {
 
 }  // namespace
 
-MassProperties massPropertiesOf(const TriangleMesh& mesh) {
-  // About the middle of the mesh, so that a mesh far from its origin loses no digits.
-  const Vec3d reference = boundsOf(mesh).center();
-  const Moments moments = momentsAbout(mesh, reference);
+MassProperties massFromMoments(const Moments& moments, const Vec3d& reference) {
   MassProperties mass;
   mass.volume = moments.volume;
   mass.centerOfMass = reference + moments.first / moments.volume;
   mass.inertia = inertiaOf(moments);
   diagonalize(mass);
   return mass;
+}
+
+MassProperties massPropertiesOf(const TriangleMesh& mesh) {
+  // About the middle of the mesh, so that a mesh far from its origin loses no digits.
+  const Vec3d reference = boundsOf(mesh).center();
+  return massFromMoments(momentsAbout(mesh, reference), reference);
 }
 
 double signedVolume(const TriangleMesh& mesh) {

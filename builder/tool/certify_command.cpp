@@ -3,10 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include <memory>
 
+#include "cairn/builder/certify_balls.h"
+#include "cairn/builder/grain.h"
+#include "cairn/builder/import.h"
+
 #include "tool/command.h"
+#include "tool/cover_report.h"
 #include "tool/examination.h"
+#include "tool/progress_bar.h"
+#include "tool/sphere_file.h"
 #include "tool/stopwatch.h"
 
 namespace cairn::tool {
@@ -24,9 +33,14 @@ constexpr const char* kAboutCertify =
     "contacts are made, are well chosen.\n"
     "Ends with 1 and the first gap found when that is not so; --json has them all. For a tree built with --repair or "
     "--wrap, MESH is what "
-    "--mesh-output wrote.\n\n"
+    "--mesh-output wrote.\n"
+    "Of a text with a line `x y z r ...` a sphere, whoever made it, it proves how far spheres stick out and what they "
+    "leave\n"
+    "out of the surface and of the solid.\n\n"
+
     "  cairn certify rock.obj rock.cairn\n"
-    "  cairn certify rock.obj rock.cairn --json proof.json";
+    "  cairn certify rock.obj rock.cairn --json proof.json\n"
+    "  cairn certify link.stl spheres.txt";
 
 struct CertifyCommand {
   std::string mesh, tree, json;
@@ -47,8 +61,30 @@ Json certificateJson(const Examination& examination, unsigned threads) {
   return json;
 }
 
+/// A flat set claims nothing that could be refuted: what is proved about it is told.
+int certifyFlat(const CertifyCommand& command) {
+  const auto mesh = builder::importMesh(command.mesh);
+  if (!mesh) return refuse(mesh.error());
+  const auto balls = builder::readCover(command.tree);
+  if (!balls) return refuse(balls.error());
+  ProgressBar bar;
+  const auto certificate = builder::certifyBalls(balls.value(), mesh.value(), bar.callback());
+  if (!certificate) return refuse(certificate.error());
+  const double diagonal = builder::boundsOf(mesh.value()).diagonal();
+  const Json json = {{"mesh", mesh.value().name},
+                     {"spheres", balls.value().size()},
+                     {"diagonal", diagonal},
+                     {"certified", certifiedJson(certificate.value(), diagonal)},
+                     {"volume_ratio", builder::massOf(balls.value()).volume / builder::massOf(mesh.value()).volume},
+                     {"threads", threadsUsed(command.threads)}};
+  if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
+  if (command.json != "-") printCertified(certificate.value(), diagonal);
+  return kDone;
+}
+
 int run(const CertifyCommand& command) {
   if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
+  if (std::filesystem::exists(command.tree) && !isTreeFile(command.tree)) return certifyFlat(command);
   const auto examination = examine(command.mesh, command.tree, builder::Sampling::none, 0);
   if (!examination) return refuse(examination.error());
   const Json json = certificateJson(examination.value(), command.threads);
@@ -63,7 +99,7 @@ void addCertifyCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<CertifyCommand>();
   CLI::App* sub = app.add_subcommand("certify", kAboutCertify);
   sub->add_option("MESH", command->mesh, "The mesh the tree is said to bound")->required();
-  sub->add_option("TREE", command->tree, "Tree file (.cairn)")->required();
+  sub->add_option("TREE", command->tree, "Tree file (.cairn), or a text of spheres")->required();
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write the findings as JSON too; - is standard output");
   sub->callback([command, &action] {

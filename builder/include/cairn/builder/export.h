@@ -3,7 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
+
+#include "cairn/builder/ball.h"
 
 #include "cairn/core/result.h"
 #include "cairn/core/sphere_tree.h"
@@ -24,6 +28,10 @@ Result<std::string> sphText(const SphereTree& tree);
 /// Largest number of slots that `sphText` writes.
 inline constexpr std::uint64_t kMaxSphSlots = 1U << 24;
 
+/// The spheres of `levelCut(level)`, in mesh frame and unit; depths are unknown (0). Fails when the tree has no such
+/// level.
+Result<std::vector<Ball>> ballsOfLevel(const SphereTree& tree, std::uint32_t level);
+
 /// Wavefront OBJ (text) or binary glTF.
 enum class SurfaceFormat : std::uint8_t { obj, glb };
 
@@ -32,5 +40,7 @@ enum class SurfaceFormat : std::uint8_t { obj, glb };
 /// has no such level or the file cannot be written.
 Status writeSphereSurfaces(const SphereTree& tree, std::uint32_t level, SurfaceFormat format,
                            const std::filesystem::path& path);
+/// Writes any spheres as icospheres, like the function above. Precondition: `balls` is not empty.
+Status writeSphereSurfaces(std::span<const Ball> balls, SurfaceFormat format, const std::filesystem::path& path);
 
 }  // namespace cairn::builder
