@@ -14,7 +14,7 @@ namespace cairn::bullet {
 
 namespace {
 
-// The deepest contact of one object with all it is asked about.
+// The deepest contact of one object with all objects it is tested against.
 struct Deepest final : btCollisionWorld::ContactResultCallback {
   Deepest(const btCollisionObject& object, btScalar tolerance) : object_(object), tolerance_(tolerance) {}
 
@@ -28,7 +28,7 @@ struct Deepest final : btCollisionWorld::ContactResultCallback {
     if (depth <= overlap.depth) return 0;
     overlap.with = other;
     overlap.depth = depth;
-    overlap.displacement = isFirst ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+    overlap.direction = isFirst ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
     return 0;
   }
 
@@ -40,12 +40,12 @@ struct Deepest final : btCollisionWorld::ContactResultCallback {
   btScalar tolerance_;
 };
 
-// Two objects whose boxes overlap, at least one of which may give way.
+// Two objects whose boxes overlap; at least one may move.
 struct Pair {
   btCollisionObject *first, *second;
 };
 
-bool usesCurvatureCorrection(const btCollisionObject& object) {
+bool mayMove(const btCollisionObject& object) {
   return !object.isStaticOrKinematicObject() && object.getInternalType() == btCollisionObject::CO_RIGID_BODY;
 }
 
@@ -64,10 +64,9 @@ std::vector<Pair> pairsOf(btCollisionWorld& world) {
     const Pair pair{static_cast<btCollisionObject*>(all[i].m_pProxy0->m_clientObject),
                     static_cast<btCollisionObject*>(all[i].m_pProxy1->m_clientObject)};
     const bool isSolid = pair.first->hasContactResponse() && pair.second->hasContactResponse();
-    if (isSolid && (usesCurvatureCorrection(*pair.first) || usesCurvatureCorrection(*pair.second)))
-      pairs.push_back(pair);
+    if (isSolid && (mayMove(*pair.first) || mayMove(*pair.second))) pairs.push_back(pair);
   }
-  // By their places in the world: the order of the broad phase depends on what was there before.
+  // Sorted by their indices in the world, because the order of the broad phase depends on its history.
   const auto places = [](const Pair& pair) {
     const int a = pair.first->getWorldArrayIndex(), b = pair.second->getWorldArrayIndex();
     return std::pair(std::min(a, b), std::max(a, b));
@@ -86,29 +85,29 @@ void move(btCollisionObject& object, const btVector3& by) {
   object.activate();
 }
 
-// The way for the first of a pair, as far as it is to go in one pass.
+// The displacement of a pair's first object in one pass.
 btVector3 wayOut(const Pair& pair, const Overlap& overlap, btScalar size) {
-  constexpr btScalar kShallow = btScalar(0.05);  // sizes: a contact's own way is to be trusted so deep
+  constexpr btScalar kShallow = btScalar(0.05);  // sizes: up to this depth the contact's normal is trusted
   constexpr btScalar kStride = btScalar(0.05);   // sizes
-  constexpr btScalar kSurplus = btScalar(1.01);  // or the last part of a depth would take passes without end
-  const bool isPushed = usesCurvatureCorrection(*pair.first) && usesCurvatureCorrection(*pair.second);
-  if (overlap.depth <= kShallow * size || !isPushed) return overlap.displacement * (kSurplus * overlap.depth);
+  constexpr btScalar kSurplus = btScalar(1.01);  // otherwise the rest of a depth would take infinitely many passes
+  const bool isPushed = mayMove(*pair.first) && mayMove(*pair.second);
+  if (overlap.depth <= kShallow * size || !isPushed) return overlap.direction * (kSurplus * overlap.depth);
   const btVector3 apart = pair.first->getWorldTransform().getOrigin() - pair.second->getWorldTransform().getOrigin();
   const btScalar distance = apart.length();
-  return (distance > kStride * size * btScalar(0.01) ? apart / distance : overlap.displacement) * (kStride * size);
+  return (distance > kStride * size * btScalar(0.01) ? apart / distance : overlap.direction) * (kStride * size);
 }
 
-// Whether they overlap; then moves them.
+// Moves the objects apart if they overlap; whether they did.
 bool separatePair(btCollisionWorld& world, const Pair& pair, btScalar tolerance) {
   const btScalar size = std::min(sizeOf(*pair.first), sizeOf(*pair.second));
   Deepest deepest(*pair.first, tolerance * size);
   world.contactPairTest(pair.first, pair.second, deepest);
   if (deepest.others.empty()) return false;
   const btVector3 displacement = wayOut(pair, deepest.overlap, size);
-  const bool both = usesCurvatureCorrection(*pair.first) && usesCurvatureCorrection(*pair.second);
+  const bool both = mayMove(*pair.first) && mayMove(*pair.second);
   const btScalar part = both ? btScalar(0.5) : btScalar(1);
-  if (usesCurvatureCorrection(*pair.first)) move(*pair.first, displacement * part);
-  if (usesCurvatureCorrection(*pair.second)) move(*pair.second, displacement * -part);
+  if (mayMove(*pair.first)) move(*pair.first, displacement * part);
+  if (mayMove(*pair.second)) move(*pair.second, displacement * -part);
   return true;
 }
 

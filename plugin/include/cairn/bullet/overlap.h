@@ -18,7 +18,7 @@ namespace cairn::bullet {
 struct Overlap {
   const btCollisionObject* with = nullptr;  ///< of several the one it is deepest in
   btScalar depth = 0;                       ///< m, of the deepest contact; > 0
-  btVector3 way{0, 0, 0};                   ///< unit: along it that contact's depth shrinks
+  btVector3 direction{0, 0, 0};             ///< unit: the contact gets shallower along it
   int count = 0;                            ///< how many it overlaps
 };
 
