@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "certify/ball_distances.h"
 #include "certify/left_out.h"
@@ -37,17 +39,15 @@ class CubeSearch {
     while (!cubes_.empty() && !closeEnough(cubes_.front().upper) && looked_ < tolerance_.maxCubes && keepGoing())
       split();
     const double guard = 2 * balls_.guard();
-    const double upper = std::max(best_, cubes_.empty() ? 0.0 : cubes_.front().upper);
-    // What lies on the surface is bounded already, and more closely.
-    result_.upper = upper > 0 ? std::max(result_.upper, upper + guard) : result_.upper;
+    // What lies on the surface is bounded already, and more closely; a cube that is left is not known to be covered.
+    const double inside = std::max(best_, cubes_.empty() ? 0.0 : cubes_.front().upper);
+    if (best_ > 0 || !cubes_.empty()) result_.upper = std::max(result_.upper, std::max(inside, 0.0) + guard);
     result_.lower = std::max(result_.lower, best_ - guard);
     return result_;
   }
 
  private:
-  bool closeEnough(double upper) const {
-    return upper <= 0 || upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute;
-  }
+  bool closeEnough(double upper) const { return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute; }
 
   void split() {
     std::pop_heap(cubes_.begin(), cubes_.end());
@@ -76,7 +76,7 @@ class CubeSearch {
       result_.witness = cube.middle;
     }
     cube.upper = std::min(cube.upper, balls_.most(cornersOf(cube), near));
-    if (cube.upper <= best_ || cube.upper <= -balls_.guard()) return;
+    if (cube.upper <= (best_ > 0 ? best_ : -balls_.guard())) return;
     cube.candidates = std::move(near);
     cubes_.push_back(std::move(cube));
     std::push_heap(cubes_.begin(), cubes_.end());

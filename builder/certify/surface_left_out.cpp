@@ -68,7 +68,8 @@ class TriangleSearch {
     const int longest = longestEdge(piece);
     const Vec3d &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
     if (distance(a, b) <= smallest_) {
-      bracket_.upper = std::max(bracket_.upper, most);
+      // Not known to be covered, however little it may lack.
+      bracket_.upper = std::max({bracket_.upper, most, balls_.guard()});
       return;
     }
     const Vec3d half = (a + b) * 0.5;

@@ -9,6 +9,7 @@
 #include "flat/fill_up.h"
 #include "flat/flat_starts.h"
 #include "flat/mirrored_cover.h"
+#include "flat/outside_samples.h"
 #include "flat/settle_radii.h"
 #include "flat/volume_cover.h"
 
@@ -35,6 +36,20 @@ DepthOf depthFor(Objective objective) {
       break;
   }
   return DepthOf::closing;
+}
+
+/// Samples that decide between two sets, and the height of the layer outside they are in, in parts of the stand-off.
+constexpr std::size_t kJudges = 100'000;
+constexpr double kLayer = 2.5;
+
+std::size_t samplesIn(const SphereSet& balls, const PointSet& samples) {
+  std::vector<char> held(samples.size(), 0);
+  std::vector<double> distances(samples.size());
+  for (const Ball& ball : balls) {
+    samples.distances(ball.center, ball.radius, distances);
+    for (std::size_t q = 0; q < held.size(); ++q) held[q] = held[q] != 0 || distances[q] <= 0 ? 1 : 0;
+  }
+  return static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
 }
 
 double larger(double a, double b) {
@@ -73,11 +88,10 @@ Result<Cover> FlatCover::make(std::uint32_t count, Effort effort) {
   const FlatPoints points = flatPointsOf(body_, count);
   FlatSet set = search(problem, points);
   if (set.balls.empty() || !keepGoing_()) return Error{std::string(kCancelled)};
-  for (Ball& ball : set.balls) ball = frame_.outOf(ball);
-  set.standOff *= frame_.unit();
   Cover cover;
   cover.mirror = mirror_;
-  cover.balls = settled(set);
+  cover.balls = options_.objective == Objective::volume ? leanest(set, problem, points)
+                                                        : settled(outOfBody(std::move(set)), false);
   for (Ball& ball : cover.balls) ball.depth = solid_.depth(ball.center);
   Result<BallsCertificate> certificate =
       certifyBalls(cover.balls, mesh_, [this](std::string_view stage, double) { return watch_.goesOn(stage); });
@@ -91,12 +105,27 @@ FlatSet FlatCover::search(const FlatProblem& problem, const FlatPoints& points) 
   if (mirror_) return mirroredCover(problem, points, depthOf, intoBody(*mirror_, frame_));
   FlatSet set = minimaxCover(problem, points, depthOf, flatStarts(problem, points));
   if (set.balls.empty()) return set;
-  if (options_.objective == Objective::volume) set.balls = leastExcess(problem, points, std::move(set.balls));
   set.balls = filledUp(std::move(set.balls), problem.count, points.points, bodySolid_);
   return set;
 }
 
-SphereSet FlatCover::settled(const FlatSet& set) const {
+FlatSet FlatCover::outOfBody(FlatSet set) const {
+  for (Ball& ball : set.balls) ball = frame_.outOf(ball);
+  set.standOff *= frame_.unit();
+  return set;
+}
+
+SphereSet FlatCover::leanest(const FlatSet& set, const FlatProblem& problem, const FlatPoints& points) const {
+  FlatSet lean = set;
+  lean.balls = filledUp(leastExcess(problem, points, set.balls), problem.count, points.points, bodySolid_);
+  const SphereSet plain = settled(outOfBody(set), false);
+  SphereSet leaner = settled(outOfBody(std::move(lean)), true);
+  // Settling adds a little, which may be more than the search gained; other samples than it saw decide.
+  const PointSet outside = outsideSamples(solid_, kLayer * set.standOff * frame_.unit(), kJudges, options_.seed + 1);
+  return samplesIn(leaner, outside) < samplesIn(plain, outside) ? leaner : plain;
+}
+
+SphereSet FlatCover::settled(const FlatSet& set, bool keepRadii) const {
   SphereSet balls = set.balls;
   const auto even = [&](double (*choose)(double, double)) {
     if (mirror_) balls = evenPairs(std::move(balls), set.pairs, {mirror_->normal, mirror_->offset}, choose);
@@ -110,11 +139,9 @@ SphereSet FlatCover::settled(const FlatSet& set) const {
     even(smaller);
     return balls;
   }
-  const bool settledAlready = options_.objective == Objective::volume;
-  if (settledAlready)  // a piece goes to a ball that holds it, or very nearly
+  if (keepRadii)  // a piece goes to a ball that holds it, or very nearly
     for (Ball& ball : balls) ball.depth = ball.radius;
-  balls =
-      coveringRadii(std::move(balls), mesh_, (settledAlready ? kGrowth : 1) * set.standOff, kFinestSeam * set.standOff);
+  balls = coveringRadii(std::move(balls), mesh_, (keepRadii ? kGrowth : 1) * set.standOff, kFinestSeam * set.standOff);
   even(larger);
   if (options_.objective != Objective::balanced) return balls;
   balls = balancedRadii(std::move(balls), solid_, keepGoing_);

@@ -28,7 +28,11 @@ class FlatCover {
   /// So many spheres, with their certificate.
   Result<Cover> make(std::uint32_t count, Effort effort);
   /// Radii on the mesh as it is, for balls around centres found in the body.s frame.
-  SphereSet settled(const FlatSet& set) const;
+  SphereSet settled(const FlatSet& set, bool keepRadii) const;
+  /// The set, or one that covers with less volume outside, settled.
+  SphereSet leanest(const FlatSet& set, const FlatProblem& problem, const FlatPoints& points) const;
+  /// In the mesh's frame.
+  FlatSet outOfBody(FlatSet set) const;
   FlatSet search(const FlatProblem& problem, const FlatPoints& points) const;
 
   const TriangleMesh& mesh_;

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kFewPerBall = 40, kMinFew = 1500;
 /// Starts gone on with in the closing, and of these with all points.
 constexpr std::size_t kSecondRound = 4, kThirdRound = 2;
-/// Attempts of a relocation: so many, and for each ball.
-constexpr std::size_t kAttempts = 60, kAttemptsPerBall = 6;
+/// Attempts of a relocation: so many, and for each ball, up to a most.
+constexpr std::size_t kAttempts = 60, kAttemptsPerBall = 6, kMaxAttempts = 600;
 /// A quick search: parts of them.
 constexpr std::size_t kQuickPart = 4;
 /// Rounds in which the points between the points join.
@@ -64,7 +64,7 @@ class MinimaxSearch {
 
  private:
   std::size_t attempts() const {
-    return (kAttempts + kAttemptsPerBall * problem_.count) / (problem_.quick ? kQuickPart : 1);
+    return std::min(kAttempts + kAttemptsPerBall * problem_.count, kMaxAttempts) / (problem_.quick ? kQuickPart : 1);
   }
 
   /// The field at the stand-off reached; depths of balls are to be measured anew.

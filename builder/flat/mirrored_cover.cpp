@@ -15,8 +15,7 @@
 namespace cairn::builder {
 namespace {
 
-/// How many balls on the plane are tried: from the fewest there can be, up to this part of all.
-constexpr double kMaxOnPlane = 0.6;
+/// How many numbers of balls on the plane are tried, from the fewest there can be to all.
 constexpr std::size_t kTries = 5;
 
 PointSet foldedPoints(const PointSet& points, const Mirror& mirror) {
@@ -28,10 +27,9 @@ PointSet foldedPoints(const PointSet& points, const Mirror& mirror) {
 /// Numbers of balls on the plane, of the parity of `count`.
 std::vector<std::size_t> numbersOnPlane(std::size_t count) {
   const std::size_t least = count % 2;
-  const auto most = std::max(least, static_cast<std::size_t>(kMaxOnPlane * static_cast<double>(count)));
-  const std::size_t stride = std::max<std::size_t>(1, (most - least) / 2 / (kTries - 1)) * 2;
+  const std::size_t stride = std::max<std::size_t>(1, (count - least) / 2 / (kTries - 1)) * 2;
   std::vector<std::size_t> numbers;
-  for (std::size_t k = least; k <= most && numbers.size() < kTries; k += stride) numbers.push_back(k);
+  for (std::size_t k = least; k <= count && numbers.size() < kTries; k += stride) numbers.push_back(k);
   return numbers;
 }
 

@@ -82,7 +82,8 @@ class CellPart {
       const double c = planes_[k].height - dot(planes_[k].normal, foot);
       if (std::abs(a) + std::abs(b) > kSameCellPlane) {
         polygon.cut(a, b, c);
-      } else if (c < -kSameCellPlane * radius_ || (c <= kSameCellPlane * radius_ && k < j)) {
+      } else if (c < -kSameCellPlane * radius_ ||
+                 (c <= kSameCellPlane * radius_ && k < j && dot(planes_[k].normal, normal) > 0)) {
         return;  // behind another plane, or the same as one that has been counted
       }
     }

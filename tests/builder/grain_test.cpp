@@ -97,16 +97,16 @@ TEST(UnionMass, OfTwoBallsLacksTheLens) {
 }
 
 TEST(UnionMass, AgreesWithLines) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Ball> balls = randomBalls(seed, 1 + 3 * seed);
     const MassProperties mass = massOf(balls);
-    const LineSum lines = byLines(balls, 600);
-    // The middle rule's error falls with the power 1.5 of the cell at rims: 2e-4 is some five times what is seen.
-    EXPECT_NEAR(mass.volume / lines.volume, 1, 2e-4);
-    for (int a = 0; a < 3; ++a) EXPECT_NEAR(mass.centerOfMass[a], lines.first[a] / lines.volume, 2e-4);
-    EXPECT_NEAR(secondMoment(mass, 0, 0), lines.xx, 4e-4 * lines.volume);
-    EXPECT_NEAR(secondMoment(mass, 1, 2), lines.yz, 4e-4 * lines.volume);
+    const LineSum lines = byLines(balls, 300);
+    // The middle rule's error falls with the power 1.5 of the cell at rims: 6e-4 is some five times what is seen.
+    EXPECT_NEAR(mass.volume / lines.volume, 1, 6e-4);
+    for (int a = 0; a < 3; ++a) EXPECT_NEAR(mass.centerOfMass[a], lines.first[a] / lines.volume, 6e-4);
+    EXPECT_NEAR(secondMoment(mass, 0, 0), lines.xx, 1e-3 * lines.volume);
+    EXPECT_NEAR(secondMoment(mass, 1, 2), lines.yz, 1e-3 * lines.volume);
   }
 }
 
