@@ -29,7 +29,7 @@ class Bundle {
   void restart(const Vec3d& gradient) {
     size_ = 0;
     add(gradient);
-    way_[0] = {gradient, kInfinity};
+    path_[0] = {gradient, kInfinity};
     end_ = 0;
   }
   bool full() const { return size_ == kMax; }
@@ -44,18 +44,18 @@ class Bundle {
   /// it after each `add`. It repeats the path of the last call up to the point where the new gradient leads elsewhere.
   Vec3d shortest() {
     std::size_t round = 0;
-    for (const Vec3d added = at(size_ - 1); !(dot(way_[round].v, added) < way_[round].lowest); ++round)
-      if (round == end_) return way_[end_].v;
-    if (size_ == 1) return way_[0].v;
+    for (const Vec3d added = at(size_ - 1); !(dot(path_[round].v, added) < path_[round].lowest); ++round)
+      if (round == end_) return path_[end_].v;
+    if (size_ == 1) return path_[0].v;
     for (;; ++round) {
-      const Vec3d v = way_[round].v;
+      const Vec3d v = path_[round].v;
       end_ = round;
       if (round == kRounds) return v;
       const Vec3d lowest = at(lowestAlong(v)), edge = lowest - v;
-      way_[round].lowest = dot(v, lowest);
+      path_[round].lowest = dot(v, lowest);
       const double gain = -dot(v, edge), edgeSq = lengthSq(edge);
       if (gain <= 1e-12 || edgeSq == 0) return v;
-      way_[round + 1] = {v + edge * std::min(1.0, gain / edgeSq), -kInfinity};
+      path_[round + 1] = {v + edge * std::min(1.0, gain / edgeSq), -kInfinity};
     }
   }
 
@@ -84,7 +84,7 @@ class Bundle {
 
   std::array<double, kMax> x_{}, y_{}, z_{};
   std::size_t size_ = 0;
-  std::array<Stop, kRounds + 1> way_;  // valid up to `end_`; after the last round no gradient leads elsewhere
+  std::array<Stop, kRounds + 1> path_;  // valid up to `end_`; after the last round no gradient leads elsewhere
   std::size_t end_ = 0;
 };
 

@@ -47,11 +47,11 @@ class StepSearch {
     int failed = -1, proved = kLastStep + 1;
     int stride = kFirstStride;
     const int closeEnough = spheres_ <= kFewSpheres ? 1 : kCoarseSteps;
-    const auto settled = [&] {
+    const auto isDecided = [&] {
       const bool bracketed = failed >= 0 && proved <= kLastStep;
       return proved - failed <= (bracketed ? closeEnough : 1);
     };
-    for (int step = firstStep(spheres_); !cancelled_ && !settled();) {
+    for (int step = firstStep(spheres_); !cancelled_ && !isDecided();) {
       if (std::optional<Refutation> proof = attempt(step)) {
         best_ = std::move(proof);
         proved = step;

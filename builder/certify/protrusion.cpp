@@ -131,9 +131,9 @@ class BranchAndBound {
   /// Returns an upper bound for the piece: the known one or a smaller one.
   double boundOnHull(const Piece& piece, const Vec3d& point, const SignedDistance::Answer& answer) const {
     const auto& [a, b, c] = piece.directions;
-    // The plane through a, b, c passes the centre at `cosine`: a unit direction between them is a combination of
-    // weights >= 0 whose sum lies in [1, 1 / cosine]. So the piece lies in the hull of the corners at `inner` and at
-    // outer / cosine.
+    // The plane through a, b, c passes the centre at the distance `cosine`. A unit direction between them is a
+    // combination with weights >= 0 whose sum lies in [1, 1 / cosine]. So the piece lies in the hull of the corners at
+    // `inner` and at outer / cosine.
     const double cosine = dot(a, normalized(cross(b - a, c - a)));
     const double outer = piece.outer / std::abs(cosine);
     double toPointSq = 0;

@@ -24,10 +24,10 @@ struct Ball {
 // Symmetric solids have symmetric trees. Their cuts would run through the mesh's own corners and each other's edges,
 // where rounding gives invalid pieces. Weights that differ by about this fraction of the mean move cuts by a few
 // hundredths of a per cent of the balls.
-constexpr double kStray = 2e-3;
+constexpr double kWeightSpread = 2e-3;
 
 // Returns a random number in [-1, 1].
-double stray(std::uint64_t number) {
+double signedRandom(std::uint64_t number) {
   return static_cast<double>(mixBits(number) >> 11) * 0x1p-52 - 1;
 }
 
@@ -41,7 +41,7 @@ std::vector<Ball> branchesOf(const SphereTree& tree, std::uint64_t attempt) {
     sum += weight;
   }
   for (std::size_t i = 0; i < balls.size(); ++i)
-    balls[i].weight += kStray * sum / static_cast<double>(balls.size()) * stray(attempt << 32 | (i + 1));
+    balls[i].weight += kWeightSpread * sum / static_cast<double>(balls.size()) * signedRandom(attempt << 32 | (i + 1));
   return balls;
 }
 

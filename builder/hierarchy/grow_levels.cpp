@@ -16,10 +16,10 @@ namespace {
 
 /// Points that a level is fitted to: for each ball of a full level, and the least total.
 constexpr std::size_t kPointsPerBall = 100, kMinPoints = 1500;
-/// Points of one family's first fit, and swaps tried to improve it.
+/// Number of points of one family's first fit, and of swaps that try to improve it.
 constexpr std::size_t kFamilyPoints = 400;
 constexpr int kFamilySwapRounds = 1;
-/// Attempts to relieve a level.
+/// Number of attempts to relieve a level.
 constexpr ReliefEffort kRelief{.attempts = 80, .redraws = 8};
 
 /// Surface points dense enough for a level of `balls` balls.
@@ -48,7 +48,7 @@ CoverLevel nextLevel(std::span<const CoverLevel> levels, PointSet points, const 
   return completeLevel(surface, std::move(level), kRelief);
 }
 
-/// Empty when `progress` cancelled.
+/// Returns an empty result when `progress` cancelled.
 std::vector<CoverLevel> fitLevels(std::uint32_t depth, const SignedDistance& solid, const SplitSettings& settings,
                                   const LevelProgress& progress) {
   const auto ballsOf = [&](std::uint32_t level) { return std::pow(static_cast<double>(settings.branching), level); };

@@ -15,14 +15,14 @@ namespace cairn::builder {
 
 namespace {
 
-/// Rounds of relief for each level, and how near to the level's worst a node must be to take part: the figure of a
-/// level is its worst sphere.
+/// Rounds of relief for each level, and the fraction of the level's worst error from which a node takes part. Only the
+/// worst sphere decides the error of a level.
 constexpr int kRootReliefRounds = 16, kReliefRounds = 6;
 constexpr double kReliefShare = 0.95;
-/// The root's own division decides most and is only one: it gets a thorough search.
+/// The root's division has the greatest influence and is only one, so it gets a thorough search.
 constexpr int kRootSwapRounds = 6;
 
-/// Counts finished regions and passes the news on, from one thread at a time.
+/// Counts finished regions and reports them from one thread at a time.
 class LevelCounter {
  public:
   LevelCounter(const LevelProgress& progress, std::uint32_t level, std::size_t count)
@@ -71,7 +71,8 @@ class Growth {
   /// Drops spheres from the divisions of the tree's last nodes. False when cancelled.
   bool dropAll(const RegionTree& tree, std::vector<Split>& splits, std::uint32_t level) const {
     if (!settings_.balance) return true;
-    // The divisions are still to be chosen for their children's sake, so the level is no farther than its beginning.
+    // The divisions may still change in favour of their children, so the reported progress stays at the level's
+    // beginning.
     const LevelProgress still = [&](std::uint32_t l, std::size_t, std::size_t count) { return progress_(l, 0, count); };
     LevelCounter counter(still, level, splits.size());
     const std::size_t first = tree.size() - splits.size();
@@ -83,7 +84,7 @@ class Growth {
     return !counter.cancelled();
   }
 
-  /// Divides the children of the level's nodes, then improves the level's divisions for their sake. False when
+  /// Divides the children of the level's nodes, then improves the level's divisions in their favour. False when
   /// cancelled.
   bool lookAhead(std::vector<Split>& splits, std::vector<Split>& next, std::uint32_t level) {
     std::vector<std::unique_ptr<Lookahead>> nodes(splits.size());
@@ -102,8 +103,8 @@ class Growth {
     return true;
   }
 
-  /// Relieves the worst nodes until the worst of all cannot be relieved any more. Which nodes take part in a round
-  /// depends on the results of the last one only, not on the threads. False when cancelled.
+  /// Relieves the worst nodes until the worst of all cannot be relieved further. The nodes of a round depend only on
+  /// the results of the last one, not on the threads. False when cancelled.
   bool relieveAll(std::vector<std::unique_ptr<Lookahead>>& nodes, std::uint32_t level) const {
     double limit = 0;
     for (const auto& node : nodes) limit = std::max(limit, node->worstChild());
@@ -123,7 +124,7 @@ class Growth {
     return true;
   }
 
-  /// The children become nodes. `splits` belong to the last nodes of the tree, in order.
+  /// Adds the children as nodes. `splits` belong to the last nodes of the tree, in order.
   static void append(RegionTree& tree, std::vector<Split>& splits) {
     const std::size_t first = tree.size() - splits.size();
     for (std::size_t i = 0; i < splits.size(); ++i) {

@@ -46,8 +46,8 @@ std::vector<Shell> collect(const TriangleMesh& mesh, const Shells& shells) {
   return list;
 }
 
-/// Returns the winding number of a shell around a point that is not on it: +1 inside a shell that faces outward, -1
-/// inside one that faces inward. It is the sum of the triangles' solid angles (van Oosterom and Strackee 1983).
+/// Returns the winding number of a shell around a point that is not on it. It is +1 inside a shell that faces outward,
+/// -1 inside one that faces inward. It is the sum of the triangles' solid angles (van Oosterom and Strackee 1983).
 int windingNumber(const TriangleMesh& mesh, const Shell& shell, const Vec3d& point) {
   double angle = 0;
   for (const std::uint32_t t : shell.triangles) {

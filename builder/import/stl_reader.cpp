@@ -65,11 +65,11 @@ class TextStl {
       return line_.error(
           fmt::format("'{}' is no statement of a text STL; correct the line or export it again", written));
     if (statement->before != open_)
-      return line_.error(fmt::format("'{}' comes {}; export it again", written, whatIsMissing()));
+      return line_.error(fmt::format("'{}' comes {}; export it again", written, placeInGrammar()));
     const std::size_t corners = openCorners();
     open_ = statement->after;
     if (word == "vertex") return readVertex();
-    if (word == "facet") return passOverNormal();
+    if (word == "facet") return skipNormal();
     if (word == "outer" && lowered(line_.nextWord()) != "loop")
       return line_.error("'outer' is not followed by 'loop' on its line; correct it or export it again");
     if (word == "endloop") {
@@ -82,7 +82,7 @@ class TextStl {
   }
 
   /// The place of a statement that is not allowed there.
-  std::string whatIsMissing() const {
+  std::string placeInGrammar() const {
     const std::size_t facet = soup_.ends.size() + (open_ == Open::FacetWithLoop ? 0 : 1);
     switch (open_) {
       case Open::Nothing:
@@ -108,7 +108,7 @@ class TextStl {
   }
 
   /// Normals in files are often wrong and are not used.
-  Status passOverNormal() {
+  Status skipNormal() {
     std::string_view last = line_.nextWord();
     if (lowered(last) != "normal")
       return line_.error("'facet' is not followed by 'normal' on its line; correct it or export it again");

@@ -20,15 +20,15 @@ CoverLevel completeLevel(const LevelSurface& surface, CoverLevel level, const Re
   const Reach denseReach = reachThrough(surface.above, surface.dense);
   CoverLevel best;
   const ReliefEffort repair{std::min(effort.attempts, kRepairs), effort.redraws};
-  double settled = surface.negligible;  // stand-off after the first relief; later reliefs only repair the level
+  double reliefGoal = surface.negligible;  // stand-off after the first relief; later reliefs only repair the level
   for (int round = 0; round < kRounds; ++round) {
     const Reach reach = reachThrough(surface.above, surface.points);
-    LevelProblem problem{surface.points, surface.field, reach, surface.branching, settled};
+    LevelProblem problem{surface.points, surface.field, reach, surface.branching, reliefGoal};
     problem.keepGoing = surface.keepGoing;
     if (!problem.goesOn()) return level;
     level.balls = relieveLevel(problem, level.balls, round == 0 ? effort : repair);
     level.limit = std::max(coverStandOff(problem, level.balls), surface.negligible);
-    settled = std::max(settled, round == 0 ? level.limit : 0);
+    reliefGoal = std::max(reliefGoal, round == 0 ? level.limit : 0);
     CoverLevel whole = level;
     whole.limit = std::max(standOffOf(level, surface.dense, denseReach), surface.negligible);
     const bool complete = whole.limit <= kComplete * level.limit;

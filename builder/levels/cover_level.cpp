@@ -56,9 +56,9 @@ Reach reachThrough(std::span<const CoverLevel> levels, const PointSet& points) {
 }
 
 Reach ownedBy(const CoverLevel& level, const PointSet& points, const Reach& parents) {
-  constexpr std::uint32_t kNobody = ~0U;
+  constexpr std::uint32_t kNoOwner = ~0U;
   std::vector<double> least(points.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::uint32_t> owner(points.size(), kNobody);
+  std::vector<std::uint32_t> owner(points.size(), kNoOwner);
   for (std::uint32_t i = 0; i < level.balls.size(); ++i)
     for (const std::uint32_t p : parents[level.balls[i].parent])
       if (const double cost = costOf(level.balls[i].ball, points[p]); cost < least[p]) {
@@ -67,7 +67,7 @@ Reach ownedBy(const CoverLevel& level, const PointSet& points, const Reach& pare
       }
   Reach owned(level.balls.size());
   for (std::uint32_t p = 0; p < owner.size(); ++p)
-    if (owner[p] != kNobody) owned[owner[p]].push_back(p);
+    if (owner[p] != kNoOwner) owned[owner[p]].push_back(p);
   return owned;
 }
 

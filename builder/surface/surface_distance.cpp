@@ -21,7 +21,7 @@ double SurfaceDistance::distanceToTriangle(std::uint32_t triangle, const Vec3d& 
 }
 
 double distanceRoundingBound(const Bounds& bounds, const Vec3d& query) {
-  // Let q be the query, m the largest coordinate vector of the mesh and u = 2^-53; to first order: the frame of a
+  // Let q be the query, m the largest coordinate vector of the mesh and u = 2^-53. To first order, the frame of a
   // triangle is orthonormal within 8 u. Its corners are reproduced within 12 u |edge|, and the offset from the corner
   // within 4 u |q - a|. The projection and the removal of the in-plane part add 24 u |q - a|. Squares, the comparison
   // of boxes (4 u of the distance) and the root add 8 u. With |edge| <= 2 |m| and |q - a| <= |q| + |m| the sum is below

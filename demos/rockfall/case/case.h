@@ -48,9 +48,9 @@ struct Case {
   std::uint32_t stepCount() const;
 };
 
-/// Reads a case from a text; `file` is its name for messages. Fails in one sentence with file and JSON path. Causes
-/// are: no JSON; unknown or repeated keys; values that are missing, of the wrong kind or out of range; materials that
-/// are not listed; files that cannot be read.
+/// Reads a case from a text; `file` is its name for messages. Fails in one sentence with file and JSON path. It refuses
+/// invalid JSON, unknown or repeated keys, and materials that are not listed. It refuses values that are missing, of
+/// the wrong kind or out of range, and files that cannot be read.
 Result<Case> parseCase(std::string_view text, const std::string& file, const std::filesystem::path& folder);
 Result<Case> readCase(const std::filesystem::path& path);
 

@@ -33,9 +33,9 @@ struct SceneBounds {
 struct EffectOutlook {
   std::size_t index = 0;  ///< in the case's list
   std::string name;
-  std::vector<std::uint32_t> groups;  ///< whose rocks could meet its criterion; empty: it can never act
-  std::string reason;                 ///< one sentence: by which bound
-  std::string advice;                 ///< what it may do that nobody means, and what to do; empty: nothing known
+  std::vector<std::uint32_t> groups;  ///< groups whose rocks could meet its criterion; empty: it can never act
+  std::string reason;                 ///< one sentence that names the bound
+  std::string advice;                 ///< an unintended consequence and its remedy; empty: none known
 };
 
 /// Returns the outlook of every listed effect. Outlooks are bounds, not forecasts: an effect that may act need not act,

@@ -66,7 +66,7 @@ using TerrainSource =
 struct Zone {
   MaterialId material = 0;
   Polygon polygon;
-  MapPoint lower{}, upper{};  ///< of the box around it: most points are outside, and that is soon told
+  MapPoint lower{}, upper{};  ///< bounding box of the polygon; it quickly excludes most points
 };
 Zone makeZone(MaterialId material, Polygon polygon);
 

@@ -87,7 +87,7 @@ Status checkRaster(const Case& description, const Ground& ground) {
                   cells / 1e6, kMaxCells / 1e6)};
 }
 
-/// What was read, beside what the case's files hold: a raster may lean on others.
+/// Adds the terrain as it was read, beside the bytes of the case's files, because a raster may refer to further files.
 void add(ContentHash& hash, const bullet::TerrainGrid& grid) {
   const std::array<double, 6> frame{double(grid.columns), double(grid.rows), grid.cell,
                                     grid.origin.x,        grid.origin.y,     grid.origin.z};

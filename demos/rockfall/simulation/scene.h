@@ -22,8 +22,8 @@ struct Scene {
 };
 
 /// Prepares a scene. Fails as `terrainOf`, `worldOriginOf`, `makeGround` and `stockRocks` do. Also fails for a release
-/// box beyond the ground, for rasters of more than 64 million cells, and for a raster format that needs GDAL in a build
-/// without it.
+/// box beyond the ground and for rasters of more than 64 million cells. A raster format that needs GDAL fails in a
+/// build without it.
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
 /// The same on ground that is there already, in the map's coordinates, in place of the case's terrain, whose material,
