@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import conclusions
 import tables
 
+COSTS = ("s", "s of CPU", "MB", "KiB")  # units of measures that say what a case takes, not what comes out
 MAX_MEASURES = 3  # of a hard case in its line; its JSON has all
 SECTION = re.compile(r"<!-- section: (?P<name>[\w-]+); measured: (?P<date>[^;\n]*); how: (?P<how>[^;\n]*) -->\n(?P<text>.*?)<!-- /section -->\n", re.DOTALL)
 
@@ -50,10 +51,11 @@ def closeness(measure):
 
 
 def deciding(case):
-    """The measures that a hard case's verdict hangs on: those that miss, else the one nearest to its limit."""
+    """The measures that a hard case's verdict hangs on: those that miss, else the outcome nearest to its limit."""
     measures = sorted(case["measures"], key=closeness, reverse=True)
     missed = [measure for measure in measures if measure["verdict"] != "holds"]
-    return (missed or measures[:1])[:MAX_MEASURES]
+    outcomes = [measure for measure in measures if measure["unit"] not in COSTS]
+    return (missed or outcomes[:1] or measures[:1])[:MAX_MEASURES]
 
 
 def measure_of(measure):
@@ -64,14 +66,14 @@ def measure_of(measure):
 
 def of_hard_cases(document):
     """One line a case: criterion, the measures that decide, verdict and why."""
-    lines = ["The measure in a line is the one nearest to its limit, or those that miss. Its limit is in brackets, with the best of Bullet's own shapes.", "",
+    lines = ["The measure in a line is the outcome nearest to its limit, or those that miss. Its limit is in brackets, with the best of Bullet's own shapes.", "",
              row(["case", "criterion", "measure (limit; Bullet's best)", "verdict", "why"]), row(["---"] * 5)]
     for case in document["cases"]:
         why = case["why"] if case["verdict"] != "holds" else ""
-        lines.append(row([f"{case['id']} {case['name']}", case["criterion"].removesuffix(" (proposed list)"), "; ".join(map(measure_of, deciding(case))), case["verdict"], why]))
+        lines.append(row([f"{case['id']} {case['name']}", case["criterion"].replace(" (proposed list)", ""), "; ".join(map(measure_of, deciding(case))), case["verdict"], why]))
     verdicts = [case["verdict"] for case in document["cases"]]
-    counts = ", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(verdicts))
-    return "\n".join([*lines, "", f"Of {len(verdicts)} cases: {counts}."])
+    counts = ", ".join(f"{v} {verdicts.count(v)}" for v in dict.fromkeys(verdicts))
+    return "\n".join([*lines, "", f"Verdicts of {len(verdicts)} cases: {counts}."])
 
 
 def of_experiment(document):

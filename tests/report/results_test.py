@@ -99,6 +99,13 @@ class HardCases(unittest.TestCase):
         case = self.case(self.measure("far", 1.0, 10.0, "holds"), self.measure("near", 9.0, 10.0, "holds"), self.measure("at least", 20.0, 10.0, "holds", ">="))
         self.assertEqual([m["name"] for m in markdown.deciding(case)], ["near"])
 
+    def test_time_is_shown_only_where_it_misses_or_is_all(self):
+        late = self.measure("slowest answer", 9.0, 10.0, "holds") | {"unit": "s"}
+        outcome = self.measure("points lost", 0.0, 0.0, "holds")
+        self.assertEqual([m["name"] for m in markdown.deciding(self.case(late, outcome))], ["points lost"])
+        self.assertEqual([m["name"] for m in markdown.deciding(self.case(late))], ["slowest answer"])
+        self.assertEqual([m["name"] for m in markdown.deciding(self.case(late | {"verdict": "misses"}, outcome))], ["slowest answer"])
+
     def test_a_case_that_misses_shows_what_misses_and_why(self):
         case = self.case(self.measure("near", 9.0, 10.0, "holds"), self.measure("short", 5.0, 10.0, "misses", ">="), verdict="misses")
         line = markdown.of_hard_cases({"cases": [case]}).splitlines()[4]

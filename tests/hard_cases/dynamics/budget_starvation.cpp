@@ -172,7 +172,7 @@ struct Scene {
 };
 
 std::vector<Asked> askedOf(const std::string& name) {
-  std::vector<Asked> asked{{"bodies that are no number", 0, Bound::atMost, ""},
+  std::vector<Asked> asked{{"bodies that are not finite", 0, Bound::atMost, ""},
                            {"bodies lost", 0, Bound::atMost, ""},
                            {"energy gained after any loss", 1, Bound::atMost, "%"},
                            {"steps in which the deepest pair had no contact", 0, Bound::atMost, ""},

@@ -10,7 +10,7 @@
 #include "../dynamics/pile.h"
 #include "isolation_cases.h"
 
-// In the midst of a heap one body's place becomes no number, or a force without end takes hold of it.
+// In the midst of a heap one body's place becomes NaN, or an infinite force acts on it.
 //
 //    | o O  |          | o    |
 //    |O xO O|   ->     |O  O O|   the others: as if it were not there
@@ -105,12 +105,12 @@ int brokenByAbsurdSpeed(const test::TriedBody& tried) {
 }
 
 Outcome runAll(Effort) {
-  const std::vector<Asked> asked{{"steps in which others differ, place no number", 0, Bound::atMost, ""},
-                                 {"steps in which others differ, force without end", 0, Bound::atMost, ""},
-                                 {"steps in which others differ, speed without end", 0, Bound::atMost, ""},
-                                 {"others that touched it and are no number", 0, Bound::atMost, "of 33"},
+  const std::vector<Asked> asked{{"steps in which others differ, NaN place", 0, Bound::atMost, ""},
+                                 {"steps in which others differ, infinite force", 0, Bound::atMost, ""},
+                                 {"steps in which others differ, infinite speed", 0, Bound::atMost, ""},
+                                 {"others that touched it and are not finite", 0, Bound::atMost, "of 33"},
                                  {"greatest speed of those", 10, Bound::atMost, "m/s"},
-                                 {"others that are no number, beside 1e12 m/s", 0, Bound::atMost, "of 66"}};
+                                 {"others that are not finite, beside 1e12 m/s", 0, Bound::atMost, "of 66"}};
   const auto figures = [](const test::TriedBody& body) {
     Figures found;
     double insane = 0, speed = 0;
@@ -123,14 +123,14 @@ Outcome runAll(Effort) {
     found.insert(found.end(), {insane, speed, double(brokenByAbsurdSpeed(body))});
     return found;
   };
-  // GImpact is not asked: on a body it touches whose place is no number it never comes to an end (Bullet 3.24).
+  // GImpact is not asked: on a body that touches a NaN place it never ends (Bullet 3.24).
   const CaseBodies& bodies = rocks(1, 1);
   std::vector<Measure> measures =
       besideTheBest(asked, figures(bodies[0].body), {{bodies[1].name, figures(bodies[1].body)}});
   Pile pile(bodies[0].body, 1, {.bodies = 1});
   harm(*pile.bodies()[0], Harm::infiniteSpeed);
   pile.step();
-  measures.push_back({"pairs reported as broken", double(pile.world().dispatcher.lastStep().nonFinitePairs), 1,
+  measures.push_back({"pairs reported as non-finite", double(pile.world().dispatcher.lastStep().nonFinitePairs), 1,
                       Bound::atLeast, "", "", 0});
   return {measures, ""};
 }
@@ -138,12 +138,11 @@ Outcome runAll(Effort) {
 }  // namespace
 
 HardCase brokenBody() {
-  return {"I1", "a body that is no number",
-          "one body of a heap gets a place that is no number, a force or a speed without end: the others are bit for "
-          "bit as if nothing "
-          "had happened, where they do not touch it; where they do, they stay numbers and nothing throws them "
-          "(proposed list)",
-          runAll};
+  return {
+      "I1", "a non-finite body",
+      "one body of a heap gets a NaN place, an infinite force or speed: the others are bit for bit as if nothing had "
+      "happened, where they do not touch it; where they do, they stay finite and nothing throws them (proposed list)",
+      runAll};
 }
 
 }  // namespace cairn::hard

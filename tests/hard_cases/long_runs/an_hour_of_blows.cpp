@@ -68,7 +68,7 @@ Figures knockAbout(const test::TriedBody& rock, int seconds, std::uint64_t seed)
 Outcome runAnHourOfBlows(Effort effort) {
   const bool isWhole = effort == Effort::whole;
   const std::vector<Asked> asked{
-      {"bodies that are no number, most", 0, Bound::atMost, "", 1},
+      {"bodies that are not finite, most", 0, Bound::atMost, "", 1},
       {"bodies lost, most", 0, Bound::atMost, "", 1},
       {"kinetic energy a second after a blow, most", kBlow / kBodies, Bound::atMost, "J/kg", 1},
       {"memory grown, most", 1024, Bound::atMost, "KiB", 1},
