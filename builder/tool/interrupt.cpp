@@ -19,28 +19,28 @@
 namespace cairn::tool {
 namespace {
 
-// With this a cancelled run ends within a second; most stages hear of it sooner and leave by themselves.
+// Time that a cancelled run gets to stop by itself, so that it ends within a second.
 constexpr std::chrono::milliseconds kGrace(500);
 
-volatile std::sig_atomic_t arrived = 0;  // with the pipe all that a signal handler may touch
+volatile std::sig_atomic_t arrived = 0;  // a signal handler may touch only this and the pipe
 std::array<int, 2> wake = {-1, -1};
-std::mutex mutex;  // guards `isWriting`
+std::mutex mutex;  // protects `isWriting`
 bool isWriting = false;
 
 void note(int) {
   const int before = errno;
   arrived = 1;
-  [[maybe_unused]] const ssize_t told = write(wake[1], "", 1);
+  [[maybe_unused]] const ssize_t written = ::write(wake[1], "", 1);
   errno = before;
 }
 
 void say(std::string_view text) {
-  [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, text.data(), text.size());
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-void endWhatDoesNotStop() {
+void endUnstoppedWork() {
   char byte = 0;
-  while (read(wake[0], &byte, 1) < 0 && errno == EINTR) {
+  while (::read(wake[0], &byte, 1) < 0 && errno == EINTR) {
   }
   std::this_thread::sleep_for(kGrace);
   const std::lock_guard lock(mutex);
@@ -53,7 +53,7 @@ void endWhatDoesNotStop() {
 }  // namespace
 
 void catchInterrupts() {
-  if (pipe2(wake.data(), O_CLOEXEC) == 0) std::thread(endWhatDoesNotStop).detach();
+  if (pipe2(wake.data(), O_CLOEXEC) == 0) std::thread(endUnstoppedWork).detach();
   struct sigaction action = {};
   action.sa_handler = note;
   action.sa_flags = SA_RESETHAND;

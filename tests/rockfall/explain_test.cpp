@@ -20,14 +20,14 @@ namespace {
 using nlohmann::json;
 
 /// An effect on the plain case, and whether it could act there: a slope of 40 m at 30 degrees, 23 m high.
-struct StepHorizon {
+struct Outlook {
   const char* effect;
   bool canAct;
 
-  friend std::ostream& operator<<(std::ostream& out, const StepHorizon& outlook) { return out << outlook.effect; }
+  friend std::ostream& operator<<(std::ostream& out, const Outlook& outlook) { return out << outlook.effect; }
 };
 
-class Outlooks : public ::testing::TestWithParam<StepHorizon> {};
+class Outlooks : public ::testing::TestWithParam<Outlook> {};
 
 TEST_P(Outlooks, FollowFromTheBounds) {
   json document = test::plainCase();
@@ -42,57 +42,57 @@ TEST_P(Outlooks, FollowFromTheBounds) {
 INSTANTIATE_TEST_SUITE_P(
     Each, Outlooks,
     ::testing::Values(
-        StepHorizon{R"({"effect": "friction", "default": 0.5})", true},
-        StepHorizon{R"({"effect": "friction", "default": 0})", false},
+        Outlook{R"({"effect": "friction", "default": 0.5})", true},
+        Outlook{R"({"effect": "friction", "default": 0})", false},
         // soil on soil never meets: no rock is of soil
-        StepHorizon{R"({"effect": "friction", "default": 0, "pairs": [{"materials": ["soil", "soil"], "value": 1}]})",
+        Outlook{R"({"effect": "friction", "default": 0, "pairs": [{"materials": ["soil", "soil"], "value": 1}]})",
                     false},
-        StepHorizon{R"({"effect": "friction", "default": 0, "pairs": [{"materials": ["soil", "stone"], "value": 1}]})",
+        Outlook{R"({"effect": "friction", "default": 0, "pairs": [{"materials": ["soil", "stone"], "value": 1}]})",
                     true},
-        StepHorizon{R"({"effect": "rolling_resistance", "default_m": 0})", false},
-        StepHorizon{R"({"effect": "rolling_resistance", "default_m": 0, "spinning_default_m": 0.1})", true},
-        StepHorizon{R"({"effect": "tangential_restitution", "default": 1})", false},
-        StepHorizon{R"({"effect": "tangential_restitution", "default": 0.9})", true},
-        StepHorizon{R"({"effect": "restitution", "law": "constant", "default": 0})", false},
-        StepHorizon{R"({"effect": "restitution", "law": "bourrier", "default_half_speed_m_per_s": 2})", true},
-        StepHorizon{R"({"effect": "slip_friction", "min": 0, "max": 1, "kappa_per_m": 1, "recovery_per_s": 1,
+        Outlook{R"({"effect": "rolling_resistance", "default_m": 0})", false},
+        Outlook{R"({"effect": "rolling_resistance", "default_m": 0, "spinning_default_m": 0.1})", true},
+        Outlook{R"({"effect": "tangential_restitution", "default": 1})", false},
+        Outlook{R"({"effect": "tangential_restitution", "default": 0.9})", true},
+        Outlook{R"({"effect": "restitution", "law": "constant", "default": 0})", false},
+        Outlook{R"({"effect": "restitution", "law": "bourrier", "default_half_speed_m_per_s": 2})", true},
+        Outlook{R"({"effect": "slip_friction", "min": 0, "max": 1, "kappa_per_m": 1, "recovery_per_s": 1,
                     "pairs": [["soil", "soil"]]})",
                     false},
-        StepHorizon{R"({"effect": "surface_roughness", "materials": [{"material": "soil", "roughness_m": 0.1}]})",
+        Outlook{R"({"effect": "surface_roughness", "materials": [{"material": "soil", "roughness_m": 0.1}]})",
                     true},
-        StepHorizon{R"({"effect": "surface_roughness", "materials": [{"material": "soil", "roughness_m": 0}]})", false},
-        StepHorizon{R"({"effect": "gyroscopic"})", true},
-        StepHorizon{R"({"effect": "gyroscopic", "min_inertia_ratio": 50})", false},
+        Outlook{R"({"effect": "surface_roughness", "materials": [{"material": "soil", "roughness_m": 0}]})", false},
+        Outlook{R"({"effect": "gyroscopic"})", true},
+        Outlook{R"({"effect": "gyroscopic", "min_inertia_ratio": 50})", false},
         // 22 m/s for 0.01 s is 0.22 m; the smallest radius is 0.2 m
-        StepHorizon{R"({"effect": "ccd", "radii_per_step": 0.5})", true},
-        StepHorizon{R"({"effect": "ccd", "radii_per_step": 2})", false},
-        StepHorizon{R"({"effect": "sleeping", "linear_m_per_s": 0, "angular_rad_per_s": 1, "after_s": 1})", false},
-        StepHorizon{R"({"effect": "air_drag"})", true},
-        StepHorizon{R"({"effect": "air_drag", "coefficient": 0})", false},
-        StepHorizon{R"({"effect": "water", "level_m": -0.1})", false},
-        StepHorizon{R"({"effect": "water", "level_m": 0.1})", true},
+        Outlook{R"({"effect": "ccd", "radii_per_step": 0.5})", true},
+        Outlook{R"({"effect": "ccd", "radii_per_step": 2})", false},
+        Outlook{R"({"effect": "sleeping", "linear_m_per_s": 0, "angular_rad_per_s": 1, "after_s": 1})", false},
+        Outlook{R"({"effect": "air_drag"})", true},
+        Outlook{R"({"effect": "air_drag", "coefficient": 0})", false},
+        Outlook{R"({"effect": "water", "level_m": -0.1})", false},
+        Outlook{R"({"effect": "water", "level_m": 0.1})", true},
         // the pond is high up the slope, above its level
-        StepHorizon{R"({"effect": "water", "level_m": 5, "polygon_m": [[0, -5], [10, -5], [10, 5]]})", false},
-        StepHorizon{R"({"effect": "water", "level_m": 5, "polygon_m": [[100, -5], [110, -5], [110, 5]]})", false},
-        StepHorizon{R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 10})", true},
-        StepHorizon{R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 10,
+        Outlook{R"({"effect": "water", "level_m": 5, "polygon_m": [[0, -5], [10, -5], [10, 5]]})", false},
+        Outlook{R"({"effect": "water", "level_m": 5, "polygon_m": [[100, -5], [110, -5], [110, 5]]})", false},
+        Outlook{R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 10})", true},
+        Outlook{R"({"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 10,
                     "polygon_m": [[100, -5], [110, -5], [110, 5]]})",
                     false},
-        StepHorizon{R"({"effect": "trees", "energy_ratio": 1, "stems": [[20, 0, 0.3]]})", true},
-        StepHorizon{R"({"effect": "trees", "energy_ratio": 0, "stems": [[20, 0, 0.3]]})", false},
-        StepHorizon{R"({"effect": "trees", "energy_ratio": 1, "stems": [[200, 0, 0.3]]})", false},
-        StepHorizon{
+        Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[20, 0, 0.3]]})", true},
+        Outlook{R"({"effect": "trees", "energy_ratio": 0, "stems": [[20, 0, 0.3]]})", false},
+        Outlook{R"({"effect": "trees", "energy_ratio": 1, "stems": [[200, 0, 0.3]]})", false},
+        Outlook{
             R"({"effect": "trees", "energy_ratio": 1, "stems": {"density_per_ha": 0, "diameter_m": [0.1, 0.2]}})",
             false},
-        StepHorizon{R"({"effect": "soil_scarring", "materials":
+        Outlook{R"({"effect": "soil_scarring", "materials":
                     [{"material": "soil", "strength_kpa": 100, "density_kg_per_m3": 1500, "drag_coefficient": 1}]})",
                     true},
-        StepHorizon{R"({"effect": "ground_drag", "deceleration_m_per_s2": 0})", false},
+        Outlook{R"({"effect": "ground_drag", "deceleration_m_per_s2": 0})", false},
         // 9.81 times 25 to 30 m
-        StepHorizon{R"({"effect": "fragmentation", "energy_j_per_kg": 200, "max_generations": 1})", true},
-        StepHorizon{R"({"effect": "fragmentation", "energy_j_per_kg": 400, "max_generations": 1})", false},
-        StepHorizon{R"({"effect": "events", "dust_impulse_n_s": 1e9})", false},
-        StepHorizon{R"({"effect": "events", "dust_impulse_n_s": 1e9, "sound_impulse_n_s": 100})", true}));
+        Outlook{R"({"effect": "fragmentation", "energy_j_per_kg": 200, "max_generations": 1})", true},
+        Outlook{R"({"effect": "fragmentation", "energy_j_per_kg": 400, "max_generations": 1})", false},
+        Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9})", false},
+        Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9, "sound_impulse_n_s": 100})", true}));
 
 TEST(ExplainedRollingResistance, AsksForWhatStopsTheSpinOfRocksThatItHoldsUp) {
   json document = test::plainCase();
