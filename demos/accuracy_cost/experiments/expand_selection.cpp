@@ -42,7 +42,7 @@ constexpr Scale kQuick{200, 1500, 65, kQuickCounts};
 /// Far more candidates than this number of spheres needs.
 constexpr unsigned kMaxSamples = 2000;
 /// Stand-offs end where max-cover needs at most this number, the branching of the thesis's trees.
-constexpr unsigned kMin = 8;
+constexpr unsigned kMinSpheres = 8;
 
 /// The results of one heuristic on one model. Rows are in order, although the work was not.
 struct Measured {
@@ -92,7 +92,7 @@ Status measureModel(Table& table, const Model& model, const Scale& scale, std::u
   if (!axis) return axis.error();
   const auto candidates = axis.value().balls();
   const auto choicesBy = [&](ExpandRank rank) { return ExpandChoices(axis.value().surface, candidates, rank); };
-  const double high = choicesBy(ExpandRank::maxCover).standOffFor(kMin);
+  const double high = choicesBy(ExpandRank::maxCover).standOffFor(kMinSpheres);
   for (const Heuristic& heuristic : kHeuristics) {
     if (!steps.next(fmt::format("{}, {}", model.name, heuristic.name))) return Error{std::string(builder::kCancelled)};
     Measured measured;
@@ -126,7 +126,7 @@ Where rowsOf(const std::string& model, const char* heuristic, const char* search
 }
 
 constexpr const char* kAtStandOff = "spheres at a stand-off";
-constexpr const char* kMin = "least stand-off";
+constexpr const char* kLeastStandOff = "least stand-off";
 
 /// The thesis's one exception.
 constexpr const char* kException = "torus";
@@ -215,8 +215,8 @@ Claim fewerClaim(const Table& table) {
 Claim standOffClaim(const Table& table) {
   std::vector<double> ratios, elims, covers;
   for (const std::string& model : table.texts("model")) {
-    const auto elim = table.numbers("stand_off_fraction", rowsOf(model, "max-elim", kMin));
-    const auto cover = table.numbers("stand_off_fraction", rowsOf(model, "max-cover", kMin));
+    const auto elim = table.numbers("stand_off_fraction", rowsOf(model, "max-elim", kLeastStandOff));
+    const auto cover = table.numbers("stand_off_fraction", rowsOf(model, "max-cover", kLeastStandOff));
     for (std::size_t i = 0; i < elim.size(); ++i)
       if (elim[i] > 0 && cover[i] > 0) ratios.push_back(elim[i] / cover[i]);
     elims.insert(elims.end(), elim.begin(), elim.end());
@@ -269,7 +269,7 @@ std::vector<Figure> draw(const Table& table) {
       const char* name = kHeuristics[i].name;
       const Look look{i, i, i, true, false};  // markers of 65 stand-offs would hide each other
       at.series.push_back({name, rowsOf(model, name, kAtStandOff), "spheres", look});
-      least.series.push_back({name, rowsOf(model, name, kMin), "stand_off_fraction", look});
+      least.series.push_back({name, rowsOf(model, name, kLeastStandOff), "stand_off_fraction", look});
     }
     figure.panels.push_back(std::move(at));
     figure.panels.push_back(std::move(least));
