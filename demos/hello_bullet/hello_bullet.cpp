@@ -6,10 +6,12 @@
 #include <cairn/core/tree_file.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <deque>
 
 int main(int argc, char** argv) {
-  if (argc != 2) return std::fprintf(stderr, "usage: hello_bullet TREE.cairn\n"), 2;
+  if (argc != 2 && argc != 3) return std::fprintf(stderr, "usage: hello_bullet TREE.cairn [SECONDS]\n"), 2;
+  const int seconds = argc == 3 ? std::atoi(argv[2]) : 10;
   auto tree = cairn::loadTree(argv[1]);  // Cairn
   if (!tree) return std::fprintf(stderr, "hello_bullet: %s.\n", tree.error().message.c_str()), 1;
   const auto shape = cairn::bullet::SphereTreeShape::create(std::move(tree).value());  // Cairn
@@ -34,7 +36,7 @@ int main(int argc, char** argv) {
     body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(i + 1), 0) * rock->size()));
     world.addRigidBody(&body);
   }
-  for (int second = 0; second <= 10; ++second) {
+  for (int second = 0; second <= seconds; ++second) {
     std::printf("%2d s: the last rock is %.2f up, %u contacts\n", second,
                 double(rocks.back().getWorldTransform().getOrigin().y()), dispatcher.lastStep().contacts);
     for (int step = 0; step < 60; ++step) world.stepSimulation(btScalar(1) / 60);
