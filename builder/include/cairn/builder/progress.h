@@ -10,7 +10,8 @@ namespace cairn::builder {
 /// return value of false cancels the work, which then ends soon with the error `kCancelled`. Calls may come from any
 /// thread, but never from two at a time.
 ///
-///     buildTree(mesh, options, [&](std::string_view stage, double done) { show(stage, done); return !interrupted; });
+///     const auto progress = [&](std::string_view stage, double done) { return show(stage, done) && !interrupted; };
+///     auto tree = buildTree(mesh, options, progress);
 using ProgressCallback = std::function<bool(std::string_view stage, double fraction)>;
 
 /// Asked from any thread during long work; returns false once the work should end.

@@ -10,9 +10,9 @@ namespace cairn::builder {
 
 /// Options of `wrap`. Lengths are fractions of the bounding box's diagonal.
 struct WrapOptions {
-  double alpha = 0.02;  ///< openings narrower than about this are closed; kMinAlpha..1
-  double offset =
-      0.002;  ///< approximate distance of the wrap outside the surface, at times a tenth less; kMinOffset..0.2
+  double alpha = 0.02;  ///< openings narrower than about this are closed; kMinAlpha..kMaxAlpha
+  /// Approximate distance of the wrap outside the surface, at times a tenth less; kMinOffset..kMaxOffset.
+  double offset = 0.002;
 };
 inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< range of `WrapOptions::alpha`
 inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< range of `WrapOptions::offset`
@@ -20,15 +20,15 @@ inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< range of `Wra
 /// A closed skin around a surface, and its distance from the surface. Mesh frame and unit.
 struct Wrap {
   TriangleMesh mesh;         ///< closed, around the original
-  double farthestUpper = 0;  ///< proved: no point of the wrap is farther from the original surface
+  double farthestUpper = 0;  ///< proved: no point of the wrap's surface is farther from the original surface
   double farthestLower = 0;  ///< proved: `witness` is at least this far from the original surface
-  Vec3d witness;             ///< a point of the wrap, up to rounding
+  Vec3d witness;             ///< a point of the wrap's surface, up to rounding
 };
 
 /// Encloses any surface (open, self-intersecting, a soup of triangles) in a closed one without self-intersections. The
 /// method is alpha wrapping (Portaneri et al. 2022), the automatic skinning of thesis 8.3.4. Three properties are
 /// proved afterwards, independently of the construction. The wrap passes `checkMesh`. Every triangle of the original
-/// lies strictly inside it. The distance from the original to the wrap's farthest point is enclosed to 1 % or 1e-4 of
+/// lies strictly inside it. The largest distance from the original to the wrap's surface is enclosed to 1 % or 1e-4 of
 /// the diagonal.
 ///
 /// So a point outside the wrap's solid, but within e of it, is within e + farthestUpper of the original surface. This
