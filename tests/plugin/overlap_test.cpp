@@ -31,7 +31,7 @@ TEST(OverlapAt, TellsTheDeepestAndItsWayOut) {
   EXPECT_EQ(one->with, &near);
   EXPECT_EQ(one->count, 1);
   EXPECT_NEAR(one->depth, 0.05, 0.01);
-  EXPECT_GT(one->way.x(), 0.9) << "away from the one it is in";
+  EXPECT_GT(one->direction.x(), 0.9) << "away from the one it is in";
   EXPECT_FALSE(bullet::overlapAt(w.world, *cube, at(0, btScalar(1.01), 0)).has_value());
   EXPECT_EQ(w.world.getNumCollisionObjects(), 2) << "asking puts nothing into the world";
 }
