@@ -31,7 +31,7 @@ struct Fall {
 };
 
 btRigidBody& addRod(SlopeWorld& world) {
-  btSphereShape ball(kBall);
+  static btSphereShape ball(kBall);  // compounds own no children
   const auto rod = std::make_shared<btCompoundShape>();
   for (const btScalar end : {-kHalf, kHalf})
     rod->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(end, 0, 0)), &ball);

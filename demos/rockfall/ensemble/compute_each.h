@@ -64,6 +64,7 @@ Result<std::vector<Value>> computeEach(std::size_t count, std::size_t slots, std
   };
   const Status done = workers > 1 ? inProcesses(workers, work) : workers == 1 ? work(0) : Status();
   if (!done) return done.error();
+  if (progress) progress(1);  // the line that workers have written on is this process's to end
   return std::vector<Value>(values, values + count * slots);
 }
 

@@ -63,10 +63,10 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(std::back_inserter(effects_), "{},{},{},{},{:.6g},{:.6g},{:.6g}\n", result.run, i, effect.name,
                    effect.acts, effect.energyTakenJ, effect.impulseNS, effect.torqueImpulseNMS);
   }
-  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n", result.run,
-                 result.rocks.size(), fmt::join(endings, ","), impacts, result.crossings.size(), energy, height, runout,
-                 result.steps, result.operations, result.maxOperations, result.releasedEnergyJ, result.energyRiseJ,
-                 result.stateHash);
+  fmt::format_to(std::back_inserter(runs_), "{},{},{},{},{},{:.6g},{:.4f},{:.4f},{},{},{},{:.6g},{:.6g},{}\n",
+                 result.run, result.rocks.size(), fmt::join(endings, ","), impacts, result.crossings.size(), energy,
+                 height, runout, result.steps, result.operations, result.maxOperations, result.releasedEnergyJ,
+                 result.energyRiseJ, result.stateHash);
 }
 
 }  // namespace cairn::rockfall
