@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Zlib
 # Cairn built in the game's own project, as a game has it beside its sources or fetches it: add_subdirectory, FetchContent
 # from a clone, as static and as shared libraries. The game is snippets/game.cpp with effects. Minutes.
-# Usage: sources.sh COMPILER [WAY...]   WAY: subdirectory, fetched, shared; all unless named
+# Usage: sources.sh COMPILER [WAY...]   WAY: subdirectory, fetched, shared (which wants the lists in tests/consumer/exported); the first two unless named
 set -euo pipefail
 compiler=$1
 shift
@@ -11,7 +11,7 @@ root=$(cd "$here/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "sources: $*" >&2; exit 1; }
-(($#)) || set -- subdirectory fetched shared
+(($#)) || set -- subdirectory fetched
 launcher=()
 command -v ccache > /dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 

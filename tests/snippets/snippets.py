@@ -103,7 +103,7 @@ def shell_commands(block):
   """(line, command) of the block's lines with pkg-config, without prompts."""
   found = []
   for offset, line in enumerate(block.text.split('\n')):
-    if 'pkg-config' in line:
+    if re.search(r'pkg-config\s+--', line.split(' #')[0]):
       found.append((block.line + offset, re.sub(r'^\s*\$ ', '', line).strip()))
   return found
 
