@@ -32,7 +32,8 @@ std::optional<std::vector<CellPlane>> planesOf(std::span<const Ball> balls, std:
     if (apart >= r + other) continue;
     if (apart + r <= other && (r < other || j < i)) return std::nullopt;  // of equal ones the first stays
     if (!(apart > 0)) continue;
-    const double height = (apart * apart + (r - other) * (r + other)) / (2 * apart);
+    double height = (apart * apart + (r - other) * (r + other)) / (2 * apart);
+    if (std::abs(height) <= kSameCellPlane * r) height = 0;  // through the centre: rounding is not to choose its side
     if (height <= -r) return std::nullopt;
     if (height < r) planes.push_back({to / apart, height});
   }
