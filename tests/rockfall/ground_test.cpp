@@ -158,7 +158,8 @@ TEST_F(RasterCase, HolesAreNotCoveredAndRocksLeaveThroughThem) {
   // The same without a hole: they go on to the edge.
   ASSERT_TRUE(writeAsciiGrid(file("hole.asc"), hillside(0, 0)));
   const auto whole = prepare(made);
-  for (const RockRecord& rock : simulate(whole.value(), 0).value().result.rocks) EXPECT_EQ(rock.ending, RockEnd::left);
+  const RunResult onWhole = simulate(whole.value(), 0).value().result;
+  for (const RockRecord& rock : onWhole.rocks) EXPECT_EQ(rock.ending, RockEnd::left);
   made["rocks"][0]["release"]["box_m"] = {{25, 20}, {45, 40}};
   EXPECT_EQ(refusalOf(made),
             "/rocks/0/release/box_m: the corner (25, 20) is not over the ground, which covers x from 0 to 80 and y "
