@@ -16,7 +16,7 @@ quietly() { "$@" > "$scratch/log" 2>&1 || fail "$1 fails: $(cat "$scratch/log")"
 changes() { grep -E '^[-+]' | grep -vE '^(---|\+\+\+|[-+]//)' || true; }
 told=$(sed -n '/^```diff/,/^```$/p' "$here/../../docs/games.md" | changes)
 made=$({ diff -U0 "$here/rocks_gimpact.cpp" "$here/rocks_tree.cpp" || true; } | changes)
-[[ $(sort <<< "$told") == "$(sort <<< "$made")" ]] || fail "docs/games.md does not tell the change: $made"
+[[ $(sort <<< "$told") == "$(sort <<< "$made")" ]] || fail "docs/games.md does not show the change: $made"
 (($(grep -c '^+' <<< "$made") <= 5)) || fail "more than five lines to write: $made"
 
 quietly cmake --install "$build" --prefix "$scratch/usr"
@@ -44,7 +44,7 @@ done
 PKG_CONFIG_PATH=$(dirname "$(find "$scratch/usr" -name "cairn$suffix.pc")")
 export PKG_CONFIG_PATH
 read -ra flags <<< "$(pkg-config --cflags --libs "cairn$suffix")"
-quietly "$compiler" "$here/rocks_tree.cpp" "${flags[@]}" -o "$scratch/by_pkg_config"
+quietly "$compiler" -std=c++20 "$here/rocks_tree.cpp" "${flags[@]}" -o "$scratch/by_pkg_config"
 
 # Nothing but Bullet, Highway and the C++ run-time.
 needed=$(readelf -d "$scratch/cmake/rocks_tree" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p')
