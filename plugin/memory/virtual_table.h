@@ -18,6 +18,17 @@ inline VirtualTable virtualTableOf(const void* object) {
   return table;
 }
 
+/// Whether the class of an object was certainly compiled with run-time type information, so that `dynamic_cast` may
+/// ask. With the Itanium C++ ABI the entry before the first function tells; elsewhere nobody can know. Precondition: as
+/// above.
+inline bool hasTypeInfo([[maybe_unused]] const void* object) {
+#if defined(__GXX_ABI_VERSION) && !defined(_MSC_VER)
+  return virtualTableOf(object)[-1] != nullptr;
+#else
+  return false;
+#endif
+}
+
 /// Places the destructor takes at the head of a table whose class declares it first, as Bullet's do.
 #if defined(_MSC_VER)
 inline constexpr std::size_t kPlacesOfDestructor = 1;

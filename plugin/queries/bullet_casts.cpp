@@ -37,14 +37,24 @@ bool keepsFunction(const btTriangleCallback& callback) {
   return function.isKeptBy(&callback);
 }
 
+// The callback as one of Bullet's casts, or null. Type information decides where there is some. A class without is
+// recognised while it keeps Bullet's test of a triangle.
+template <class Cast, class Plain, class Other>
+Cast* as(btTriangleCallback& callback) {
+#if defined(__cpp_rtti)
+  if (hasTypeInfo(&callback)) return dynamic_cast<Cast*>(&callback);
+#endif
+  return keepsFunction<Plain, Other>(callback) ? static_cast<Cast*>(&callback) : nullptr;
+}
+
 }  // namespace
 
 btTriangleRaycastCallback* asRay(btTriangleCallback& callback) {
-  return keepsFunction<Ray, OtherRay>(callback) ? static_cast<btTriangleRaycastCallback*>(&callback) : nullptr;
+  return as<btTriangleRaycastCallback, Ray, OtherRay>(callback);
 }
 
 btTriangleConvexcastCallback* asSweep(btTriangleCallback& callback) {
-  return keepsFunction<Sweep, OtherSweep>(callback) ? static_cast<btTriangleConvexcastCallback*>(&callback) : nullptr;
+  return as<btTriangleConvexcastCallback, Sweep, OtherSweep>(callback);
 }
 
 }  // namespace cairn::bullet

@@ -155,15 +155,16 @@ TEST_F(RasterCase, HolesAreNotCoveredAndRocksLeaveThroughThem) {
     EXPECT_EQ(rock.ending, RockEnd::hole);
     EXPECT_LE(rock.end.x, 18);
   }
-  // The same without a hole: they go on to the edge.
+  json inHole = made;
+  inHole["rocks"][0]["release"]["box_m"] = {{25, 20}, {45, 40}};
+  EXPECT_EQ(refusalOf(inHole),
+            "/rocks/0/release/box_m: the corner (25, 20) is not over the ground, which covers x from 0 to 80 and y "
+            "from 0 to 60 but for holes");
+  // Without a hole the rocks go on to the edge.
   ASSERT_TRUE(writeAsciiGrid(file("hole.asc"), hillside(0, 0)));
   const auto whole = prepare(made);
   const RunResult onWhole = simulate(whole.value(), 0).value().result;
   for (const RockRecord& rock : onWhole.rocks) EXPECT_EQ(rock.ending, RockEnd::left);
-  made["rocks"][0]["release"]["box_m"] = {{25, 20}, {45, 40}};
-  EXPECT_EQ(refusalOf(made),
-            "/rocks/0/release/box_m: the corner (25, 20) is not over the ground, which covers x from 0 to 80 and y "
-            "from 0 to 60 but for holes");
 }
 
 TEST_F(RasterCase, MeshesAreSampledFromAbove) {
