@@ -39,6 +39,8 @@ def of_table(table):
     lines = [row(names), row(["--:" if column.numbers else "---" for column in table.columns]), *map(row, table.rows)]
     if table.left:
         lines += ["", f"{table.left} more rows are in the file."]
+    if table.note:
+        lines += ["", table.note]
     return f"{table.caption}:\n\n" + "\n".join(lines)
 
 

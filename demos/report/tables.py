@@ -24,7 +24,7 @@ class Table:
     columns: list
     rows: list = field(default_factory=list)  # of texts, as many as columns
     left: int = 0  # rows that are not shown
-    note: str = ""
+    note: str = ""  # below it, on the page of results
 
 
 def number(value, digits=3):
@@ -102,6 +102,13 @@ def textbook(document):
     return table
 
 
+SHAPES_NOTE = ("`tree` is a sphere-tree with contacts of meshes, `tree+leaves` one with contacts of leaves (`Finest::leaves`). `hull` is the mesh's convex hull, with a margin of 1 % of size. "
+               "`spheres` is a Bullet compound of the spheres of the tree's level 2. `gimpact` is Bullet's GImpact, with a margin of 0.1 % of size. "
+               "`fcl` is the Flexible Collision Library on all triangles; it only answers recorded poses.")
+ERROR_NOTE = ("The [certified error](glossary.md#certified-error) of a contact of meshes is at most its depth. "
+              "So the maximum of `tree` is the deepest contact of one step, not a gap, and may exceed that of `tree+leaves`.")
+MEDIAN_NOTE = "The median is over all steps, also those in which all bodies sleep and cost next to nothing: a heap that sleeps early, as hulls do, has a low one."
+
 HEAP_LINES = [
     ("Narrow phase, median", "µs CPU a step", "narrow_phase_cpu_us.median", 1), ("Narrow phase, 99 %", "µs CPU a step", "narrow_phase_cpu_us.p99", 1),
     ("Whole step, median", "µs CPU", "step_cpu_us.median", 1), ("Whole step, 99 %", "µs CPU", "step_cpu_us.p99", 1),
@@ -126,6 +133,7 @@ def heap(document):
     first = document[0]
     table = shapes_beside(document, f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles), {first['steps']} steps of 1/60 s", HEAP_LINES)
     medians = [_at(run, "narrow_phase_cpu_us.median") for run in document]
+    table.note = f"{SHAPES_NOTE}\n\n{ERROR_NOTE} {MEDIAN_NOTE}"
     table.rows.insert(2, ["Narrow phase over the tree's, median", "ratio"] + [number(m / medians[0]) for m in medians])
     return table
 
@@ -150,7 +158,9 @@ CONVERGE_LINES = [
 
 def converge(document):
     first = document[0]
-    return shapes_beside(document, f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles) fly to one point, {first['runs']} runs; every shape sees the same poses", CONVERGE_LINES)
+    table = shapes_beside(document, f"{first['bodies']} bodies of {first['mesh']} ({first['tree']['triangles']} triangles) fly to one point, {first['runs']} runs; every shape sees the same poses", CONVERGE_LINES)
+    table.note = f"{SHAPES_NOTE}\n\n{ERROR_NOTE}"
+    return table
 
 
 def laws(document):

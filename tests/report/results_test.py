@@ -12,6 +12,8 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "demos/report"))
 import markdown  # noqa: E402
+import parts  # noqa: E402
+import tables  # noqa: E402
 
 LAWS = [{"law": "friction", "mass_kg": mass, "step_s": 0.01, "measured_over_exact": ratio} for mass, ratio in ((10, 0.5), (1000, 1.25))]
 
@@ -85,6 +87,14 @@ class Page(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no section lows; they are textbook, laws", done.stderr)
         self.assertFalse((self.folder / "page.md").exists())
+
+
+class Notes(unittest.TestCase):
+    def test_every_shape_of_the_heap_is_explained_below_its_table(self):
+        runs = [{"shape": shape, "bodies": 1, "mesh": "m", "steps": 1, "tree": {"triangles": 4}, "narrow_phase_cpu_us": {"median": 1.0}} for shape in parts.SHAPES.split(",")]
+        below = markdown.of_table(tables.heap(runs)).rpartition("|\n")[2]
+        for shape in parts.SHAPES.split(","):
+            self.assertIn(f"`{shape}`", below)
 
 
 class HardCases(unittest.TestCase):
