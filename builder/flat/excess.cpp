@@ -90,7 +90,8 @@ Excess::Fit Excess::fit(const std::vector<std::uint32_t>& points, const Vec3d& s
   const auto costAt = [&](const Vec3d& center) {
     const double r = duties.farthest(center).distance;
     const double depth = field_->depth(center);
-    Fit fit{{center, r * (1 + kRoom), depth}, kSmaller * r / radius};
+    // One point at the start has no radius: then nothing is smaller.
+    Fit fit{{center, r * (1 + kRoom), depth}, radius > 0 ? kSmaller * r / radius : 0};
     if (r - depth > reach_ || distance(center, start) > margin) return Fit{fit.ball, kInfinity};
     samples.distances(center, fit.ball.radius, distances);
     for (const double d : distances) fit.cost += d <= 0 ? 1 : 0;
@@ -102,7 +103,7 @@ Excess::Fit Excess::fit(const std::vector<std::uint32_t>& points, const Vec3d& s
       improved = false;
       for (const Vec3d& way : kWays) {
         const Fit trial = costAt(best.ball.center + way * step);
-        if (trial.cost >= best.cost - 1e-6) continue;
+        if (!(trial.cost < best.cost - 1e-6)) continue;
         best = trial;
         improved = true;
       }

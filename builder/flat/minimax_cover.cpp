@@ -49,6 +49,7 @@ class MinimaxSearch {
   FlatSet run(std::vector<SphereSet> starts) {
     std::vector<Candidate> candidates;
     for (SphereSet& start : starts) candidates.push_back({std::move(start)});
+    if (candidates.empty()) return {};  // cancelled before there was a start
     each(candidates, few_, 0);
     keepBest(candidates, kSecondRound);
     remakeField(candidates.front().standOff);
