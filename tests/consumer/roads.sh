@@ -29,6 +29,6 @@ for header in bullet/dispatcher.h bullet/sphere_tree_shape.h bullet/install.h bu
   printf '#include <cairn/%s>\nint main() {}\n' "$header" > "$scratch/old.cpp"
   ! "$compiler" -std=c++17 -fsyntax-only "$scratch/old.cpp" "${flags[@]}" > "$scratch/log" 2>&1 || fail "$header is taken as C++17"
   grep -q 'error.*Cairn needs C++20: compile with -std=c++20' "$scratch/log" || fail "$header says as C++17: $(cat "$scratch/log")"
-  (($(grep -c 'error' "$scratch/log") <= 2)) || fail "$header says more than a sentence as C++17: $(cat "$scratch/log")"
+  (($(grep -c ' error: ' "$scratch/log") <= 2)) || fail "$header says more than a sentence as C++17: $(cat "$scratch/log")"
 done
 "$compiler" -std=c++2b -fsyntax-only "$here/rocks_tree.cpp" "${flags[@]}" || fail "not taken as C++23"
