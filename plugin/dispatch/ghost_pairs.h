@@ -6,8 +6,8 @@ class btOverlappingPairCache;
 
 namespace cairn::bullet {
 
-/// The pairs a `btPairCachingGhostObject` keeps for itself, or null of any other object. One derived from it is known
-/// as long as it keeps how objects come or how they go.
+/// The pairs that a `btPairCachingGhostObject` keeps for itself; null for any other object. A class derived from it is
+/// recognised unless it overrides both the adding and the removing of objects.
 btOverlappingPairCache* ghostPairsOf(const btCollisionObject& object);
 
 }  // namespace cairn::bullet

@@ -10,12 +10,12 @@ class btCollisionWorld;
 
 namespace cairn::bullet {
 
-/// Bullet tells nobody when a world or a dispatcher dies. A narrow phase that goes while its world holds no object (its
-/// dispatcher no pair of it) cannot know whether they are still there, so it touches neither: what it has entered stays
-/// alive here and undoes itself when it is asked for anything, which only the living do.
+/// Keeps a narrow phase whose owner is gone but whose world or dispatcher may be gone too. Bullet reports the death of
+/// neither. A world without objects, or a dispatcher without its pairs, may be dead, so neither is touched. The narrow
+/// phase stays alive here, and undoes itself when a live world or dispatcher calls it.
 void leaveBehind(std::shared_ptr<NarrowPhase::Impl> narrowPhase);
 
-/// Undoes what was left with these, which are alive. Linear in what was left.
+/// Undoes the narrow phases left on this dispatcher or world. Precondition: it is alive. Cost: linear in those left.
 void takeAwayLeftBehind(btCollisionDispatcher& dispatcher);
 void takeAwayLeftBehind(btCollisionWorld& world);
 

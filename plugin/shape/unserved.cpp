@@ -8,12 +8,12 @@ namespace cairn::bullet {
 
 namespace {
 
-// As many small moves in a row as no program makes that only places bodies, and less than a second of steps.
+// Small moves in a row before the warning: more than a program makes that only places bodies, less than a second.
 constexpr int kMoves = 8;
-// A move, as a part of the size. Placing bodies beside each other moves the pose by the size at least.
+// Largest small move, as a fraction of the size. Placing bodies beside each other moves the pose by the size at least.
 constexpr btScalar kSmall = btScalar(0.5);
-// Boxes asked for at other poses after which another one is watched; doubled each time, as a shape may have any number
-// of bodies.
+// Largest number of boxes at other poses before another pose is watched. It doubles each time, because a shape may have
+// any number of bodies.
 constexpr int kMaxPatience = 1 << 16;
 
 void tellOnce() {

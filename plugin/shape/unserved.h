@@ -7,16 +7,16 @@
 
 namespace cairn::bullet {
 
-/// How many dispatchers of this program know sphere-trees; of those that are gone no more.
+/// Number of live dispatchers of this program that know sphere-trees.
 std::atomic<int>& servingDispatchers();
 
-/// Notices a body that moves in a world where nobody knows sphere-trees, and says so on standard error, once a program:
-/// Bullet itself has no algorithm for most of what a tree can meet, and lets it fall through without a word. A world
-/// asks for the box of a body at the body's own transform, in every step, where it has moved a little.
+/// Detects a body that moves in a world without a dispatcher for sphere-trees, and warns once a program on standard
+/// error. Bullet has no algorithm for most pairs of such a body, and lets it fall through in silence. A world asks for
+/// the box of a body at the body's own transform in every step, so small moves of that transform show a moving body.
 class UnservedWatch {
  public:
-  /// The box was asked for at `pose`, which is compared and, while it is here, read. Cost: nothing once somebody
-  /// serves.
+  /// A box was asked for at `pose`. Reads the pose now and later only compares its address. Cost: one load when a
+  /// dispatcher serves.
   void see(const btTransform& pose, btScalar size) {
     if (servingDispatchers().load(std::memory_order_relaxed) == 0) look(pose, size);
   }
@@ -28,7 +28,7 @@ class UnservedWatch {
   const btTransform* watched_ = nullptr;           // only compared
   btVector3 last_{0, 0, 0};
   int moves_ = 0;
-  int others_ = 0;  // asked about since it moved
+  int others_ = 0;  // boxes at other poses since then
   int patience_ = 8;
 };
 

@@ -29,10 +29,10 @@ void orderManifolds(std::span<btPersistentManifold*> manifolds, btDispatcher& di
 CAIRN_BULLET_EXPORT
 void orderManifolds(btCollisionDispatcher& dispatcher);
 
-/// For `OrderedSolver<>` and who has to know it, without run-time type information: notes the very class of `solver`,
-/// an object with virtual functions, and returns true. From any thread.
+/// Registers the exact class of `solver`, an object with virtual functions, as an ordered solver; returns true. It
+/// works without run-time type information. May be called from any thread.
 CAIRN_BULLET_EXPORT bool rememberOrderedSolver(const void* solver);
-/// Whether it is of a class that was noted, and not of one derived from it.
+/// Whether the exact class of `solver` was registered. May be called from any thread.
 CAIRN_BULLET_EXPORT bool isOrderedSolver(const void* solver);
 
 }  // namespace cairn::bullet
