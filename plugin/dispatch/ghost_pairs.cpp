@@ -30,13 +30,17 @@ GhostFunctions ofBullet() {
   return {KeptFunction(&plain, &coming), KeptFunction(&plain, &going)};
 }
 
+bool isGhostByTable(const btCollisionObject& object) {
+  static const GhostFunctions functions = ofBullet();
+  return functions.comes.isKeptBy(&object) || functions.goes.isKeptBy(&object);
+}
+
 }  // namespace
 
 btOverlappingPairCache* ghostPairsOf(const btCollisionObject& object) {
   if ((object.getInternalType() & btCollisionObject::CO_GHOST_OBJECT) == 0) return nullptr;
-  static const GhostFunctions functions = ofBullet();
-  if (!functions.comes.isKeptBy(&object) && !functions.goes.isKeptBy(&object)) return nullptr;
-  return const_cast<Ghost&>(static_cast<const Ghost&>(object)).getOverlappingPairCache();
+  const auto* const ghost = castTo<const Ghost>(object, isGhostByTable);
+  return ghost ? const_cast<Ghost*>(ghost)->getOverlappingPairCache() : nullptr;
 }
 
 }  // namespace cairn::bullet

@@ -55,4 +55,14 @@ class KeptFunction {
   const void* code_ = nullptr;
 };
 
+/// The object as a `Class`, or null. Type information decides where there is some. An object without is taken for one
+/// if `isRecognised(object)`, for instance by a `KeptFunction`.
+template <class Class, class Base, class IsRecognised>
+Class* castTo(Base& object, [[maybe_unused]] const IsRecognised& isRecognised) {
+#if defined(__cpp_rtti)
+  if (hasTypeInfo(&object)) return dynamic_cast<Class*>(&object);
+#endif
+  return isRecognised(object) ? static_cast<Class*>(&object) : nullptr;
+}
+
 }  // namespace cairn::bullet

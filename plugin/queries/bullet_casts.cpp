@@ -27,6 +27,7 @@ struct OtherSweep final : Sweep {
   void processTriangle(btVector3*, int, int) override {}
 };
 
+// Whether the callback keeps Bullet's test of a triangle.
 template <class Plain, class Other>
 bool keepsFunction(const btTriangleCallback& callback) {
   static const KeptFunction function = [] {
@@ -37,24 +38,14 @@ bool keepsFunction(const btTriangleCallback& callback) {
   return function.isKeptBy(&callback);
 }
 
-// The callback as one of Bullet's casts, or null. Type information decides where there is some. A class without is
-// recognised while it keeps Bullet's test of a triangle.
-template <class Cast, class Plain, class Other>
-Cast* as(btTriangleCallback& callback) {
-#if defined(__cpp_rtti)
-  if (hasTypeInfo(&callback)) return dynamic_cast<Cast*>(&callback);
-#endif
-  return keepsFunction<Plain, Other>(callback) ? static_cast<Cast*>(&callback) : nullptr;
-}
-
 }  // namespace
 
 btTriangleRaycastCallback* asRay(btTriangleCallback& callback) {
-  return as<btTriangleRaycastCallback, Ray, OtherRay>(callback);
+  return castTo<btTriangleRaycastCallback>(callback, keepsFunction<Ray, OtherRay>);
 }
 
 btTriangleConvexcastCallback* asSweep(btTriangleCallback& callback) {
-  return as<btTriangleConvexcastCallback, Sweep, OtherSweep>(callback);
+  return castTo<btTriangleConvexcastCallback>(callback, keepsFunction<Sweep, OtherSweep>);
 }
 
 }  // namespace cairn::bullet
