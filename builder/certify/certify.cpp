@@ -10,6 +10,7 @@
 #include <span>
 #include <tuple>
 
+#include "cairn/builder/level_meshes.h"
 #include "certify/cover_proof.h"
 #include "certify/protrusion.h"
 #include "certify/record_check.h"
@@ -151,6 +152,9 @@ Result<Certificate> certify(const SphereTree& tree, const TriangleMesh& mesh, co
   const SignedDistance solid(mesh);
   if (!certifyNodes(tree, solid, progress, certificate.nodes)) return Error{std::string(kCancelled)};
   certificate.records = recordFailures(tree, mesh);
+  for (std::uint32_t level = 1; level <= tree.levelMeshCount(); ++level)
+    if (std::optional<std::string> failure = refuteLevelMesh(tree, level, mesh))
+      certificate.records.push_back(*std::move(failure));
   for (LevelCertificate& level : certificate.levels) summarize(tree, certificate.nodes, level);
   return certificate;
 }

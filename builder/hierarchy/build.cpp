@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cairn/builder/import.h"
+#include "cairn/builder/level_meshes.h"
 #include "hierarchy/build_options.h"
 #include "hierarchy/grow_in_body.h"
 #include "hierarchy/grow_levels.h"
@@ -46,6 +47,9 @@ double fractionDone(std::uint32_t depth, std::uint32_t level, std::size_t done, 
   const double within = static_cast<double>(done) / static_cast<double>(count);
   return 0.9 * (static_cast<double>(level) + within) / static_cast<double>(depth);
 }
+
+/// The fraction of the work that is done before the levels' meshes are made.
+constexpr double kBeforeMeshes = 0.95;
 
 /// Forwards progress from one thread at a time, and remembers a cancellation.
 class Reporter {
@@ -109,6 +113,31 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
   return data;
 }
 
+/// How many spheres the levels below the root have, those that end above included.
+std::vector<std::uint32_t> spheresOfLevels(const std::vector<NodeData>& nodes) {
+  std::vector<std::uint32_t> level(nodes.size(), 0), count;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    level[i] = level[nodes[i].parent] + 1;
+    count.resize(std::max<std::size_t>(count.size(), level[i]));
+    ++count[level[i] - 1];
+  }
+  return count;
+}
+
+Status addLevelMeshes(const TriangleMesh& mesh, const BuildOptions& options, SphereTreeData& data,
+                      const ProgressCallback& report) {
+  if (!options.levelMeshes.value_or(mesh.triangles.size() > kDenseTriangles)) return {};
+  const auto progress = [&](std::string_view stage, double done) {
+    return report(stage, kBeforeMeshes + (1 - kBeforeMeshes) * done);
+  };
+  auto meshes = makeLevelMeshes(mesh, data.origin, spheresOfLevels(data.nodes), progress);
+  if (meshes)
+    data.levelMeshes = std::move(meshes).value();
+  else if (options.levelMeshes || meshes.error().message == kCancelled)
+    return meshes.error();
+  return {};
+}
+
 }  // namespace
 
 Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& options, const ProgressCallback& progress) {
@@ -119,6 +148,7 @@ Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& optio
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
   std::optional<SphereTreeData> data = arena.execute([&] { return buildData(mesh, options, report); });
   if (!data) return Error{std::string(kCancelled)};
+  if (Status s = addLevelMeshes(mesh, options, *data, report); !s) return s.error();
   Result<SphereTree> tree = SphereTree::create(*std::move(data));
   if (tree && !report("done", 1)) return Error{std::string(kCancelled)};
   return tree;

@@ -35,6 +35,7 @@ std::string aboutExport() {
          "\n"
          "  cairn export rock.cairn --to spheres -o rock.txt\n"
          "  cairn export rock.cairn --to glb --level 2 -o rock.glb\n"
+         "  cairn export rock.cairn --to mesh --level 1 -o far.obj\n"
          "  cairn export grain.txt --mesh grain.stl --to liggghts --density 2650 -o grain.multisphere --json "
          "grain.json\n"
          "\n"
@@ -45,7 +46,8 @@ std::string aboutExport() {
 
 Status readSpheres(const ExportCommand& command, ExportSource& source) {
   if (!isTreeFile(command.input)) {
-    if (exportFormat(command.format).part == ExportPart::tree || command.level)
+    const ExportPart part = exportFormat(command.format).part;
+    if (part == ExportPart::tree || part == ExportPart::mesh || command.level)
       return Error{
           fmt::format("{}: holds a flat set of spheres, which has no levels; give a tree (.cairn)", command.input)};
     Result<std::vector<builder::Ball>> balls = builder::readCover(command.input);
@@ -58,6 +60,7 @@ Status readSpheres(const ExportCommand& command, ExportSource& source) {
   Result<std::vector<builder::Ball>> balls =
       builder::ballsOfLevel(tree.value(), command.level.value_or(tree.value().depth()));
   if (!balls) return Error{fmt::format("{}: {}", command.output, balls.error().message)};
+  source.level = command.level.value_or(tree.value().depth());
   source.balls = std::move(balls).value();
   source.mass = tree.value().mass();
   source.massOfMesh = true;

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "cairn/builder/export.h"
+#include "cairn/builder/level_meshes.h"
+#include "cairn/builder/simplify.h"
 #include "cairn/core/atomic_file.h"
 
 namespace cairn::tool {
@@ -22,6 +24,15 @@ Status writeSph(const ExportSource& source, const path& file) {
   return text ? writeFileAtomically(file, text.value()) : text.error();
 }
 
+// Levels without a mesh of their own are served by the source.
+Status writeMesh(const ExportSource& source, const path& file) {
+  const SphereTree& tree = *source.tree;
+  if (source.level == 0) return Error{"level 0 is the root, which has no mesh; ask for level 1 or deeper"};
+  return writeFileAtomically(
+      file, builder::objText(source.level <= tree.levelMeshCount() ? builder::levelMeshOf(tree, source.level)
+                                                                   : builder::sourceMeshOf(tree)));
+}
+
 template <builder::SurfaceFormat format>
 Status writeSurfaces(const ExportSource& source, const path& file) {
   return builder::writeSphereSurfaces(source.balls, format, file);
@@ -36,6 +47,8 @@ constexpr std::array kFormats{
     ExportFormat{"spheres", "text, one line `level x y z r parent` per sphere, breadth-first", "", ExportPart::tree,
                  ExportFrame::mesh, writeSpheres},
     ExportFormat{"sph", "text of Bradshaw's sphere-tree toolkit", "", ExportPart::tree, ExportFrame::mesh, writeSph},
+    ExportFormat{"mesh", "OBJ, the mesh of a level (`cairn build --level-meshes`), to draw instead of the source", "",
+                 ExportPart::mesh, ExportFrame::mesh, writeMesh},
     ExportFormat{"obj", "the spheres as a surface, for looking at", ".obj", ExportPart::spheres, ExportFrame::mesh,
                  writeSurfaces<builder::SurfaceFormat::obj>},
     ExportFormat{"glb", "the same, binary", ".glb", ExportPart::spheres, ExportFrame::mesh,

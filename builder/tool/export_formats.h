@@ -17,6 +17,7 @@ namespace cairn::tool {
 /// What is exported: a tree and the spheres of one of its levels, or a flat cover.
 struct ExportSource {
   std::optional<SphereTree> tree;
+  std::uint32_t level = 0;  ///< of the tree
   std::vector<builder::Ball> balls;
   MassProperties mass;  ///< of the mesh where it is known, else of the union of the spheres
   bool massOfMesh = false;
@@ -25,6 +26,7 @@ struct ExportSource {
 /// What of the source a form holds.
 enum class ExportPart : std::uint8_t {
   tree,     ///< the whole tree; covers have none
+  mesh,     ///< the mesh of a level; covers have none
   spheres,  ///< the spheres of a level, or a cover
   grain,    ///< these about their body's centre of mass, with its mass
 };

@@ -55,6 +55,11 @@ Json describe(const SphereTree& tree) {
                       {"spheres", tree.levelCut(level).size()},
                       {"error_max", tree.levelError(level)},
                       {"error_max_fraction", tree.levelError(level) / diagonal}});
+    if (level == 0 || level > tree.levelMeshCount()) continue;
+    const LevelMesh& mesh = tree.levelMesh(level);
+    levels.back()["mesh_triangles"] = mesh.triangles.size();
+    levels.back()["mesh_distance"] = mesh.distance;
+    levels.back()["mesh_distance_fraction"] = mesh.distance / diagonal;
   }
   return json;
 }
@@ -70,10 +75,15 @@ void print(const std::string& file, const Json& json) {
   fmt::print("volume {:.6g}, centre of mass {}, principal moments per mass {}\n", json["volume"].get<double>(),
              json["center_of_mass"].dump(), json["principal_moments_per_mass"].dump());
   fmt::print("level  spheres  stored error, max\n");
-  for (const Json& level : json["levels"])
-    fmt::print("{:5}  {:7}  {:.6g} ({:.4f} % of the diagonal)\n", level["level"].get<std::uint64_t>(),
+  for (const Json& level : json["levels"]) {
+    fmt::print("{:5}  {:7}  {:.6g} ({:.4f} % of the diagonal)", level["level"].get<std::uint64_t>(),
                level["spheres"].get<std::uint64_t>(), level["error_max"].get<double>(),
                100 * level["error_max_fraction"].get<double>());
+    if (level.contains("mesh_triangles"))
+      fmt::print("; its mesh: {} triangles, {:.4f} %", level["mesh_triangles"].get<std::uint64_t>(),
+                 100 * level["mesh_distance_fraction"].get<double>());
+    fmt::print("\n");
+  }
 }
 
 int run(const InspectCommand& command) {

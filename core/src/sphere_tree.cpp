@@ -26,6 +26,14 @@ SupportBlock packSupport(std::span<const Vec3> points) {
   return block;
 }
 
+TreeSurface surfaceOf(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  TreeSurface surface;
+  surface.features = SurfaceFeatures(vertices, triangles);
+  surface.patches = SurfacePatches(vertices, triangles, surface.features);
+  surface.thickness = surfaceThickness({vertices, triangles, &surface});
+  return surface;
+}
+
 template <class T>
 std::size_t bytesOf(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
@@ -56,9 +64,8 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
     if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
   }
   listCorners();
-  surface_.features = SurfaceFeatures(data_.vertices, data_.triangles);
-  surface_.patches = SurfacePatches(data_.vertices, data_.triangles, surface_.features);
-  surface_.thickness = surfaceThickness(surfaceView());
+  surface_ = surfaceOf(data_.vertices, data_.triangles);
+  for (const LevelMesh& mesh : data_.levelMeshes) levelSurfaces_.push_back(surfaceOf(mesh.vertices, mesh.triangles));
 }
 
 // A triangle without area faces nowhere and contradicts nothing.
@@ -145,7 +152,11 @@ float SphereTree::levelError(std::uint32_t level) const {
 }
 
 std::size_t SphereTree::memoryBytes() const {
-  return sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
+  std::size_t ofLevels = bytesOf(data_.levelMeshes) + bytesOf(levelSurfaces_);
+  for (std::uint32_t level = 1; level <= levelMeshCount(); ++level)
+    ofLevels += bytesOf(levelMesh(level).vertices) + bytesOf(levelMesh(level).triangles) +
+                levelSurfaces_[level - 1].features.memoryBytes() + levelSurfaces_[level - 1].patches.memoryBytes();
+  return ofLevels + sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
          bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
          bytesOf(corners_) + bytesOf(firstCorner_) + bytesOf(familySize_) + bytesOf(nodeAt_) +

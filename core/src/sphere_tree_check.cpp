@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -92,13 +93,31 @@ Status checkNodes(const SphereTreeData& d) {
   return {};
 }
 
+Status checkIndices(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+                    const std::string& of) {
+  if (vertices.empty() || triangles.empty()) return bad(of + "it has no mesh");
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!isFinite(vertices[i])) return bad(of + nth("vertex", i) + " is not finite");
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (const std::uint32_t v : triangles[i])
+      if (v >= vertices.size()) return bad(of + nth("triangle", i) + " names a vertex that does not exist");
+  return {};
+}
+
+Status checkLevelMeshes(const SphereTreeData& d) {
+  if (d.levelMeshes.size() > kMaxDepth) return bad("it has more level meshes than a tree may have levels");
+  for (std::size_t i = 0; i < d.levelMeshes.size(); ++i) {
+    const LevelMesh& mesh = d.levelMeshes[i];
+    const std::string of = "of " + nth("level mesh", i + 1) + ": ";
+    if (Status s = checkIndices(mesh.vertices, mesh.triangles, of); !s) return s;
+    if (!(mesh.distance >= 0) || !std::isfinite(mesh.distance)) return bad(of + "its distance is not a length");
+  }
+  return {};
+}
+
 Status checkMeshPart(const SphereTreeData& d) {
-  if (d.vertices.empty() || d.triangles.empty()) return bad("it has no mesh");
-  for (std::size_t i = 0; i < d.vertices.size(); ++i)
-    if (!isFinite(d.vertices[i])) return bad(nth("vertex", i) + " is not finite");
-  for (std::size_t i = 0; i < d.triangles.size(); ++i)
-    for (const std::uint32_t v : d.triangles[i])
-      if (v >= d.vertices.size()) return bad(nth("triangle", i) + " names a vertex that does not exist");
+  if (Status s = checkIndices(d.vertices, d.triangles, ""); !s) return s;
+  if (Status s = checkLevelMeshes(d); !s) return s;
   for (std::size_t i = 0; i < d.regionTriangles.size(); ++i)
     if (d.regionTriangles[i] >= d.triangles.size()) return bad(nth("region triangle", i) + " does not exist");
   for (std::size_t i = 0; i < d.supportPoints.size(); ++i)
@@ -141,6 +160,9 @@ Status checkProportions(const SphereTreeData& d) {
   const auto isNear = [&](const Vec3d& p) { return distance(p, center) <= reach; };
   for (std::size_t i = 0; i < d.vertices.size(); ++i)
     if (!isNear(Vec3d(d.vertices[i]))) return bad(nth("vertex", i) + " lies far outside the root's ball");
+  for (std::size_t i = 0; i < d.levelMeshes.size(); ++i)
+    for (const Vec3& vertex : d.levelMeshes[i].vertices)
+      if (!isNear(Vec3d(vertex))) return bad(nth("level mesh", i + 1) + " reaches far outside the root's ball");
   for (std::size_t i = 0; i < d.supportPoints.size(); ++i)
     if (!isNear(Vec3d(d.supportPoints[i]))) return bad(nth("support point", i) + " lies far outside the root's ball");
   const MassProperties& m = d.mass;

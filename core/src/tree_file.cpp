@@ -129,6 +129,24 @@ BuildInfo unpack(const file::Build& b) {
   return info;
 }
 
+LevelMesh unpack(const file::LevelMesh& m) {
+  return {unpackAll<Vec3>(*m.vertices()), unpackAll<std::array<std::uint32_t, 3>>(*m.triangles()), m.distance()};
+}
+
+using LevelMeshes = flatbuffers::Vector<flatbuffers::Offset<file::LevelMesh>>;
+
+// Null, a field that is absent, where there are none.
+flatbuffers::Offset<LevelMeshes> packLevelMeshes(flatbuffers::FlatBufferBuilder& builder,
+                                                 const std::vector<LevelMesh>& meshes) {
+  std::vector<flatbuffers::Offset<file::LevelMesh>> packed;
+  for (const LevelMesh& mesh : meshes) {
+    const auto vertices = packAll<file::Vec3f>(builder, mesh.vertices);
+    const auto triangles = packAll<file::Triangle>(builder, mesh.triangles);
+    packed.push_back(file::CreateLevelMesh(builder, vertices, triangles, mesh.distance));
+  }
+  return packed.empty() ? 0 : builder.CreateVector(packed);
+}
+
 SphereTreeData unpack(const file::Tree& t) {
   SphereTreeData data;
   data.origin = unpack(*t.origin());
@@ -139,6 +157,8 @@ SphereTreeData unpack(const file::Tree& t) {
   data.regionTriangles.assign(t.region_triangles()->begin(), t.region_triangles()->end());
   data.vertices = unpackAll<Vec3>(*t.vertices());
   data.triangles = unpackAll<std::array<std::uint32_t, 3>>(*t.triangles());
+  if (t.level_meshes() != nullptr)
+    for (const file::LevelMesh* mesh : *t.level_meshes()) data.levelMeshes.push_back(unpack(*mesh));
   data.info = unpack(*t.build());
   return data;
 }
@@ -197,11 +217,12 @@ std::vector<std::byte> encodeTree(const SphereTree& tree) {
   const auto regions = builder.CreateVector(data.regionTriangles);
   const auto vertices = packAll<file::Vec3f>(builder, data.vertices);
   const auto triangles = packAll<file::Triangle>(builder, data.triangles);
+  const auto levelMeshes = packLevelMeshes(builder, data.levelMeshes);
   const auto build = packBuild(builder, data.info);
   const file::Vec3d origin = pack(data.origin);
   const file::Mass mass = pack(data.mass);
   file::FinishTreeBuffer(builder, file::CreateTree(builder, kTreeFileVersion, 0, &origin, &mass, nodes, support,
-                                                   normals, regions, vertices, triangles, build));
+                                                   normals, regions, vertices, triangles, build, levelMeshes));
 
   std::vector<std::byte> bytes(builder.GetSize());
   std::memcpy(bytes.data(), builder.GetBufferPointer(), bytes.size());

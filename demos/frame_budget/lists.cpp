@@ -119,6 +119,11 @@ std::vector<Choices> allChoices(const ListTexts& texts, const std::optional<std:
                       o.heap.shape.marginFraction = numberOf<double>(item);
                       return Status();
                     }),
+          choicesOf(texts.maxContactErrors,
+                    [](const auto& item, Options& o) {
+                      o.heap.shape.maxContactError = numberOf<double>(item).value_or(o.heap.shape.maxContactError);
+                      return Status();
+                    }),
           choicesOf(texts.budgetOperations,
                     [](const auto& item, Options& o) {
                       o.heap.world.budget.operations = numberOf<std::int64_t>(item);
@@ -141,12 +146,13 @@ bool hasMargin(ShapeKind shape) {
 /// True when a combination equals an earlier one in every option that its shape depends on. Other options count by
 /// their first item alone.
 bool isRepeated(ShapeKind shape, const std::vector<std::size_t>& chosen) {
-  enum { scene, bodies, method, shapePlace, margin, operations, microseconds, priority, unresolved };
+  enum { scene, bodies, method, shapePlace, margin, contactError, operations, microseconds, priority, unresolved };
   const bool isTree = scenes::isSphereTree(shape);
   const auto isFirst = [&](std::size_t place) { return chosen[place] == 0; };
   if (!isTree && !(isFirst(operations) && isFirst(microseconds) && isFirst(priority) && isFirst(unresolved)))
     return true;
   if (!isTree && shape != ShapeKind::spheres && !isFirst(method)) return true;
+  if (!isTree && !isFirst(contactError)) return true;
   return !hasMargin(shape) && !isFirst(margin);
 }
 
@@ -163,6 +169,7 @@ bool advance(std::vector<std::size_t>& chosen, const std::vector<Choices>& choic
 void leaveOutUnused(Options& options) {
   const ShapeKind shape = options.shapes.front();
   if (!scenes::isSphereTree(shape)) options.heap.world.budget = {};
+  if (!scenes::isSphereTree(shape)) options.heap.shape.maxContactError = 0;
   if (!hasMargin(shape)) options.heap.shape.marginFraction.reset();
 }
 

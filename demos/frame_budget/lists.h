@@ -31,11 +31,11 @@ std::function<std::string(const std::string&)> eachItem(std::function<std::strin
 /// The options that may be lists, as texts. All their combinations are measured.
 struct ListTexts {
   std::string scenes = "heap", shapes = "tree", bodies, budgetOperations, budgetMicroseconds, marginFractions,
-              methods = "combined", priorities = "round-robin", unresolved = "guard";
+              maxContactErrors, methods = "combined", priorities = "round-robin", unresolved = "guard";
 };
 
-/// Returns the combinations of all items in the order scenes, bodies, methods, shapes, margins, budgets, priorities,
-/// policies. Each has one shape; `steps`, where given, is for all.
+/// Returns the combinations of all items in the order scenes, bodies, methods, shapes, margins, contact errors,
+/// budgets, priorities, policies. Each has one shape; `steps`, where given, is for all.
 ///
 /// A shape is varied only in options that affect it. Budgets, priorities and policies affect only the sphere-tree,
 /// methods the tree and its spheres, margins only GImpact, hulls and compounds. The shape `fcl` takes part only in

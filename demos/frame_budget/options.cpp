@@ -31,7 +31,8 @@ constexpr const char* kExamples =
     "    frame_budget --scene converge --mesh bunny.obj --shape tree,gimpact,fcl --runs 5 --json converge.json\n"
     "  twenty bunnies start pressed into each other and have half a millisecond a step to come apart:\n"
     "    frame_budget --scene crush --mesh bunny.obj --shape tree --budget-us 500\n"
-    "Sweeps: --scene, --bodies, --method, --margin-fraction, --budget-ops, --budget-us, --priority and --unresolved "
+    "Sweeps: --scene, --bodies, --method, --margin-fraction, --max-contact-error, --budget-ops, --budget-us, "
+    "--priority and --unresolved "
     "take\n"
     "  several values with commas ('none': no limit). Every combination is measured, one shape at a time, and has one\n"
     "  line in table, CSV and JSON, written as it is done: what Ctrl-C leaves is whole. A shape is not varied in what "
@@ -83,7 +84,8 @@ std::string refuseNoBodies(const std::string& text) {
 bool isList(const ListTexts& t) {
   const auto several = [](const std::string& text) { return text.find(',') != std::string::npos; };
   return several(t.scenes) || several(t.bodies) || several(t.budgetOperations) || several(t.budgetMicroseconds) ||
-         several(t.marginFractions) || several(t.methods) || several(t.priorities) || several(t.unresolved);
+         several(t.marginFractions) || several(t.maxContactErrors) || several(t.methods) || several(t.priorities) ||
+         several(t.unresolved);
 }
 
 void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
@@ -112,6 +114,11 @@ void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option(
          "--margin-fraction", raw.lists.marginFractions,
          "collision margin of gimpact, hull and compound as a fraction of body size (default 0.001, 0.01 and 0.01)")
+      ->check(eachItem(refuseNoFraction));
+  app.add_option(
+         "--max-contact-error", raw.lists.maxContactErrors,
+         "contacts of trees are measured on the coarsest level mesh this near to the mesh, as a fraction of its "
+         "size; the tree has such meshes with `cairn build --level-meshes` (default 0.005; 0: the mesh itself)")
       ->check(eachItem(refuseNoFraction));
   app.add_option("--spheres-level", options.heap.shape.sphereLevel, "tree level the shape 'spheres' is made of")
       ->check(CLI::Range(0U, kMaxDepth))

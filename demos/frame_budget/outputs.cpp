@@ -42,6 +42,7 @@ nlohmann::ordered_json describeRun(const Options& options, const scenes::Sourced
   json["priority"] = options.priority;
   json["unresolved"] = options.unresolved;
   json["margin_fraction"] = orNull(options.heap.shape.marginFraction);
+  json["max_contact_error_fraction"] = options.heap.shape.maxContactError;
   json["tree"] = treeToJson(source);
   return json;
 }

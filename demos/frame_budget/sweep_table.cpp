@@ -28,6 +28,7 @@ const std::array kColumns{
     Column{"shape", 15, {"/shape"}},
     Column{"method", 10, {"/tree/method"}},
     Column{"margin", 7, {"/margin_fraction"}},
+    Column{"contact error", 14, {"/max_contact_error_fraction"}},
     Column{"ops", 8, {"/budget_ops"}},
     Column{"us", 7, {"/budget_us"}},
     Column{"priority", 12, {"/priority"}},

@@ -114,6 +114,8 @@ class Collider {
   /// unknown. Returns nothing, and appends nothing, when the leaf pairs must answer or the budget does not suffice.
   /// Default: nothing.
   virtual std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts);
+  /// Certified distance of the meshes that `appendOfMesh` asks from the sources; world length, 0 for sources.
+  virtual float meshError() const { return 0; }
   /// Operations that the source meshes are expected to cost in a step that may be interrupted. It is 0
   /// where meshes are not used or answer at any budget; it is empty where the cost is unknown. Default: 0.
   virtual std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& /*placement*/) const { return 0; }

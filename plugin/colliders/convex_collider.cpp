@@ -109,16 +109,16 @@ Vec3 ConvexCollider::support(const Vec3& direction) const {
 
 std::optional<float> ConvexCollider::appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) {
   if (question.finest != Finest::triangles || question.mayBeInterrupted || traversal_.leafPairs().empty()) return {};
-  const float thickness = tree_.tree().surface().thickness * tree_.scale();
   const ContactLimits limits =
-      ContactLimits::of(contactDistance_, maxSeparation_, thickness, margin_ + surface_.margin());
-  const PlacedSurface surface = PlacedSurface::of(tree_.tree().surfaceView(), tree_.pose());
+      ContactLimits::of(contactDistance_, maxSeparation_, tree_.thickness(), margin_ + surface_.margin());
+  const PlacedSurface surface = PlacedSurface::of(tree_.contactMesh(), tree_.pose());
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(surface, *this, limits, margin_, question.budget);
   if (!answer) return {};
   for (const FeatureContact& found : answer->contacts) {
     const ContactId id = featureIdsOf(found);
-    contacts.push_back(contactOf(found, {id.treePart, id.treeIndex, static_cast<int>(found.featureB), otherIndex_}));
+    contacts.push_back(contactOf(found, {id.treePart, id.treeIndex, static_cast<int>(found.featureB), otherIndex_},
+                                 tree_.contactMeshError()));
   }
   return answer->minSeparation;
 }

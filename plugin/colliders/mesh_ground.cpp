@@ -47,7 +47,7 @@ SurfacePair MeshGround::surfacesOf(const PairPlacement& placement) const {
   const PlacedTree& tree = placement.tree;
   const btTransform place = placement.other * btTransform(btQuaternion::getIdentity(), surface_->origin());
   const Pose pose{toMat3d(place.getBasis()), toVec3d(place.getOrigin()), 1};
-  return SurfacePair::of(tree.tree().surfaceView(), tree.pose(), surface_->view(), pose);
+  return SurfacePair::of(tree.contactMesh(), tree.pose(), surface_->view(), pose);
 }
 
 // Whether most of the sampled vertices are inside.
@@ -77,7 +77,8 @@ std::optional<float> MeshGround::append(const MeshQuery& question, const PairPla
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(surfaces, limits, memory_, question.placement, question.budget);
   if (!answer) return {};
-  for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, idOf(near, found)));
+  for (const FeatureContact& found : answer->contacts)
+    contacts.push_back(contactOf(found, idOf(near, found), placement.tree.contactMeshError()));
   return answer->minSeparation;
 }
 

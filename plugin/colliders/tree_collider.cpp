@@ -32,7 +32,7 @@ void TreeCollider::shrinkToFit() {
 void TreeCollider::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
   a_ = placement.tree;
-  b_ = PlacedTree(shape.tree(), treePose(shape, placement.other));
+  b_ = placedTree(shape, placement.other);
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   maxSeparation_ = placement.maxSeparation;
   contactDistance_ = placement.contactDistance();
@@ -249,13 +249,13 @@ NodePair TreeCollider::leavesOf(const Contact& contact) const {
 }
 
 std::optional<float> TreeCollider::appendOfKernel(const MeshQuery& question, std::vector<Contact>& contacts) {
-  const float thinner =
-      std::min(a_.tree().surface().thickness * a_.scale(), b_.tree().surface().thickness * b_.scale());
+  const float thinner = std::min(a_.thickness(), b_.thickness());
   const ContactLimits limits = ContactLimits::of(contactDistance_, maxSeparation_, thinner, margins_);
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(SurfacePair::of(a_, b_), limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};
-  for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, featureIdsOf(found)));
+  for (const FeatureContact& found : answer->contacts)
+    contacts.push_back(contactOf(found, featureIdsOf(found), meshError()));
   return answer->minSeparation;
 }
 

@@ -32,6 +32,7 @@ class TreeCollider final : public Collider {
   Vec3 alignNormals(std::span<Contact> cluster, std::span<const Vec3> lasts, std::vector<Contact>& outliers) override;
   NodePair leavesOf(const Contact& contact) const override;
   std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
+  float meshError() const override { return a_.contactMeshError() + b_.contactMeshError(); }
   std::optional<std::uint64_t> expectedMeshCost(const RelativePlacement& placement) const override;
   float size(const btCollisionShape& shape) const override;
 

@@ -37,7 +37,7 @@ struct SurfacePair {
   /// Places two meshes by their poses in the pair frame.
   static SurfacePair of(const SurfaceView& a, const Pose& poseOfA, const SurfaceView& b, const Pose& poseOfB);
   static SurfacePair of(const PlacedTree& a, const PlacedTree& b) {
-    return of(a.tree().surfaceView(), a.pose(), b.tree().surfaceView(), b.pose());
+    return of(a.contactMesh(), a.pose(), b.contactMesh(), b.pose());
   }
 };
 

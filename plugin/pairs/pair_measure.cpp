@@ -61,6 +61,8 @@ PairAnswer measure(TreePair& pair, const AnswerPolicy& policy, Budget& budget, C
                        pair.trajectory.speculative, budget, scratch);
   report.onTriangles = pair.contacts.onTriangles();
   report.isOfMesh = pair.contacts.isOfTriangles();
+  if (report.isOfMesh)
+    report.errorFraction = std::max(report.errorFraction, pair.sizes.fraction(pair.collider->meshError()));
   choose(pair, policy, scratch, answer);
   if (policy.mayBeInterrupted) {
     pair.contacts.expectInterruptions();

@@ -7,8 +7,8 @@
 
 namespace cairn::bullet {
 
-PlacedTree::PlacedTree(const SphereTree& tree, const Pose& pose)
-    : tree_(&tree), pose_(pose), toPair_(toSimilarity(pose)) {
+PlacedTree::PlacedTree(const SphereTree& tree, const Pose& pose, std::uint32_t contactLevel)
+    : tree_(&tree), contactLevel_(contactLevel), pose_(pose), toPair_(toSimilarity(pose)) {
   const Mat3d inverse = transpose(pose.rotation);
   axesFromPair_ = {{Vec3(inverse.rows[0]), Vec3(inverse.rows[1]), Vec3(inverse.rows[2])}};
 }

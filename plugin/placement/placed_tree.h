@@ -17,8 +17,8 @@ namespace cairn::bullet {
 class PlacedTree {
  public:
   PlacedTree() = default;
-  /// The tree must outlive this object.
-  PlacedTree(const SphereTree& tree, const Pose& pose);
+  /// The tree must outlive this object. `contactLevel`: see `SphereTreeShape::contactLevel`.
+  PlacedTree(const SphereTree& tree, const Pose& pose, std::uint32_t contactLevel = 0);
 
   const SphereTree& tree() const { return *tree_; }
   const Pose& pose() const { return pose_; }
@@ -26,6 +26,16 @@ class PlacedTree {
   /// Rotation from the pair frame's axes to the tree's.
   const Mat3& axesFromPair() const { return axesFromPair_; }
   float scale() const { return toPair_.scale; }
+  /// The mesh that contacts are measured on, tree frame.
+  SurfaceView contactMesh() const {
+    return contactLevel_ == 0 ? tree_->surfaceView() : tree_->levelView(contactLevel_);
+  }
+  /// Certified: no point of that mesh or of the source is farther from the other, world length.
+  float contactMeshError() const {
+    return contactLevel_ == 0 ? 0 : tree_->levelMesh(contactLevel_).distance * toPair_.scale;
+  }
+  /// How thick the body is where it is thin, world length; see `TreeSurface::thickness`.
+  float thickness() const { return contactMesh().derived->thickness * toPair_.scale; }
 
   /// A point of the pair frame in the tree's frame and unit.
   Vec3 toTree(const Vec3& p) const { return axesFromPair_ * (p - toPair_.translation) * (1 / toPair_.scale); }
@@ -74,6 +84,7 @@ class PlacedTree {
   Vec3 farthestOf(std::span<const std::uint32_t> corners, const Vec3& direction, const Vec3& point) const;
 
   const SphereTree* tree_ = nullptr;
+  std::uint32_t contactLevel_ = 0;
   Pose pose_;
   Similarity toPair_;
   Mat3 axesFromPair_;

@@ -6,6 +6,7 @@
 #include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/core/pose.h"
 #include "placement/bullet_math.h"
+#include "placement/placed_tree.h"
 
 namespace cairn::bullet {
 
@@ -13,6 +14,11 @@ namespace cairn::bullet {
 inline Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   const btTransform fromTree = body * shape.bodyFromTree();
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
+}
+
+/// The shape's tree at the pose of its body.
+inline PlacedTree placedTree(const SphereTreeShape& shape, const btTransform& body) {
+  return {shape.tree(), treePose(shape, body), shape.contactLevel()};
 }
 
 }  // namespace cairn::bullet

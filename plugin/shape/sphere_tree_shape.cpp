@@ -72,6 +72,13 @@ Status checkSize(float diagonal, btScalar scale) {
                ": give a mesh and a scale that make it at least 1e-21 and at most 1e19"};
 }
 
+// The coarsest level whose mesh is this near to the source, in mesh units; 0 if there is none.
+std::uint32_t levelWithin(const SphereTree& tree, float distance) {
+  for (std::uint32_t level = 1; level <= tree.levelMeshCount(); ++level)
+    if (tree.levelMesh(level).distance <= distance) return level;
+  return 0;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr<const SphereTree> tree,
@@ -90,6 +97,7 @@ SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFra
       frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   applyScale(scale);
+  contactLevel_ = levelWithin(*tree_, static_cast<float>(kDefaultMaxContactError) * extremes_->diagonal());
 }
 
 SphereTreeShape::~SphereTreeShape() = default;
@@ -111,6 +119,14 @@ void SphereTreeShape::applyScale(btScalar scale) {
 
 void SphereTreeShape::setCastTarget(CastTarget target) {
   leafBalls_ = target == CastTarget::spheres ? std::make_unique<const LeafBalls>(*tree_) : nullptr;
+}
+
+Status SphereTreeShape::setMaxContactError(btScalar fraction) {
+  if (!(fraction >= 0))
+    return Error{"contacts of a sphere-tree shape cannot err by at most " + exactly(fraction) +
+                 " of its size: give 0 for the source mesh, or a fraction such as 0.01"};
+  contactLevel_ = levelWithin(*tree_, static_cast<float>(fraction) * extremes_->diagonal());
+  return {};
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {

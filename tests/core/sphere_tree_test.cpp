@@ -103,6 +103,36 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"triangle 2 names a vertex", [](auto& d) { d.triangles[2][1] = 4; }},
         Damage{"region triangle 1 does not exist", [](auto& d) { d.regionTriangles[1] = 4; }},
         Damage{"it has no mesh", [](auto& d) { d.triangles.clear(); }},
+        Damage{"of level mesh 1: it has no mesh",
+               [](auto& d) {
+                 d.levelMeshes = {{{}, d.triangles, 0}};
+               }},
+        Damage{"of level mesh 2: vertex 0 is not finite",
+               [](auto& d) {
+                 d.levelMeshes = {{d.vertices, d.triangles, 0}, {{{kNan, 0, 0}}, d.triangles, 0}};
+               }},
+        Damage{"of level mesh 1: triangle 2 names a vertex",
+               [](auto& d) {
+                 d.levelMeshes = {{d.vertices, d.triangles, 0}};
+                 d.levelMeshes[0].triangles[2][1] = 4;
+               }},
+        Damage{"of level mesh 1: its distance is not a length",
+               [](auto& d) {
+                 d.levelMeshes = {{d.vertices, d.triangles, -1}};
+               }},
+        Damage{"of level mesh 1: its distance is not a length",
+               [](auto& d) {
+                 d.levelMeshes = {{d.vertices, d.triangles, kNan}};
+               }},
+        Damage{"level mesh 1 reaches far outside the root's ball",
+               [](auto& d) {
+                 d.levelMeshes = {{d.vertices, d.triangles, 0}};
+                 d.levelMeshes[0].vertices[1].x = 1e20F;
+               }},
+        Damage{"it has more level meshes than",
+               [](auto& d) {
+                 d.levelMeshes.assign(kMaxDepth + 1, {d.vertices, d.triangles, 0});
+               }},
         Damage{"support point 0 is not finite", [](auto& d) { d.supportPoints[0].z = kNan; }},
         Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 1e20F; }},
         Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 3e38F; }},

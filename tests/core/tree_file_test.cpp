@@ -30,6 +30,7 @@ class TreeFile : public testing::Test {
     data.mass.centerOfMass += data.origin;
     data.faceNormals = {{1, 0, 0}};
     data.nodes[2].normalCount = 1;
+    data.levelMeshes = {{data.vertices, data.triangles, 0.25F}, {data.vertices, data.triangles, 0.125F}};
     tree_.emplace(std::move(SphereTree::create(std::move(data))).value());
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -76,6 +76,7 @@ Result<std::unique_ptr<BodyShape>> BodyShape::create(ShapeKind kind, const Model
       auto shape = bullet::SphereTreeShape::create(model.tree, bullet::BodyFrame::principalAxes,
                                                    static_cast<btScalar>(model.scale));
       if (!shape) return shape.error();
+      if (Status s = shape.value()->setMaxContactError(btScalar(options.maxContactError)); !s) return s.error();
       body->shape_ = std::move(shape).value();
       break;
     }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/core/result.h"
 #include "scenes/bodies/model.h"
 
@@ -48,6 +49,8 @@ struct ShapeOptions {
   std::optional<double> marginFraction;
   /// Level of the tree from which the shape `spheres` takes its spheres; leaves above it are included.
   std::uint32_t sphereLevel = 2;
+  /// See `SphereTreeShape::setMaxContactError`; for trees.
+  double maxContactError = double(bullet::kDefaultMaxContactError);
 };
 
 /// A shape in the model's body frame, with everything it refers to. One object serves any number of bodies.

@@ -53,7 +53,13 @@ struct BuildOptions {
   /// The rule by which spheres are dropped; no value: none are dropped. Allowed only for methods that fit spheres
   /// region by region (`fitsRegions`).
   std::optional<Balance> balance;
+  /// Whether to make a coarser mesh for each level too, see level_meshes.h. No value: for meshes of more than
+  /// `kDenseTriangles`, on which contacts would be slow; none where they cannot be made.
+  std::optional<bool> levelMeshes;
 };
+
+/// Contacts on a mesh of more triangles take several times as long as on one of 1500, which games use.
+inline constexpr std::size_t kDenseTriangles = 8000;
 
 /// Builds a sphere-tree of a closed mesh with certified errors. Every level covers the whole surface, by construction.
 /// Every point of the surface also lies in all ancestors of the node that covers it. The balls have enough room to

@@ -87,6 +87,15 @@ struct BuildInfo {
   friend bool operator==(const BuildInfo&, const BuildInfo&) = default;
 };
 
+/// A closed mesh that stands for the source at one level of the tree, with fewer triangles.
+struct LevelMesh {
+  std::vector<Vec3> vertices;                           ///< tree frame
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into `vertices`, counter-clockwise from outside
+  float distance = 0;  ///< certified, mesh units: no point of either surface is farther from the other
+
+  friend bool operator==(const LevelMesh&, const LevelMesh&) = default;
+};
+
 /// Everything a tree consists of, unpacked. Nodes are breadth-first, the children of a node contiguous, the root first.
 struct SphereTreeData {
   std::vector<NodeData> nodes;                          ///< at least the root
@@ -95,6 +104,7 @@ struct SphereTreeData {
   std::vector<std::uint32_t> regionTriangles;           ///< indices into triangles
   std::vector<Vec3> vertices;                           ///< the source mesh, tree frame
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the source mesh: indices into `vertices`
+  std::vector<LevelMesh> levelMeshes;                   ///< of levels 1, 2 and so on; may be none
   Vec3d origin;         ///< of the tree frame, in the mesh's frame: the centre of mass rounded to float
   MassProperties mass;  ///< mesh frame
   BuildInfo info;       ///< how the tree came to be
@@ -185,6 +195,14 @@ class CAIRN_CORE_EXPORT SphereTree {
   const TreeSurface& surface() const { return surface_; }
   /// The source mesh with the former. Valid as long as the tree.
   SurfaceView surfaceView() const { return {data_.vertices, data_.triangles, &surface_}; }
+  /// Levels from 1 on that have a mesh of their own, coarser than the source; 0 if the builder made none.
+  std::uint32_t levelMeshCount() const { return static_cast<std::uint32_t>(data_.levelMeshes.size()); }
+  /// The mesh of a level, 1 to `levelMeshCount()`.
+  const LevelMesh& levelMesh(std::uint32_t level) const { return data_.levelMeshes[level - 1]; }
+  /// The same with what is derived from it. Valid as long as the tree.
+  SurfaceView levelView(std::uint32_t level) const {
+    return {levelMesh(level).vertices, levelMesh(level).triangles, &levelSurfaces_[level - 1]};
+  }
   /// Volume, centre of mass and inertia of the solid, mesh frame.
   const MassProperties& mass() const { return data_.mass; }
   /// The tree frame's origin in the mesh's frame.
@@ -222,6 +240,7 @@ class CAIRN_CORE_EXPORT SphereTree {
   std::vector<std::uint8_t> familySize_;
   std::vector<NodeId> nodeAt_;
   TreeSurface surface_;
+  std::vector<TreeSurface> levelSurfaces_;  // by level mesh
   float extent_ = 0;
   std::uint32_t depth_ = 0;
   std::uint32_t leafCount_ = 0;
