@@ -51,9 +51,16 @@ CaseBodies make(const test::Solid& solid, const std::string& ownName, std::share
   return bodies;
 }
 
+const scenes::Model& modelOfRock(std::uint64_t seed, double size) {
+  static std::map<std::pair<std::uint64_t, double>, scenes::Model> models;
+  const auto key = std::pair{seed, size};
+  if (const auto at = models.find(key); at != models.end()) return at->second;
+  const builder::TriangleMesh mesh = scenes::generateRock({.seed = seed, .subdivisions = 2});
+  return models.emplace(key, scenes::makeModel(build(mesh, kDepth), size)).first->second;
+}
+
 CaseBodies makeRocks(std::uint64_t seed, double size) {
-  const scenes::Model model =
-      scenes::makeModel(build(scenes::generateRock({.seed = seed, .subdivisions = 2}), kDepth), size);
+  const scenes::Model& model = modelOfRock(seed, size);
   CaseBodies bodies;
   for (const auto kind : {scenes::ShapeKind::tree, scenes::ShapeKind::hull, scenes::ShapeKind::gimpact}) {
     auto made = scenes::BodyShape::create(kind, model, {});
@@ -98,6 +105,16 @@ const CaseBodies& rocks(std::uint64_t seed, double size) {
   CaseBodies& bodies = known()[fmt::format("rock {} {}", seed, size)];
   if (bodies.empty()) bodies = makeRocks(seed, size);
   return bodies;
+}
+
+const test::Solid& solidOfRock(std::uint64_t seed, double size) {
+  static std::map<std::pair<std::uint64_t, double>, test::Solid> solids;
+  test::Solid& solid = solids[{seed, size}];
+  if (solid.vertices.empty()) {
+    const scenes::Model& model = modelOfRock(seed, size);
+    solid = {{model.vertices.begin(), model.vertices.end()}, {model.triangles.begin(), model.triangles.end()}};
+  }
+  return solid;
 }
 
 std::shared_ptr<btCollisionShape> treeOf(const test::Solid& solid, std::uint32_t depth) {

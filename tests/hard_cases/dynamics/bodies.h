@@ -34,6 +34,9 @@ const CaseBodies& balls(double radius);
 /// A generated rock of 320 faces, its diagonal `size` metres, in the frame of its principal axes.
 const CaseBodies& rocks(std::uint64_t seed, double size);
 
+/// The mesh of `rocks(seed, size)`, in the same frame.
+const test::Solid& solidOfRock(std::uint64_t seed, double size);
+
 /// Ours alone.
 std::shared_ptr<btCollisionShape> treeOf(const test::Solid& solid, std::uint32_t depth);
 
