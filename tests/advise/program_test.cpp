@@ -114,8 +114,8 @@ TEST_F(AdviseProgram, LooksAtTheSameFramesInWhateverOrderTreesAreNamed) {
   EXPECT_EQ(frames("up.json", "1,3"), frames("down.json", "3,1"));
 }
 
-// What it says of a budget is what that budget does, in another program: of one that cuts, of one that does not, and of
-// none.
+// Its advice on a budget agrees with that budget's effect in another program: of one that cuts, of one that does not,
+// and of none.
 TEST_F(AdviseProgram, ItsBudgetsDoWhatItSays) {
   const std::string common = " --bodies 8 --seed 1 ";
   const ProgramResult advised =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a sphere-tree costs in memory: the tree, once; each shape of it; each body; each pair of bodies that touch.
+// The memory of a sphere-tree: the tree, once; each shape of it; each body; each pair of bodies that touch.
 // Beside it GImpact, and Bullet's sphere, whose bodies and pairs are what Bullet itself takes.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>

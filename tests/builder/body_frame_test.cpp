@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is computed in a body's own frame is the same however the mesh lies in its own: adaptive levels are.
+// Results computed in a body's own frame do not depend on the mesh's: adaptive levels.
 #include "hierarchy/body_frame.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ TEST(BodyFrame, AdaptiveLevelsAreTheSameHoweverTheMeshLies) {
   }
 }
 
-/// What the level's error may change by when every coordinate moves by up to 1e-5.
+/// The change of the level's error when every coordinate moves by up to 1e-5.
 constexpr double kJitterEffect = 0.05;
 
 TEST(BodyFrame, JitterHardlyChangesTheFirstAdaptiveLevel) {

@@ -48,7 +48,7 @@ TEST(LowerBound, OfOneBallAroundACubeIsTheCircumscribedOne) {
   EXPECT_GE(bound.error * kStep, (1 - kSlack) * optimum);
 }
 
-// What is small against the error has an offset surface as large as a sphere's, which outside points must not fill as
+// A body that is small against the error has an offset surface like a sphere's, which outside points must not fill as
 // densely as the parts' own.
 TEST(LowerBound, OfOneBallAroundTinyPartsFarApart) {
   const TriangleMesh part = meshOf(cuboid({1e-6, 1e-6, 1e-6}, 1));

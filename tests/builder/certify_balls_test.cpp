@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is proved about sets of balls, against dense samples measured by an oracle that shares no code with the proof.
+// Proofs about sets of balls, against dense samples measured by an oracle that shares no code with the proof.
 #include "cairn/builder/certify_balls.h"
 
 #include <gtest/gtest.h>

@@ -33,7 +33,7 @@ Cover coverOf(const TriangleMesh& mesh, const CoverOptions& options) {
   return std::move(cover).value();
 }
 
-/// What the objective promises beside its figures.
+/// The promise of the objective beside its figures.
 void expectPromises(const Cover& cover, Objective objective) {
   const BallsCertificate& c = cover.certificate;
   EXPECT_EQ(c.balls.size(), cover.balls.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What PLY allows, and files that are refused.
+// Forms that PLY allows, and files that are refused.
 #include <gtest/gtest.h>
 
 #include <cstring>

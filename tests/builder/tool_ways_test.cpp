@@ -63,7 +63,7 @@ TEST_F(ToolWays, ProgressOfAPipedRunIsTheLinesOfALog) {
   EXPECT_EQ(log.find('\r'), std::string::npos) << log;
 }
 
-// What it says to try is tried, and holds about what it said.
+// Its advice is tried, and gives about the promised error.
 TEST_F(ToolWays, ABuildJudgesItsTree) {
   const Json coarse = buildRock("--depth 1");
   const std::string advice = coarse.at("advice");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What the priorities are for: of the same pairs, at the same budget, which is left how wrong?
+// The purpose of priorities: of the same pairs, at the same budget, how wrong is each left?
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -57,7 +57,7 @@ bool isSameBits(const Vec3& x, const Vec3& y) {
   return isSameBits(x.x, y.x) && isSameBits(x.y, y.y) && isSameBits(x.z, y.z);
 }
 
-/// What became of the pairs compared.
+/// The outcome of the pairs compared.
 struct Seen {
   std::size_t beyond = 0, apart = 0, near = 0, blurred = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What happens to who takes a value without a look at whether there is one: the same in every build type.
+// Taking a value without a check that there is one: the same in every build type.
 #include "cairn/core/result.h"
 
 #include <gtest/gtest.h>

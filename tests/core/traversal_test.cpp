@@ -57,7 +57,7 @@ void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
     }
 }
 
-// What a traversal says does not depend on the memory it holds.
+// The answer of a traversal does not depend on the memory it holds.
 void expectSameOnceFitted(Traversal& traversal) {
   const auto copyOf = [](std::span<const NodePair> pairs) { return std::vector(pairs.begin(), pairs.end()); };
   const auto said = [&] {

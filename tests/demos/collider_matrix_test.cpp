@@ -24,7 +24,7 @@ constexpr double kRoundBaseTolerance = 0.03;
 // Of a smooth body's: within a step it rolls by a tenth of its radius, and the solver moves it straight on.
 constexpr double kRollTolerance = 0.05;
 constexpr double kRestSpeed = 0.01;  // m/s
-// What is flat rocks for a while on what bends away.
+// A flat body rocks for a while on a curved one.
 constexpr double kRockingSpeed = 0.06;
 
 double sizeOf(const TriedMover& mover) {

@@ -118,7 +118,7 @@ TEST(SetDown, InAFloorSlidesOnAndGainsNothing) {
 TEST(SetDown, KickedSlidesOn) {
   const Kept onMesh = kick(bvhMesh(plate())), onTree = kick(builtShape(plate()));
   std::cout << "kicked boxes keep " << onMesh.speed << " of their speed on a mesh, " << onTree.speed << " on a tree\n";
-  // What a single box keeps on a mesh is chance, 0.2 to 1: the mean of 150 is 0.87, of 60 it may be 0.04 off.
+  // The part that a single box keeps on a mesh is chance, 0.2 to 1: the mean of 150 is 0.87, of 60 it may be 0.04 off.
   EXPECT_GT(onMesh.speed, 0.8) << "seed " << kSeed;
   EXPECT_GT(onTree.speed, 0.85) << "seed " << kSeed;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a slot of a large leaf touches its bottom, not what the leaf's ball holds of the walls.
+// A body in a slot of a large leaf touches the bottom, not the walls that the leaf's ball also holds.
 #include <gtest/gtest.h>
 
 #include <array>

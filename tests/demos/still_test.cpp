@@ -67,7 +67,8 @@ TEST(Sliding, LeavesOverAnEdgeDoNotCatch) {
   EXPECT_NEAR(runSlope(cube, slope).acceleration, slidingDown(slope), 0.02 * slidingDown(slope));
 }
 
-// What rolls loses to the bumps of its facets; before the contacts knew that points move on arcs it lost a fifth.
+// A rolling body loses energy to the bumps of its facets; before the contacts knew that points move on arcs it lost a
+// fifth.
 TEST(Rolling, ABallOfFacetsLosesLittle) {
   constexpr double kRadius = 0.2, kLoss = 0.1;
   const TriedBody ball = bodyOf(test::ball(kRadius, 16));
@@ -122,7 +123,7 @@ TEST(Standing, ABoxAcrossAValleyLiesOnBothSlopes) {
   }
 }
 
-// What is smooth touches an edge along no face's normal.
+// A smooth body touches an edge along no face's normal.
 TEST(Standing, ABallLiesStillBetweenTwoEdges) {
   constexpr double kRadius = 0.3;
   const TriedBody ball = bodyOf(test::ball(kRadius, 16)), rail = bodyOf(cuboid({1, 3, 1}, 6));

@@ -10,7 +10,7 @@
 namespace cairn::test::textbook_test {
 namespace {
 
-// What Bullet's own primitives are to keep, as parts: the gates of the experiments' sources at 240 steps a second.
+// The limits for Bullet's own primitives, as fractions: the gates of the experiments' sources at 240 steps a second.
 const std::map<std::string, double> kGates{{"R1", 1e-4},  {"R2", 0.02}, {"R3", 0.01},  {"R4", 0.02},
                                            {"R5", 0.005}, {"R6", 0.01}, {"R7", 0.02},  {"R8", 0.02},
                                            {"R9", 0.02},  {"R10", 0},   {"R11", 0.01}, {"R12", 1e-3}};
@@ -30,7 +30,7 @@ TEST(Textbook, TreesKeepTheGatesOrTheHullsError) {
   }
 }
 
-// What has few faces is judged by these, whatever the spheres: the same for every depth.
+// Bodies with few faces are judged by these limits, whatever the spheres: the same for every depth.
 TEST(Textbook, SlabsSlideTheSameWithTreesOfEveryDepth) {
   const std::vector<TextbookShapes> all = textbookShapes();
   for (const auto experiment : {textbook::slides, textbook::stops}) {

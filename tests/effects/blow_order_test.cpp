@@ -17,7 +17,8 @@ namespace {
 constexpr btScalar kBall = btScalar(0.05), kHalf = btScalar(0.5), kSunk = btScalar(0.08), kMass = 100;
 constexpr btScalar kRadius = btScalar(0.3), kStepsPerSecond = 200;
 
-/// What two balls, joined by a rod that leans, get of the ground in a step in which they are found sunk into it.
+/// The impulses that two balls, joined by a rod that leans, get from the ground in a step in which they are found sunk
+/// into it.
 struct Blow {
   btScalar low = 0, high = 0;            // N s
   btScalar lowDepth = 0, highDepth = 0;  // m, as told when the step is over
@@ -80,7 +81,7 @@ TEST(Blow, ActsOnAllThatTouchesTogether) {
   EXPECT_GT(blow.high, kMass);
 }
 
-// What rests is held wherever it lies, and without friction the order changes nothing that matters.
+// A body at rest is held wherever it lies, and without friction the order changes nothing that matters.
 TEST(Blow, IsLeftAloneWhereNobodyAsksOrItIsNone) {
   constexpr auto kSlow = btScalar(0.15);
   static_assert(kSlow < effects::EffectSet::kImpactSpeed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a set of effects does to a world by being there: nothing, until an effect is added.
+// A set of effects changes nothing in a world until an effect is added.
 #include "cairn/effects/effect_set.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +180,7 @@ TEST(EffectSet, AnImpactIsWhatTheFallSays) {
   EXPECT_NEAR(impact.linearBefore[moving].z(), -speed, tolerance);
 }
 
-/// What leaves elsewhere while a blow goes on changes nothing of it.
+/// A pair that separates elsewhere during a blow does not change the blow.
 TEST(EffectSet, ABlowGoesOnWhenOthersLeave) {
   const auto blow = [](int leaves) {
     SlopeWorld world(0, 120);

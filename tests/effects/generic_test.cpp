@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What holds of every effect: not listed, of no strength or with nothing to act on it leaves every bit of a simulation
+// Rules for every effect: not listed, of no strength or with nothing to act on it leaves every bit of a simulation
 // as it is; where it is listed decides nothing; it allocates nothing once a scene runs; twice the same, whatever else
 // the world holds; and what only takes energy never gives any.
 #include <gtest/gtest.h>

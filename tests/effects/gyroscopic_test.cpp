@@ -99,7 +99,7 @@ TEST(Gyroscopic, AStepKeepsEnergyAndMomentum) {
       const btVector3 moments(1, btScalar(2.5), 3), before = direction.normalized() * speed;
       const btVector3 after = Gyroscopic::spinAfter(moments, before, btScalar(1) / 60);
       const btScalar energy = (moments * before).dot(before), square = (moments * before).length2();
-      // What is rounded: three components of the answer, and the sums here.
+      // Rounded are three components of the answer, and the sums here.
       constexpr btScalar kRounding = 8 * SIMD_EPSILON;
       EXPECT_NEAR((moments * after).dot(after) / energy, 1, kRounding);
       EXPECT_NEAR((moments * after).length2() / square, 1, kRounding);

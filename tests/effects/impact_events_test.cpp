@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What is told of blows, what is dropped, and that telling changes nothing.
+// Which blows are reported and which are dropped, and that reports change nothing.
 #include "cairn/effects/impact_events.h"
 
 #include "effect_world.h"

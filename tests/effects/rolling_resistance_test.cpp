@@ -163,7 +163,7 @@ TEST(RollingResistance, IsBulletsOwnBesideASolverThatMayDoMore) {
   world.removeRigidBody(&ground);
 }
 
-// What lies flat has nothing to roll: torques must not upset what friction and normals balance.
+// A body that lies flat does not roll: torques must not upset what friction and normals balance.
 TEST_P(RollingResistanceOf, LetsABoxLieOnASlope) {
   constexpr btScalar kSlope = btScalar(0.35);
   Rolling rolling({.rolling = btScalar(0.1), .spinning = btScalar(0.02)}, GetParam(), kSlope);

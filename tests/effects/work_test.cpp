@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What effects say that they did, against what the textbook says that the bodies lost.
+// The work that effects report, against the textbook's loss of energy.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ namespace {
 
 using cairn::builder::TriangleMesh;
 
-// What another program would write of an accepted surface is read as the same triangles.
+// An accepted surface, written by another program, is read as the same triangles.
 void requireSameWhenWritten(const TriangleMesh& mesh, unsigned which, const std::filesystem::path& folder) {
   struct Form {
     const char* name;

@@ -93,7 +93,7 @@ class Judge {
     require(s.operations <= most, "a step cost more than its budget and what stands in for answers");
   }
 
-  /// What a pair may cost beyond its share of the budget.
+  /// The cost that a pair may have beyond its share of the budget.
   std::uint64_t mostBeyond(const Actor& a, const Actor& b) const {
     if (!a.made.tree && !b.made.tree) return 0;
     // Few triangles that answer for their leaf pairs cost two each and one a pair; against planes, two a corner.

@@ -25,7 +25,7 @@ struct Actor {
       false;  ///< Bullet itself looks ahead for it, and makes contacts with whatever it finds, broken or not
 };
 
-/// What was asked of the narrow phase, and of the play as a whole.
+/// The calls to the narrow phase, and the play as a whole.
 struct PlayState {
   bullet::StepBudget budget, frame;
   bool moves = false;       ///< bodies move by themselves; else they are where they were set down

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a budget does to a scene: nobody lost, nothing exploded, and the same bits every time.
+// The effect of a budget on a scene: nobody lost, nothing exploded, and the same bits every time.
 #include <gtest/gtest.h>
 
 #include "cairn/core/tree_pair_traversal.h"
@@ -130,7 +130,7 @@ TEST(Budget_Operations, AreNotExceededByRefinement) {
     limited.w.step();
     unlimited.w.step();
     peak = std::max(peak, unlimited.w.dispatcher.lastStep().operations);
-    // What measuring contacts costs is held back while refining, up to what the last turn finds: eight families of
+    // The cost of measuring contacts is held back while refining, up to what the last turn finds: eight families of
     // eight leaves, five operations each. On top comes what stands in for unfinished pairs: re-tests of 32 known pairs,
     // and the spheres of 128 pairs of the front and of whole bodies, three operations each.
     const auto& s = limited.w.dispatcher.lastStep();

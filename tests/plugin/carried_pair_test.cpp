@@ -89,7 +89,7 @@ TEST(CarriedPair, KnowsTheBodiesFriction) {
   EXPECT_NEAR(stack.crate->getLinearVelocity().x(), 1.5, 0.05);
 }
 
-// What is given back at once where nothing is carried over.
+// Memory that is given back at once where nothing is carried over.
 TEST(CarriedPair, IsAskedAgainWhenItsPointsAreTaken) {
   Stack stack;
   stack.w.step();

@@ -49,7 +49,7 @@ class Walker {
   btKinematicCharacterController character_;
 };
 
-// What ground is made of: the tree, or Bullet's own shape of the same triangles.
+// The ground: the tree, or Bullet's own shape of the same triangles.
 struct Ground {
   explicit Ground(const Solid& solid) : tree(treeShape(plainTree(solid, 4))) {
     copyTriangles(*tree, mesh);
@@ -140,9 +140,9 @@ Push pushOf(FrontEnd frontEnd, const Ground& floor, bool asTree, btScalar aside)
   return push;
 }
 
-// What can move is pushed along by the contacts of the character's ghost, at the speed at which it walks or slower; the
-// controller itself is stopped by it. How deep it is in the block when the steps end is chance, within 5 cm, for boxes
-// of Bullet on Bullet's floor too: the median of some places says how one pushes.
+// Movable bodies are pushed along by the contacts of the character's ghost, at the speed at which it walks or slower;
+// the controller itself is stopped by it. How deep it is in the block when the steps end is chance, within 5 cm, for
+// boxes of Bullet on Bullet's floor too: the median of some places says how one pushes.
 TEST_P(Character, PushesATreeThatCanMoveAsABox) {
   const Ground floor(cuboid({8, 4, 1}, 6));
   double behind[2] = {}, pushed[2] = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What stands in for bodies on a terrain that a step has nothing left for.
+// The fallback for bodies on a terrain when a step has no budget left.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -176,7 +176,7 @@ TYPED_TEST(BudgetOnTerrain, NothingSinksWhateverIsLeft) {
     }
   }
   EXPECT_GT(unresolved, 40U) << "nothing had to wait: the test shows nothing";
-  // What falls at 3 m/s comes 5 cm farther in a step before it is stopped; slopes bend by a part of the ball.
+  // A body that falls at 3 m/s comes 5 cm farther in a step before it is stopped; slopes bend by a part of the ball.
   EXPECT_LT(deepest, 0.25 * 2 * double(kBall));
   std::printf("at most %.3f of a ball's diameter deep\n", deepest / (2 * double(kBall)));
 }
@@ -257,12 +257,12 @@ TYPED_TEST(BudgetOnTerrain, WhatHasPassedAHillIsNotPushedBackThroughIt) {
       for (int k = 0; k < m.getNumContacts(); ++k) deepest = std::min(deepest, m.getContactPoint(k).getDistance());
     }
   }
-  // What moves 0.4 m in a step and is met by a slope of 45 degrees is 0.3 m in it at most.
+  // A body that moves 0.4 m in a step into a slope of 45 degrees is 0.3 m deep at most.
   EXPECT_GT(deepest, btScalar(-0.4));
   std::printf("at most %.2f m deep\n", double(-deepest));
 }
 
-// What lands has come some way since it was certainly apart: what is said of it bounds how deep it may be.
+// A landing body has moved since it was certainly apart. The reported error bounds its depth.
 TYPED_TEST(BudgetOnTerrain, TheReportedErrorBoundsWhatLands) {
   BulletWorld<TypeParam> w;
   const auto ground = flatTerrain(bullet::TerrainDiagonals::alternating, {40, 40, 1});

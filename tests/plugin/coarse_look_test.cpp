@@ -123,7 +123,7 @@ TEST(CoarseLook, ErrsLessTheMoreItIsGiven) {
   EXPECT_LT(before, 0.5 * worstErrorOf(flown, 500));
 }
 
-// What is told of the error holds, however old a traversal is: what is deeper is never silent.
+// The reported error holds, however old a traversal is; no deeper pair stays without contacts.
 TEST(CoarseLook, IsSilentAboutNothingDeeperThanItsError) {
   std::mt19937_64 engine(kSeed);
   int deep = 0;

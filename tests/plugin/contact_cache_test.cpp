@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What slow bodies keep from step to step must be what a world that has just begun would find.
+// Contacts that slow bodies keep from step to step must equal those of a new world.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,7 +152,7 @@ TEST(ContactCache, LapsesWhenABodyIsSetElsewhere) {
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(touchesAt(0.65));
 }
 
-// What was ruled out where it went is not ruled out where it came from.
+// A pair ruled out at one end of a motion is not ruled out at the other.
 TEST(ContactCache, OfATraversalThatWasMovedOn_DoesNotHoldWhereItBegan) {
   for (const std::int64_t operations : {0, 10, 20, 40}) {
     const auto tree = plainTree(cuboid({1, 1, 1}, 4));
@@ -346,7 +346,7 @@ TEST(ContactCache, OfATraversalNobodyAskedAboutIsMeasuredWhenAsked) {
   EXPECT_GT(resolved, kSteps / 4);
 }
 
-// What is picked before there is room for it is still there when the room is made; what is picked after needs none.
+// A pair picked before room is made is still there afterwards; one picked later needs no room.
 TEST(ContactCache, PicksAFewWithoutAllocating) {
   std::vector<NodePair> pairs;
   for (std::uint32_t i = 0; i < 56; ++i) pairs.push_back({i, i});

@@ -197,7 +197,7 @@ TEST(ContactKernel, ListsWithASkinHoldUntilBodiesHaveMovedByIt) {
   EXPECT_GT(contacts, 1000U);
 }
 
-// What boxes leave out is as far apart as they say.
+// Pairs that boxes leave out are as far apart as the boxes say.
 TEST(ContactKernel, SaysNoMoreOfWhatIsApartThanItIs) {
   std::mt19937_64 engine(kSeed + 2);
   int told = 0;

@@ -208,7 +208,7 @@ bool isNearFeature(const bullet::SphereTreeShape& shape, int part, int index, co
   return std::abs(normal.dot(point - at(t[0]))) < near;
 }
 
-// What the broad phase finds, of all kinds at once; and the ids lead back to the tree.
+// Pairs of the broad phase, of all kinds at once; the ids lead back to the tree.
 TEST_P(ContactQuery, OfAWholeWorldFindsEveryNeighbourOnce) {
   inWorldOf(GetParam(), [&](auto& w) {
     const auto cube = treeShape(plainTree(cuboid({1, 1, 1}, 4)));

@@ -140,7 +140,7 @@ TEST(Continuous, IsOffUntilItIsAskedFor) {
   }
 }
 
-// What flies by closely, fast and turning, keeps its speed: contacts ahead are of what is really in the way.
+// A body that flies by closely, fast and turning, keeps its speed: only obstacles in its way give contacts ahead.
 TEST(Continuous, WhatFliesByIsNotTouched) {
   for (const btScalar speed : {btScalar(20), btScalar(100), btScalar(300)})
     for (int phase = 0; phase < 10; ++phase) {
@@ -176,7 +176,7 @@ std::shared_ptr<btCollisionShape> longFloor(btScalar bump) {
   return meshOf(triangles);
 }
 
-// What lies on a floor of triangles and slides fast is not caught by edges inside it: as without looking ahead.
+// A body that slides fast over a floor of triangles is not caught by inner edges: as without looking ahead.
 TEST(Continuous, WhatSlidesOverTrianglesIsNotCaughtByTheirEdges) {
   const std::shared_ptr<const SphereTree> trees[] = {plainTree(cuboid({1, 0.6, 0.3}, 4)),
                                                      plainTree(torus(0.35, 0.15, 16))};
@@ -198,7 +198,7 @@ TEST(Continuous, WhatSlidesOverTrianglesIsNotCaughtByTheirEdges) {
       }
 }
 
-// What nothing bounces off is told of what is in it, not of what will be.
+// A ghost reports the bodies inside it, not those that will be.
 TEST(Continuous, SensorsSeeWhatIsThere) {
   BulletWorld<> w;
   w.world.setGravity(btVector3(0, 0, 0));
@@ -217,7 +217,7 @@ TEST(Continuous, SensorsSeeWhatIsThere) {
   }
 }
 
-// What is pressed together is not held where it came from long ago: a heap rests as it does without looking ahead.
+// Bodies pressed together are not held at places of long ago: a heap rests as it does without looking ahead.
 TEST(Continuous, AHeapOfWhatFellFastRests) {
   BulletWorld<> w;
   w.addGround().setRestitution(1);

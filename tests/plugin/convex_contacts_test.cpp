@@ -111,7 +111,7 @@ std::shared_ptr<btConvexHullShape> rock(std::mt19937& random, btScalar margin) {
   return hull;
 }
 
-// What a float loses a metre from the origin, through two changes of frame.
+// The rounding of a float a metre from the origin, through two changes of frame.
 constexpr double kRounding = 2e-5;
 // Hulls are found on a grid of ten thousand steps.
 constexpr double kHullStep = 1e-4;
@@ -254,7 +254,8 @@ double distanceOf(const Solid& solid, const Distance& distance, const btTransfor
   return least;
 }
 
-// What is nearest of all is a local minimum: it is told, with its distance, if it is within reach, and nothing nearer.
+// The nearest pair of points is a local minimum. It is reported with its distance if it is within reach, and nothing
+// nearer.
 TEST(ConvexContacts, TellWhatIsNearest) {
   int told = 0;
   for (const Solid& solid : solids()) {

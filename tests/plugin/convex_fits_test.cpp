@@ -112,7 +112,7 @@ TEST(ConvexDeep, StaysOnTheFloorThatItIsThrownAlong) {
   }
 }
 
-// What lies still is told again without being asked, but not once the user gives it another size.
+// A pair at rest is reused without being asked, but not after the user gives it another size.
 TEST(ConvexCarriedOver, IsAskedAnewOnceItHasChanged) {
   for (const bool isHull : {false, true}) {
     BulletWorld<> w;

@@ -19,7 +19,7 @@ struct CrudeSlab {
 };
 constexpr CrudeSlab kCrudeSlabs[] = {{4, 8}, {8, 2}, {2, 64}, {8, 64}};
 constexpr int kCrudeShots = 250;
-// What is caught sinks in by more than half such a slab where it turns, and is then pushed out on the nearer side: up
+// A caught body sinks in by more than half such a slab where it turns, and is then pushed out on the nearer side: up
 // to this many, where of 250 up to 40 (of bodies with fine leaves) and 123 went through without looking at triangles.
 constexpr int kMaxFineThrough = 6, kMaxCrudeThrough = 10;
 

@@ -23,7 +23,7 @@ struct Unrest {
   double rmsPosition = 0;  // about the mean, of the body's size
 };
 
-// What lies on a plane keeps its answer; on a box it is refined in every step.
+// A body on a plane keeps its answer; on a box it is refined in every step.
 enum class Ground { plane, box };
 
 struct Case {
@@ -97,7 +97,7 @@ TEST_P(CutBudget, LeavesABodyAtRest) {
   }
 }
 
-// What re-tested contacts keep at rest, unrefined spheres throw about: by a thousand times the speed and more.
+// Unrefined spheres throw bodies about that contacts tested again keep at rest: by a thousand times the speed and more.
 TEST(CutBudget_Repel, ThrowsABodyAbout) {
   for (const Case& body : cases()) {
     AtRest scene(body, Ground::box);

@@ -271,7 +271,7 @@ TYPED_TEST(Dispatch_Statistics, AreThoseOfAWorldThatBecameEmpty) {
   EXPECT_EQ(w.dispatcher.lastStep().pairs, 0U);
 }
 
-// What has no triangles to show is left to whoever knows it.
+// A shape without triangles is left to its own algorithm.
 struct ConfigurationWithSdf final : btDefaultCollisionConfiguration {
   CountingCreate create;
   btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override {

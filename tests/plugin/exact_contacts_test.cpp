@@ -237,7 +237,7 @@ TEST_P(Silence, IsOfMeshesThatDoNotCross) {
   EXPECT_GT(silentLeaves, 0) << "leaves tell of all: the test shows nothing";
 }
 
-// What leaves or triangles say along the way does not show: nothing comes and goes while the bodies lie still.
+// Answers of leaves or triangles along the way do not show: nothing comes and goes while the bodies lie still.
 TEST_P(Silence, IsNotBrokenAnewInEveryStep) {
   std::mt19937_64 engine(kSeed);
   static int ends = 0;
@@ -318,7 +318,7 @@ TEST(ExactContacts, OfACubeOnItsTwinStandOnItsFace) {
   EXPECT_EQ(step.exactContacts, step.contacts);
 }
 
-// What a query that looks farther than contacts are is told of a plane.
+// The answer for a plane to a query that looks farther than contacts.
 TEST(ExactContacts, OnAPlaneAreTheLowestCorners) {
   struct Deepest : btCollisionWorld::ContactResultCallback {
     btScalar separation = BT_LARGE_FLOAT;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two faces have in common, against points strewn over them.
+// The overlap of two faces, against points strewn over them.
 #include "continuous/face_overlap.h"
 
 #include <gtest/gtest.h>

@@ -146,7 +146,7 @@ TEST(Field_Slope, CuboidSlidesAsTheTextbookSays) {
   }
 }
 
-// What rolls loses to its facets (docs/algorithms/leaf-contacts.md: up to a quarter), and no more than on a plane.
+// A rolling body loses energy to its facets (leaf-contacts.md: up to a quarter), and no more than on a plane.
 TEST(Field_Slope, BallRollsAsOnAPlane) {
   constexpr double kRadius = 0.2, kLoss = 0.25;
   // Which facets strike differs with the last bits: 0.3 % of the speed each (`Trials::facetLoss`), of sixteen.

@@ -19,7 +19,7 @@ enum class FixedAs { tree, mesh };
 struct Fit {
   BulletWorld<> w;
 
-  // What does not move is a tree, or one of Bullet's own meshes.
+  // The static body is a tree, or one of Bullet's own meshes.
   explicit Fit(FixedAs fixedAs = FixedAs::tree) : fixedAs_(fixedAs) {
     w.world.setGravity(btVector3(0, 0, btScalar(-kG)));
   }

@@ -60,7 +60,7 @@ End fall(Kind mover, Kind ground, double slope, bool isAnchored) {
   return end;
 }
 
-// What lies still is as deep as Bullet leaves what is not anchored: a few tenths of a millimetre.
+// A body at rest is as deep as Bullet leaves one without an anchor: a few tenths of a millimetre.
 constexpr double kRestTolerance = 1e-3;
 // An anchored body hangs by its friction's spring; what creeps without one does so by a millimetre a second.
 constexpr double kCreepTolerance = 1e-3;
@@ -116,7 +116,7 @@ TEST(AnchoredLate, HoldsWhatIsPutOnTop) {
   }
 }
 
-// What a game reads to hear how hard bodies are pressed together.
+// The impulse that a game reads as the force between bodies.
 TEST(AnchoredCallbacks, SeeTheImpulsesOfTheLastStep) {
   static btScalar sum;
   gContactAddedCallback = [](btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,

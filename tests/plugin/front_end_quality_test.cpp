@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What the same budget buys behind each front end, on the same recorded poses. Prints the figures of
+// The quality that one budget gives behind each front end, on the same recorded poses. Prints the figures of
 // docs/algorithms/front-ends.md.
 #include <gtest/gtest.h>
 

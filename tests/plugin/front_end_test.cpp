@@ -255,7 +255,7 @@ bool moveAllButTheseTwo(btManifoldPoint&, const btCollisionObjectWrapper* a, int
   return false;
 }
 
-// What was prepared when the step began does not answer for bodies that are elsewhere when their turn comes.
+// An answer prepared at the start of the step is not used for bodies that have moved since.
 TEST(FrontEnd_OpenStep, SeesBodiesMovedByACallback) {
   BulletWorld<InstalledOnDispatcher> w;
   w.addGround();
@@ -319,7 +319,7 @@ struct Count final : btCollisionWorld::ContactResultCallback {
   }
 };
 
-// What a contact callback asks the world while a step is being answered.
+// Queries of a contact callback to the world while a step is being answered.
 struct Asker {
   btCollisionWorld* world = nullptr;
   btCollisionObject *a = nullptr, *b = nullptr;

@@ -130,7 +130,7 @@ btScalar apartWithoutBudget(bool knowsItsInside) {
   return (second.getWorldTransform().getOrigin() - first.getWorldTransform().getOrigin()).length();
 }
 
-// What certainly overlaps comes apart without a single operation of refinement; what only may overlap is held.
+// Bodies that certainly overlap come apart without any refinement; those that only may overlap are held.
 TEST(Guards_OfBallsInsideBothBodies, PushThemApart) {
   const float inner = solidBall(0.5, true)->innerRadius(kRootNode);
   ASSERT_GT(inner, 0.4F);

@@ -115,7 +115,7 @@ TYPED_TEST(HeldPairs, OfACompoundKeepPointsThatSlide) {
   }
 }
 
-// What stands in for contacts that no longer count is a contact: the user is told of no end.
+// The fallback for outdated contacts is a contact: the user is told of no end.
 TYPED_TEST(HeldPairs, StayInContactWhileTheirSpheresStandIn) {
   static int ended = 0;
   HeldCubes<TypeParam> s;
@@ -140,7 +140,7 @@ TYPED_TEST(HeldPairs, StayInContactWhileTheirSpheresStandIn) {
   EXPECT_LE(ended, 3);
 }
 
-// What was apart may touch when it has come nearer by 0.8 % of the size, and nobody has looked: the spheres of the
+// Separate bodies may touch once they have approached by 0.8 % of the size unseen: the spheres of the
 // whole bodies hold from there on, until somebody looks.
 TYPED_TEST(HeldPairs, ThatSaidNothingAreHeldBySpheresFromEightThousandthsOn) {
   BusyWorld<TypeParam> s;
@@ -223,7 +223,7 @@ TYPED_TEST(HeldPairs, ThatSaidNothingOnAPlaneAreAskedFromEightThousandthsOn) {
   }
 }
 
-// What leaf pairs cost to measure is held back from refinement, which takes several steps: though it is more than a
+// The cost of measuring leaf pairs is held back from refinement, which takes several steps: though it is more than a
 // step has, in the end there is an answer.
 TYPED_TEST(HeldPairs, ThatCostMoreThanAStepHasComeToAnAnswer) {
   for (const std::int64_t operations : {20, 100, 400}) {

@@ -53,7 +53,7 @@ TEST(LateSteps, BodiesThatMeetFastDoNotPass) {
   }
 }
 
-// What was not looked at adds the way since to the error, until somebody looks.
+// Motion of a pair that is not looked at adds to its error, until somebody looks.
 TEST(LateSteps, AddTheWayToTheError) {
   BulletWorld<> w;
   w.world.setGravity(btVector3(0, 0, 0));

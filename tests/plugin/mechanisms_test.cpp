@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Zlib
-// What moves in or on another with a little play: marbles in a tube, cups in each other, gears, a nut on its bolt.
+// Bodies that move in or on another with a little play: marbles in a tube, cups in each other, gears, a nut on its
+// bolt.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -101,7 +101,7 @@ TEST(MeshGround, HoldsFromBothSides) {
         }
 }
 
-// What comes farther in a step than half its thickness may be mostly through the surface when it first comes near.
+// A body faster than half its thickness a step may be mostly through the surface when it first comes near.
 TEST(MeshGround, IsNotPassedByWhatIsMostlyThroughIt) {
   const struct {
     Vec3d size;

@@ -162,7 +162,7 @@ TEST(MeshOnShelves, LiesOnTheLower) {
   }
 }
 
-// What lay on a slab and was carried below it comes from below.
+// A body that lay on a slab and was carried below it comes from below.
 TEST(MeshCarriedBelow, DoesNotPassThroughFromThere) {
   for (const int cells : {1, 4, 16}) {
     StillWorld w;

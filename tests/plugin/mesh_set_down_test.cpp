@@ -63,7 +63,7 @@ TEST_P(SetDownFlush, ComesOutUpwards) {
 
 INSTANTIATE_TEST_SUITE_P(CellsOfBoth, SetDownFlush, testing::Combine(testing::Values(1, 3), testing::Values(1, 3)));
 
-// What lies over the edge of what it was set down in is held up to the edge.
+// A body set down across an edge is held up to the edge.
 TEST(OverhangingMesh, StaysWhereItWasSetDown) {
   constexpr double kCrept = 0.02, kRestTolerance = 0.002;  // metres
   for (const double size : {0.9, 0.7, 0.4})

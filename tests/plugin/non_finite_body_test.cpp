@@ -16,7 +16,7 @@ namespace {
 
 constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN(), kInf = std::numeric_limits<btScalar>::infinity();
 constexpr btScalar kRadius = btScalar(0.3);
-// What falls from where the upper one lies arrives slower.
+// A body that falls from the place of the upper one arrives slower.
 constexpr btScalar kFallSpeed = btScalar(3.5);
 
 enum class Harm { place, axes, speed, spin, force, torque };
@@ -218,7 +218,7 @@ struct Anything final : btCollisionWorld::ContactResultCallback {
   }
 };
 
-// What is told that a contact has ended may ask about other compounds, which makes pairs.
+// A callback for an ended contact may ask about other compounds, which makes pairs.
 TEST(BrokenBody_Compound, CallbacksMayAsk) {
   static BulletWorld<>* world;
   static btCollisionObject* probe;

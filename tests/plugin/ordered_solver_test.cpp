@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a heap does does not depend on what goes on far away, nor on what was there before.
+// The motion of a heap depends neither on events far away nor on earlier bodies.
 #include "cairn/bullet/ordered_solver.h"
 
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>

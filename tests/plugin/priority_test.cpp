@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What the narrow phase tells a priority, and that bodies are held and bits repeat whichever it is.
+// The data that a priority gets. With any priority bodies are held and bits repeat.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What bounces leaves at the user's restitution times the speed it came with, however long the step is.
+// A body bounces off at the user's restitution times its speed before, however long the step is.
 #include <gtest/gtest.h>
 
 #include <cmath>

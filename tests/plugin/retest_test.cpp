@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a pair re-tests while its traversal is unfinished takes no more memory however much each leaf pair has to say.
+// The pairs tested again during an unfinished traversal take no more memory for any number of contacts.
 #include <gtest/gtest.h>
 
 #include "counting_new.h"
@@ -67,7 +67,7 @@ TEST(Retests, TakeNoMoreMemoryHoweverMuchIsSaid) {
   // More than one each: a pair makes all its room when it first needs some.
   collider.perPair = 2;
   for (int i = 0; i < 4; ++i) step(second, collider, scratch);
-  // What pairs share has grown to what it takes by then.
+  // The memory that pairs share has grown to its final size by then.
   collider.perPair = 60;
   for (int i = 0; i < 4; ++i) step(first, collider, scratch);
   const std::size_t before = allocations();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What lies on round ground touches it with points of large leaves that may be anywhere in them.
+// A body on round ground touches it with points of large leaves, which may be anywhere in them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

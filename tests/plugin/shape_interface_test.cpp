@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What Bullet asks of every shape, beside its boxes, inertia and triangles (shape_test.cpp).
+// The functions that Bullet calls on every shape, beside boxes, inertia and triangles (shape_test.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>

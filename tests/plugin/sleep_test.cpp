@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What lies on guards may be in mid-air, or tilted: Bullet must not put it to sleep there, only where there is an
+// A body on guards may be in mid-air, or tilted: Bullet must not put it to sleep there, only where there is an
 // answer.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What is small against the leaves of the tree it stands on touches it where their faces do: on corners of either and
+// A body that is small against the leaves below it touches them where their faces do: on corners of either and
 // where their edges cross.
 #include <gtest/gtest.h>
 

@@ -113,7 +113,7 @@ TEST(StepPlan, LooksAtEachOrAtNoneThatCanBeHeld) {
   EXPECT_EQ(none.carriedOver().size() + none.chosen().size(), 30U) << "none is forgotten";
 }
 
-// What a look takes besides its operations is most of a short one.
+// The overhead of a look is most of a short one.
 TEST(StepPlan, LooksAtEachForAWholeTurnOrAtNoneWhereTimeEnds) {
   const auto looked = [](double share) {
     StepPlan plan;

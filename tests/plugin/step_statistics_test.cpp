@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a step says it did.
+// The statistics of a step.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -110,7 +110,7 @@ TEST(StoredShapes, ACutFileIsRefusedWhereverItIsCut) {
     // Not a view of the file: reading past the end of the cut one has to be seen by the address sanitizer.
     const Bytes cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
     const auto shapes = readStoredShapes(cut);
-    // What ends with a chunk is a file to Bullet, only without its dictionary.
+    // To Bullet, data that end with a chunk are a file without its dictionary.
     if (shapes.ok()) EXPECT_LE(size, dictionary);
   }
   EXPECT_FALSE(readStoredShapes(std::span(file).first(dictionary + 30)).ok());

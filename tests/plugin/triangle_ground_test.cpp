@@ -168,7 +168,7 @@ TEST(AroundAThinWall, ABodyIsNotPulledThrough) {
       }
 }
 
-// What stands on one side of a single sheet stays there, whichever way its triangles are wound.
+// A body on one side of a single sheet stays there, whichever way its triangles are wound.
 TEST(OnASheet, BothSidesHold) {
   for (const bool isTurned : {false, true})
     for (const btScalar up : {btScalar(1), btScalar(-1)}) {

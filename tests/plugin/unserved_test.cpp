@@ -10,7 +10,7 @@
 namespace cairn::test::unserved_test {
 namespace {
 
-// What a program of its own says on standard error, which is none of those that ran before.
+// The standard error of a program of its own, which is none of those that ran before.
 class Unserved : public testing::Test {
  protected:
   Unserved() { GTEST_FLAG_SET(death_test_style, "threadsafe"); }

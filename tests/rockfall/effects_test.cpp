@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds of the effects a case lists, whichever they are.
+// Rules for the effects that a case lists, whichever they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>

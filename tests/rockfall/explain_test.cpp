@@ -105,7 +105,7 @@ TEST(ExplainedRollingResistance, AsksForWhatStopsTheSpinOfRocksThatItHoldsUp) {
   EXPECT_EQ(adviceOn(R"({"effect": "rolling_resistance", "default_m": 0})"), "");
 }
 
-/// What is warned of in the plain case, changed: 22 m/s at most, smallest radius 0.2 m, cells of 1 m.
+/// The warnings for the plain case, with changes: 22 m/s at most, smallest radius 0.2 m, cells of 1 m.
 std::string warningsAbout(const std::function<void(json&)>& change) {
   json document = test::plainCase();
   document["rocks"][0]["tree_depth"] = 1;

@@ -79,7 +79,7 @@ TEST_F(GeoRaster, KeepsTheProjection) {
   const Result<Raster> read = readRaster(file("a.tif"));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_NE(read.value().projection.find("Transverse_Mercator"), std::string::npos);
-  // What GDAL gave can be written again.
+  // A raster from GDAL can be written again.
   ASSERT_TRUE(writeGeoTiff(file("b.tif"), read.value()));
 
   raster.projection =

@@ -72,7 +72,7 @@ std::vector<json> documents() {
   return all;
 }
 
-/// What the schema says it leaves to the program.
+/// The checks that the schema leaves to the program.
 bool isBeyondTheSchema(const std::string& sentence) {
   static constexpr std::array kWords{"is not listed under /materials",
                                      "listed twice",

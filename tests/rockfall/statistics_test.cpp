@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many runs say together: shape decides how far rocks spread, and a mirrored release ends in mirrored stops.
+// Statistics of many runs: shape decides how far rocks spread, and a mirrored release ends in mirrored stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -79,7 +79,7 @@ TEST(FiveMilliseconds, LeaveRocksTheirSpeedWithoutContinuousCollision) {
   expectTheSame(document);
 }
 
-// What stops and does not fly off touches more often.
+// A rock that stops and does not fly off touches more often.
 TEST(FiveMilliseconds, LeaveRocksTheirSpeedWithoutARebound) {
   json document = stepsCase();
   ASSERT_EQ(document["effects"][1]["effect"], "restitution");

@@ -176,7 +176,7 @@ TEST_F(LittleQuarry, IsCalibratedByItsFirstProfileAlone) {
       EXPECT_TRUE(trial.values[i] >= low && trial.values[i] <= high) << settings.calibration.parameters[i].name;
     }
   }
-  // What the second profile has decides nothing.
+  // The second profile decides nothing.
   write("Endpoints_P2.txt", "30 88.9 0 800 1 0.8 0.6\n");
   write("positions_P2.xyz", "2 105 3\n");
   QuarryScene other = prepared();
@@ -227,7 +227,7 @@ TEST(ValidationSettings_Refused, WithThePlace) {
   EXPECT_NE(complaint([&](json& d) { first(d)["range"] = {2, 1}; }).find("/range"), std::string::npos);
 }
 
-// What is not a user's clone may have the published data.
+// Only outside a user's clone the published data may be there.
 TEST(AuthumeData, AreReadWhereTheyAre) {
   const fs::path folder = fs::path(CAIRN_VALIDATION_DATA) / "authume";
   if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not here: the published data are not part of the sources";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a page's build lines have to link: a world, a tree, and effects where the lines take these.
+// The program that a page's build lines have to link: a world, a tree, and effects where the lines take these.
 #include <btBulletDynamicsCommon.h>
 #include <cairn/bullet/dispatcher.h>
 #include <cairn/bullet/sphere_tree_shape.h>

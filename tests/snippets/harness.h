@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What a fragment of a page takes as given: a world with a rock over the ground, ready to be stepped.
+// The surroundings of a page's fragment: a world with a rock over the ground, ready to be stepped.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>

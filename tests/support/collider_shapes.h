@@ -79,7 +79,7 @@ inline TriedGround boxGround() {
   return {"box", std::make_shared<btBoxShape>(btVector3(8, 8, btScalar(0.5))), btScalar(0.5)};
 }
 
-/// What a tree can lie on, each in the way Bullet offers it.
+/// The shapes that a tree can lie on, each as Bullet offers it.
 inline std::vector<TriedGround> everyGround(const TreeOf& treeOf) {
   constexpr btScalar kRound = 100, kMargin = btScalar(0.001);
   const btVector3 half(8, 8, btScalar(0.5));

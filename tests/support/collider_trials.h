@@ -45,7 +45,7 @@ struct Trials {
     return runSlope(mover.body, slopeOf(ground, mover, kRollDegrees, 1, bodyFirst));
   }
 
-  /// What `slide` measures, of a body without extent: on what bends away it goes ever steeper and weighs ever less.
+  /// The measure of `slide` for a body without extent: on what bends away it goes ever steeper and weighs ever less.
   static double slideTheory(const TriedGround& ground, const TriedMover& mover) {
     return meanAcceleration(ground, mover, kSlideDegrees, [](double angle, double centripetal) {
       return kGravity * std::sin(angle) - kSlideFriction * (kGravity * std::cos(angle) - centripetal);

@@ -7,7 +7,7 @@
 
 namespace cairn::test {
 
-/// What a user may have in a dispatcher's tables: makes algorithms that do nothing, and counts them.
+/// An entry that a user may have in a dispatcher's tables: makes algorithms that do nothing, and counts them.
 struct CountingCreate final : btCollisionAlgorithmCreateFunc {
   int calls = 0;
   btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,

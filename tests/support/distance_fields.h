@@ -42,8 +42,8 @@ struct FieldGrid {
   std::function<bool(const Vec3d& center)> isLeftOut = {};
 };
 
-/// What `btSdfCollisionShape::initializeSDF` reads: numbers one after the other, as they are in memory. Every cell has
-/// 32 nodes of its own: its corners, and two on each edge at thirds; the field between them is cubic.
+/// The bytes that `btSdfCollisionShape::initializeSDF` reads: numbers one after the other, as they are in memory. Every
+/// cell has 32 nodes of its own: its corners, and two on each edge at thirds; the field between them is cubic.
 class FieldFile {
  public:
   FieldFile(const FieldGrid& grid, const Distance& distance) {

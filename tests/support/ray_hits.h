@@ -40,7 +40,7 @@ struct RayHits final : btTriangleRaycastCallback {
   std::size_t asked = 0;
 };
 
-/// What many rays came to.
+/// The hits of many rays.
 struct RayTotals {
   std::size_t rays = 0, hits = 0, asked = 0, triangles = 0;
 };

@@ -21,7 +21,7 @@ struct FamilyStep {
   Sphere movedOther() const { return {*move * other.center, other.radius * move->scale + margin}; }
 };
 
-/// What `TreePairTraversal` computes, one lane after the other and as plainly as it can be said; it keeps all its
+/// The result of `TreePairTraversal`, one lane after the other and as plainly as possible; it keeps all its
 /// steps.
 class ReferenceTraversal {
  public:

@@ -12,7 +12,7 @@
 
 namespace cairn::test {
 
-/// What a program did: its exit code and all it wrote.
+/// The outcome of a program: its exit code and all it wrote.
 struct ProgramResult {
   int exitCode = -1;
   std::string output, errors;

@@ -116,7 +116,7 @@ inline double quantile(const std::vector<StackRun>& runs, double StackRun::*figu
   return sorted[static_cast<std::size_t>(std::lround(fraction * double(sorted.size() - 1)))];
 }
 
-/// What the manifolds between all bodies hold.
+/// The points of the manifolds between all bodies.
 struct Touching {
   int contacts = 0;
   double penetration = 0;  ///< metres, the deepest contact's; 0 where all gap

@@ -139,8 +139,8 @@ inline Solid valley(double degrees, double width, double depth, double length, i
   return out.solid;
 }
 
-/// What the profile sweeps when it turns about z: points (distance from the axis, height), in the order that keeps the
-/// solid on the left; closed, or from axis to axis.
+/// The solid that the profile sweeps when it turns about z: points (distance from the axis, height), in the order that
+/// keeps the solid on the left; closed, or from axis to axis.
 inline Solid revolved(const std::vector<std::array<double, 2>>& profile, int segments) {
   detail::SolidWriter out;
   const auto at = [&](std::size_t i, int k) {

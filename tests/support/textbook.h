@@ -25,7 +25,7 @@ struct TextbookShapes {
   std::shared_ptr<btCollisionShape> tower;  ///< 0.5 x 0.5 x 1
 };
 
-/// What one experiment gave.
+/// The result of one experiment.
 struct TextbookResult {
   std::string experiment, quantity;
   double exact = 0, measured = 0;

@@ -16,7 +16,7 @@
 
 namespace cairn::test {
 
-/// What Bullet offers to make ground of triangles.
+/// Bullet's shapes for ground of triangles.
 enum class TriangleGround { mesh, scaledMesh, terrain, gimpact };
 
 /// A mesh and what shares it, alive as long as the shape.

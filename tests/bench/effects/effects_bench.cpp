@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Zlib
 //
-// What effects cost that do nothing: a set without effects against no set, and each effect listed with nothing to act
+// The cost of effects that do nothing: a set without effects against no set, and each effect listed with nothing to act
 // on against no set, as parts of a step's CPU time. All worlds go through the same states (checked), a few steps each
 // in turn, so that each ratio is of neighbours in time; medians of the ratios. "again" is a second world without a set:
 // what the machine adds of its own.

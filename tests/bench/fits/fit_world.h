@@ -16,7 +16,7 @@ class btTriangleIndexVertexArray;
 
 namespace cairn::bench {
 
-/// What the pieces collide as. `treeOnMesh`: what does not move is one of Bullet's own static meshes.
+/// The shapes that the pieces collide as. `treeOnMesh`: what does not move is one of Bullet's own static meshes.
 enum class FitShape { tree, treeLeaves, treeOnMesh, gimpact };
 const char* nameOf(FitShape shape);
 

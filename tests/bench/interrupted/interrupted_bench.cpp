@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Zlib
 //
-// What certified error interrupted traversals are left with: many pairs of one tree in random poses, refined in turn,
+// The certified error of interrupted traversals: many pairs of one tree in random poses, refined in turn,
 // the worst first, and in the best order there is, at some parts of the operations that all of it takes.
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the contact kernel costs, stage by stage: two bodies of a tree at random poses in which they just touch. Beside
+// The cost of the contact kernel, stage by stage: two bodies of a tree at random poses in which they just touch. Beside
 // it the traversal of their spheres, and the gaps along the lines of their leaves' centres, which know no contact. One
 // thread, CPU time, medians of runs.
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ struct Meeting {
   std::vector<NodePair> leafPairs;
 };
 
-// What a run over all poses takes, in microseconds a pair of bodies, and what it finds.
+// The time of a run over all poses, in microseconds a pair of bodies, and its contacts.
 struct Figures {
   double traversal = 0, separations = 0;
   double patches = 0, features = 0, decisions = 0, crossings = 0, regions = 0, whole = 0, carriedLists = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a terrain costs the narrow phase: rocks that fall, roll and come to rest on rough ground, and rays at it, on
+// The cost of a terrain in the narrow phase: rocks that fall, roll and come to rest on rough ground, and rays at it, on
 // cairn::bullet::TerrainShape and on Bullet's height field and mesh of the same points. The same recorded poses are
 // shown to each ground.
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What accuracy costs in time where the answer is known: the textbook's experiments with Bullet's own shapes, hulls and
-// sphere-trees of one to three levels, the error and the microseconds a step of each.
+// The cost of accuracy in time where the answer is known: the textbook's experiments with Bullet's own shapes, hulls
+// and sphere-trees of one to three levels, the error and the microseconds a step of each.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What bodies that lie still cost beside a hundred that move: time of Bullet's pass over all pairs, and memory. Beside
+// The cost of bodies at rest beside a hundred that move: time of Bullet's pass over all pairs, and memory. Beside
 // sphere-trees Bullet's own balls, whose cost is Bullet's loop alone.
 #include <fmt/format.h>
 #include <malloc.h>

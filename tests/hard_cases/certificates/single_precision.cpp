@@ -15,7 +15,7 @@
 #include "oracle/chain_of_balls.h"
 #include "placement/tree_pose.h"
 
-// What is proved of a tree in double has to hold of what a traversal sees: floats, moved into another body's frame,
+// A proof in double has to hold for the numbers of a traversal: floats, moved into another body's frame,
 // millimetres or kilometres large, ten kilometres from the origin.
 //
 //         .--.                               A: the tree           x: a point of A's surface, known in B's

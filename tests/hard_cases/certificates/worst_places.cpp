@@ -154,7 +154,7 @@ struct Shared {
   double used = 0;
 };
 
-/// What moving the ball's centre leaves between it and the point, beyond its radius, is what the slack has to cover.
+/// The ball's centre is moved. The slack has to cover the distance from it to the point, less the radius.
 Shared look(const Place& place) {
   Shared shared{poseOf(place.turnsA, place.at, 1), poseOf(place.turnsB, place.at + place.apart, place.scale), {}};
   const Wide turned = WideMatrix(shared.b.rotation) * place.pointInB();

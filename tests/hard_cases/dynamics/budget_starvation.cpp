@@ -135,7 +135,7 @@ constexpr const char* kWhy =
     "size before its pair is refined again, and gains energy without a budget too. The mean error counts pairs with "
     "contacts alone, which bodies in a wall have.";
 
-// What falls, and how many of it.
+// The bodies that fall, and their number.
 struct Scene {
   const char* name;
   const CaseBodies& kinds;

@@ -8,7 +8,7 @@
 #include "compare.h"
 #include "dynamics_cases.h"
 
-// What stands by friction and balance alone.
+// Structures that stand by friction and balance alone.
 //
 //        []              /\              .-##-.
 //       [][]            /__\            ##    ##

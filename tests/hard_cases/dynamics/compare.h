@@ -11,7 +11,7 @@
 
 namespace cairn::hard {
 
-/// What a case asks of one figure.
+/// The demand of a case on one figure.
 struct Asked {
   std::string name;
   double limit = 0;

@@ -59,7 +59,7 @@ double restitutionOf(const Shapes& shapes) {
   return after / before;
 }
 
-// What the acceleration down a slope says of the friction.
+// The friction that follows from the acceleration down a slope.
 double frictionOf(const Shapes& shapes) {
   const btScalar angle = kSlide * SIMD_RADS_PER_DEG;
   Bench bench(angle, btScalar(kFriction));

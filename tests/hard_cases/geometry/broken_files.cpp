@@ -31,7 +31,7 @@ const std::array<Format, 7> kFormats{{{"mesh.obj", test::objText},
                                       {"text.stl", test::stlText},
                                       {"binary.stl", test::stlBinary}}};
 
-/// What was said of the files that had to be refused.
+/// The messages for files that had to be refused.
 struct Answers {
   std::uint64_t files = 0, accepted = 0, withoutPlace = 0;
   std::string first;

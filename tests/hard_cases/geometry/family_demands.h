@@ -13,9 +13,9 @@
 
 namespace cairn::hard {
 
-/// What the whole family asks of every mesh, besides a case's own criterion: an answer within a stated time, which is a
-/// certified tree or one sentence that names what is wrong; no number that is not finite; the surface inside the balls
-/// all the way up; the same bytes when built again, on one thread. (A crash ends the table.)
+/// The demands of the whole family on every mesh, besides a case's own criterion: an answer within a stated time, which
+/// is a certified tree or one sentence that names what is wrong; no number that is not finite; the surface inside the
+/// balls all the way up; the same bytes when built again, on one thread. (A crash ends the table.)
 class FamilyDemands {
  public:
   /// `seconds`: what one answer may take, an import, a build or a refusal.

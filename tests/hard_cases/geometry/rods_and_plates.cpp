@@ -6,7 +6,7 @@
 #include "family_demands.h"
 #include "geometry_cases.h"
 
-// What spheres are worst at: a rod a thousand times as long as wide, a plate a thousand times as wide as thick.
+// The worst solids for spheres: a rod a thousand times as long as wide, a plate a thousand times as wide as thick.
 //
 //                                                     ____________________
 //    =========================================       /___________________/|  <- 1

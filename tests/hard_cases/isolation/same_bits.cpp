@@ -34,7 +34,7 @@ void addIsland(Pile& pile, const test::TriedBody& tried) {
 std::uint64_t hashOf(const CaseBody& body, std::uint64_t seed, int steps, const Circumstances& how) {
   Pile pile(body.body, 1, {.bodies = 12, .seed = seed, .doSleep = true});
   if (how.operations && !pile.world().dispatcher.setBudget({*how.operations, {}}).ok()) return 0;
-  // What each has for this: Bullet's switch is enough where a pair has one manifold.
+  // The means of each: Bullet's switch is enough where a pair has one manifold.
   bullet::OrderedSolver<> ordered;
   btConstraintSolver* const own = pile.world().world.getConstraintSolver();
   const bool isTree = body.name == "tree";

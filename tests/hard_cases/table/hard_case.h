@@ -22,7 +22,7 @@ struct Measure {
 /// How much of a case is run: `quick` within seconds, for every test run; `whole` as the case's criterion means it.
 enum class Effort { quick, whole };
 
-/// What a case found. Deterministic: the same figures every time, but for those whose unit is a time or memory.
+/// The result of a case. Deterministic: the same figures every time, but for those whose unit is a time or memory.
 struct Outcome {
   std::vector<Measure> measures;
   std::string why;  ///< of a miss, or of a limit that differs from the proposed one: one sentence

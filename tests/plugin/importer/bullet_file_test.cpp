@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// What btDefaultSerializer saves of a world with sphere-trees, loaded by Bullet's own importer and by ours.
+// The file that btDefaultSerializer makes of a world with sphere-trees, loaded by Bullet's own importer and by ours.
 #include <BulletWorldImporter/btBulletWorldImporter.h>
 #include <gtest/gtest.h>
 
@@ -261,7 +261,7 @@ struct Blocks {
 };
 const std::filesystem::path kData = CAIRN_TEST_DATA_DIR;
 
-// What this precision writes has the size of the file that is held, addresses in it aside, and reads as it does. After
+// A file of this precision has the size of the stored one, addresses in it aside, and reads as it does. After
 // a change on purpose copy the new one, whose place is printed, into tests/data.
 TEST(BulletFile, ThisPrecisionWritesWhatIsHeld) {
   Blocks blocks;

@@ -141,7 +141,7 @@ TEST(Threads, SameBitsAndNothingLostWhenBodiesComeAndGo) {
   for (const int threads : {2, 4, 2, 4}) EXPECT_EQ(hashOfChanges(threads, 200), alone) << threads << " threads";
 }
 
-// What rays and sweeps of a ball hit, several of them at a time.
+// The hits of rays and of sweeps of a ball, several at a time.
 class CastsAtOnce final : public btIParallelForBody {
  public:
   CastsAtOnce(const btCollisionWorld& world, int count) : world_(world) {
