@@ -70,6 +70,8 @@ Cairn: collision detection that keeps its deadline.
                              95 % of the lines or 85 % of the branches
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
+  ./cairn.sh platforms [NAME...] build core, plugin and effects for WebAssembly, ARM64, Windows and Clang's library, run their
+                             tests there and compare bits: one table (--help lists platforms and options; hours)
   ./cairn.sh docs            build the site of documents and public headers into out/docs; fails where a link leads nowhere,
                              a page is not in the navigation or a public symbol is not documented
   ./cairn.sh docs serve [PORT] build it and show it on http://localhost:8000 (or PORT) until Ctrl-C
@@ -382,6 +384,16 @@ threads() {
   TSAN_OPTIONS="suppressions=$PWD/tests/plugin/threads/bullet.supp" ctest --preset threads "$@"
 }
 
+# The packages of each platform are a group of their own.
+platforms() {
+  case " $* " in *' --help '* | *' -h '*) python3 tests/platforms/run.py --help; return ;; esac
+  local groups
+  groups=$(python3 tests/platforms/run.py --packages "$@") || return
+  # shellcheck disable=SC2086  # words
+  need build core plugin tests platforms $groups
+  python3 tests/platforms/run.py "$@"
+}
+
 sources() { git ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
 
 # GCC counts a branch for every call that may throw; those are left out, as nothing here throws.
@@ -470,6 +482,7 @@ case $command in
   coverage) coverage "$@" ;;
   docs) docs "$@" ;;
   threads) threads "$@" ;;
+  platforms) platforms "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
   help | -h | --help) usage ;;

@@ -1,6 +1,7 @@
 # Bullet::Collision and Bullet::Dynamics from Debian's source package as static libraries of this project, for tests, with the
 # same sanitizers as everything else: with BT_THREADSAFE (the package itself is not thread-safe, its locks do nothing, and
-# there is no task scheduler), or without run-time type information, as Bullet's own project builds it with MSVC.
+# there is no task scheduler), without run-time type information, as Bullet's own project builds it with MSVC, or for another
+# platform. Products and sums are not fused, which ARM's compilers do by default: Debian's library for x86-64 has none.
 include(FetchContent)
 
 FetchContent_Declare(bullet_source
@@ -18,7 +19,7 @@ function(cairn_bullet_from_source target)
   add_library(bullet_${target} STATIC ${sources})
   target_include_directories(bullet_${target} SYSTEM PUBLIC ${bullet_source_SOURCE_DIR}/src)
   target_compile_definitions(bullet_${target} PUBLIC $<$<BOOL:${CAIRN_THREAD_SAFE_BULLET}>:BT_THREADSAFE=1>)
-  target_compile_options(bullet_${target} PRIVATE -w $<$<BOOL:${CAIRN_BULLET_WITHOUT_RTTI}>:-fno-rtti>)
+  target_compile_options(bullet_${target} PRIVATE -w -ffp-contract=off $<$<BOOL:${CAIRN_BULLET_WITHOUT_RTTI}>:-fno-rtti>)
   target_link_libraries(bullet_${target} PUBLIC Threads::Threads ${ARGN})
 endfunction()
 cairn_bullet_from_source(LinearMath)

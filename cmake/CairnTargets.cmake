@@ -14,6 +14,19 @@ target_compile_options(cairn_house INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${CAIRN_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# Standard libraries without algorithms on ranges get those that are used here from a file of ours.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("
+  #include <algorithm>
+  int main() {
+    int numbers[] = {2, 1};
+    std::ranges::sort(numbers);
+    return numbers[0] - 1;
+  }" CAIRN_STD_HAS_RANGES)
+if(NOT CAIRN_STD_HAS_RANGES)
+  target_compile_options(cairn_house INTERFACE "SHELL:-include ${PROJECT_SOURCE_DIR}/core/src/platform/missing_ranges.h")
+endif()
+
 function(cairn_library name)
   add_library(cairn_${name} ${ARGN})
   add_library(cairn::${name} ALIAS cairn_${name})

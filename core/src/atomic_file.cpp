@@ -10,9 +10,7 @@
 #include <string>
 #include <system_error>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
+#include "platform/files.h"
 
 namespace cairn {
 
@@ -61,20 +59,11 @@ class RemovedUnlessKept {
   bool kept_ = false;
 };
 
-bool flushToDisk(std::FILE* f) {
-  if (std::fflush(f) != 0) return false;
-#if defined(__unix__) || defined(__APPLE__)
-  // Devices and pipes cannot be synced; that is no failure of writing.
-  if (fsync(fileno(f)) != 0 && errno != EINVAL && errno != ENOTSUP) return false;
-#endif
-  return true;
-}
-
-Status writePlainly(const fs::path& path, const char* mode, std::span<const std::byte> bytes,
+Status writePlainly(const fs::path& path, platform::Open how, std::span<const std::byte> bytes,
                     const fs::path& nameForErrors) {
-  const File file(std::fopen(path.string().c_str(), mode));
+  const File file(platform::openFile(path, how));
   if (!file) return cannot("write", nameForErrors, reason());
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() || !flushToDisk(file.get()))
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() || !platform::flushToDisk(file.get()))
     return cannot("write", nameForErrors, reason());
   return {};
 }
@@ -84,15 +73,6 @@ bool isSpecial(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
-// True where there is no way to ask.
-bool mayWrite([[maybe_unused]] const fs::path& path) {
-#if defined(__unix__) || defined(__APPLE__)
-  return access(path.c_str(), W_OK) == 0;
-#else
-  return true;
-#endif
 }
 
 bool isSameFile(const fs::path& a, const fs::path& b) {
@@ -131,9 +111,9 @@ Status writeFileAtomically(const fs::path& path, const std::function<Status(cons
 }
 
 Status writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
-  if (isSpecial(path)) return writePlainly(path, "wb", bytes, path);
-  return writeFileAtomically(path,
-                             [&](const fs::path& temporary) { return writePlainly(temporary, "wbx", bytes, path); });
+  if (isSpecial(path)) return writePlainly(path, platform::Open::write, bytes, path);
+  return writeFileAtomically(
+      path, [&](const fs::path& temporary) { return writePlainly(temporary, platform::Open::writeNew, bytes, path); });
 }
 
 Status writeFileAtomically(const fs::path& path, std::string_view text) {
@@ -145,13 +125,14 @@ Status checkWritable(const fs::path& path) {
   std::error_code ignored;
   if (path.empty()) return Error{"the output has no name; name a file"};
   if (fs::is_directory(path, ignored)) return refuse("it is a folder; name a file in it");
-  if (isSpecial(path)) return mayWrite(path) ? Status{} : refuse("it may not be written; name another file");
+  if (isSpecial(path)) return platform::mayWrite(path) ? Status{} : refuse("it may not be written; name another file");
   const fs::path target = behindLinks(path);
   if (fs::is_symlink(target, ignored)) return refuse("its links lead in a circle; name another file");
   const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
   if (!fs::is_directory(folder, ignored))
     return refuse("the folder " + folder.string() + " does not exist; create it first");
-  if (!mayWrite(folder)) return refuse("the folder " + folder.string() + " may not be written; choose another one");
+  if (!platform::mayWrite(folder))
+    return refuse("the folder " + folder.string() + " may not be written; choose another one");
   return {};
 }
 
@@ -171,7 +152,7 @@ Status checkOutputs(const std::vector<fs::path>& inputs, const std::vector<fs::p
 Result<std::vector<std::byte>> readFile(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return cannot("read", path, "it is a folder");
-  const File file(std::fopen(path.string().c_str(), "rb"));
+  const File file(platform::openFile(path, platform::Open::read));
   if (!file) return cannot("read", path, reason());
   std::vector<std::byte> bytes;
   std::byte chunk[1 << 16];

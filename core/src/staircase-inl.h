@@ -13,6 +13,7 @@
 
 #include <bit>
 
+#include "cairn/core/bit_cast.h"
 #include "columns-inl.h"
 #include "family-inl.h"
 #include "staircase_batch.h"
@@ -113,7 +114,7 @@ HWY_INLINE void prepare(const StaircaseBody& a, const StaircaseBody& b, const No
 HWY_INLINE NodePair* append(NodePair* end, const NodePair& first, std::uint32_t side, std::uint32_t hits) {
   const hn::CappedTag<std::uint64_t, 4> d;  // a pair per lane; nothing carries from one half into the other
   const hn::Repartition<std::uint8_t, decltype(d)> bytes;
-  const auto base = hn::Set(d, std::bit_cast<std::uint64_t>(first));
+  const auto base = hn::Set(d, bitCast<std::uint64_t>(first));
   const auto lanes = hn::BitCast(bytes, hn::Set(d, kHitLanes.lanes[hits]));
   for (std::uint32_t i = 0; i < kFamilyWidth; i += hn::Lanes(d)) {
     const auto placed = hn::TableLookupBytesOr0(lanes, hn::Load(bytes, kLanePlaces.places[side][i]));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace cairn {
@@ -216,20 +217,21 @@ class SurfacePatches::Maker {
                                [&](std::uint32_t t) { return dot(features_.faces()[t].normal, mean) < kLean; });
   }
 
-  // Of unit vectors within `angle` of `mean`, each coordinate lies within that of the axis's own angle to it.
+  // Of unit vectors within `angle` of `mean`, each coordinate lies within that of the axis's own angle to it. In
+  // doubles, whose last bit is the C library's own affair: rounded to float afterwards, it hardly ever shows.
   Box normalsOf(std::span<const std::uint32_t> triangles, const Vec3& mean) const {
     Box box{{-1, -1, -1}, {1, 1, 1}};
     if (mean == Vec3()) return box;
-    float angle = 0;
+    const auto angleOf = [](float cosine) { return std::acos(double(std::clamp(cosine, -1.0F, 1.0F))); };
+    double angle = 0;
     for (const std::uint32_t t : triangles) {
       const Vec3& normal = features_.faces()[t].normal;
-      if (normal != Vec3()) angle = std::max(angle, std::acos(std::clamp(dot(normal, mean), -1.0F, 1.0F)));
+      if (normal != Vec3()) angle = std::max(angle, angleOf(dot(normal, mean)));
     }
-    constexpr float kHalfTurn = 3.14159265F;
     for (int axis = 0; axis < 3; ++axis) {
-      const float own = std::acos(std::clamp(mean[axis], -1.0F, 1.0F));
-      box.lower[axis] = std::cos(std::min(own + angle + kLean, kHalfTurn));
-      box.upper[axis] = std::cos(std::max(own - angle - kLean, 0.0F));
+      const double own = angleOf(mean[axis]);
+      box.lower[axis] = static_cast<float>(std::cos(std::min(own + angle + double(kLean), std::numbers::pi)));
+      box.upper[axis] = static_cast<float>(std::cos(std::max(own - angle - double(kLean), 0.0)));
     }
     return box;
   }

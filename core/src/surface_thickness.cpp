@@ -37,7 +37,7 @@ float surfaceThickness(const SurfaceView& surface) {
     samples.push_back(measured(surface, t, ray));
     area += double(samples.back().area);
   }
-  std::ranges::sort(samples, {}, &Sample::thickness);
+  std::ranges::stable_sort(samples, {}, &Sample::thickness);  // stable: sums in one order with every library
   double sum = 0;
   for (const Sample& sample : samples)
     if ((sum += double(sample.area)) >= kThinPart * area) return sample.thickness;

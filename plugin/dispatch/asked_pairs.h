@@ -26,16 +26,24 @@ class AskedPairs {
     const std::size_t at = until_++;
     if (at + kSubjectsAhead >= asked_.size()) return;
     // Atomic, because another thread may write the entry.
-    const auto asked = [&](std::size_t i) { return std::atomic_ref(asked_[i]); };
-    const auto load = [&](std::size_t i) { return asked(i).load(std::memory_order_relaxed); };
+    const auto load = [&](std::size_t i) { return asked_[i].pair.load(std::memory_order_relaxed); };
     if (const TreePair* next = load(at + kSubjectsAhead)) prefetch(*next, PairPart::subject);
     if (const TreePair* next = load(at + kCopiesAhead))
       prefetch(*next, isEstimated ? PairPart::estimate : PairPart::copies);
-    asked(at).store(&pair, std::memory_order_relaxed);
+    asked_[at].pair.store(&pair, std::memory_order_relaxed);
   }
 
  private:
-  std::vector<TreePair*> asked_;  // this step's order up to `until_`, the last step's beyond
+  // Is copied only where a list grows, when no thread asks.
+  struct Asked {
+    Asked() = default;
+    Asked(const Asked& other) : pair(other.pair.load(std::memory_order_relaxed)) {}
+    Asked& operator=(const Asked&) = delete;
+
+    std::atomic<TreePair*> pair{nullptr};
+  };
+
+  std::vector<Asked> asked_;  // this step's order up to `until_`, the last step's beyond
   std::atomic<std::size_t> until_{0};
 };
 

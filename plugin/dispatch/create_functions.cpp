@@ -17,7 +17,7 @@
 #include "dispatch/compound_algorithm.h"
 #include "dispatch/narrow_phase_impl.h"
 #include "dispatch/tree_algorithm.h"
-#include "memory/virtual_table.h"
+#include "platform/virtual_table.h"
 #include "shape/unserved.h"
 
 namespace cairn::bullet {

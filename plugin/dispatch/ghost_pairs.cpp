@@ -3,7 +3,7 @@
 
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
-#include "memory/virtual_table.h"
+#include "platform/virtual_table.h"
 
 namespace cairn::bullet {
 

@@ -7,7 +7,6 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <mutex>
 #include <set>
@@ -15,7 +14,8 @@
 #include <tuple>
 #include <type_traits>
 
-#include "memory/virtual_table.h"
+#include "cairn/core/bit_cast.h"
+#include "platform/virtual_table.h"
 
 namespace cairn::bullet {
 
@@ -32,7 +32,7 @@ std::uint64_t bodiesOf(const btPersistentManifold& manifold) {
 
 // NaN needs a place in the order as well.
 auto bitsOf(btScalar number) {
-  return std::bit_cast<std::conditional_t<sizeof(btScalar) == 8, std::uint64_t, std::uint32_t>>(number);
+  return bitCast<std::conditional_t<sizeof(btScalar) == 8, std::uint64_t, std::uint32_t>>(number);
 }
 
 auto keyOf(const btManifoldPoint& point) {

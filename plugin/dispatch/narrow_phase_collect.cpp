@@ -8,12 +8,12 @@
 #include "dispatch/ghost_pairs.h"
 
 #include "dispatch/narrow_phase_impl.h"
-#include "memory/virtual_table.h"
 #include "pairs/pair_begin.h"
 #include "pairs/pair_collect.h"
 #include "pairs/pair_cull.h"
 #include "pairs/pair_estimation.h"
 #include "pairs/pair_finish.h"
+#include "platform/virtual_table.h"
 
 namespace cairn::bullet {
 

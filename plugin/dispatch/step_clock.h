@@ -7,7 +7,7 @@
 #include "cairn/bullet/step.h"
 #include "cairn/core/budget.h"
 #include "dispatch/overrun.h"
-#include "dispatch/thread_cpu_clock.h"
+#include "platform/thread_cpu_clock.h"
 
 namespace cairn::bullet {
 

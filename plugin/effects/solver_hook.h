@@ -7,7 +7,7 @@
 #include <span>
 
 #include "cairn/bullet/ordered_solver.h"
-#include "memory/virtual_table.h"
+#include "platform/virtual_table.h"
 #include "rolling_solver.h"
 
 namespace cairn::effects {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "cairn/effects/effect_set.h"
-#include "memory/prefetch.h"
+#include "platform/prefetch.h"
 #include "surface_motion.h"
 
 namespace cairn::effects {

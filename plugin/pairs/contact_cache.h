@@ -8,7 +8,7 @@
 
 #include "colliders/collider.h"
 #include "contacts/relative_motion.h"
-#include "memory/prefetch.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

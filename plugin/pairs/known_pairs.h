@@ -7,7 +7,7 @@
 #include "colliders/collider.h"
 #include "contacts/normal_clusters.h"
 #include "contacts/reduction.h"
-#include "memory/prefetch.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "memory/prefetch.h"
 #include "pairs/body_snapshot.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "cairn/bullet/sphere_tree_shape.h"
-#include "memory/prefetch.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "contacts/manifold_writer.h"
-#include "memory/prefetch.h"
 #include "pairs/body_motion.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

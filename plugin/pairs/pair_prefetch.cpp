@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Zlib
 #include "pairs/pair_prefetch.h"
 
-#include "memory/prefetch.h"
+#include "platform/prefetch.h"
 
 namespace cairn::bullet {
 

@@ -3,7 +3,7 @@
 
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
-#include "memory/virtual_table.h"
+#include "platform/virtual_table.h"
 
 namespace cairn::bullet {
 

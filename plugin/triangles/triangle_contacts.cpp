@@ -59,7 +59,7 @@ void TriangleContacts::appendMeasured(const PairPlacement& placement, std::span<
     if (sides[i] != 0) touches_.push_back(onSide(placement.tree, all_[i], sides[i]));
   for (auto first = touches_.begin(); first != touches_.end();) {
     const auto last = std::find_if(first, touches_.end(), [&](const Touch& t) { return t.pair.a != first->pair.a; });
-    appendLeaf(placement, {first, last}, triangles, contacts);
+    appendLeaf(placement, {&*first, static_cast<std::size_t>(last - first)}, triangles, contacts);
     first = last;
   }
 }

@@ -51,7 +51,7 @@ std::vector<NodePair> randomPairs(std::mt19937_64& engine, const PlacedCase& a, 
 }
 
 bool isSameBits(float x, float y) {
-  return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+  return bitCast<std::uint32_t>(x) == bitCast<std::uint32_t>(y);
 }
 bool isSameBits(const Vec3& x, const Vec3& y) {
   return isSameBits(x.x, y.x) && isSameBits(x.y, y.y) && isSameBits(x.z, y.z);

@@ -2,12 +2,10 @@
 #include "cairn/core/tree_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <cstring>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "cairn/core/atomic_file.h"
 #include "random_tree.h"
@@ -118,29 +116,6 @@ TEST_F(TreeFile, FailedWrite_LeavesNothing) {
   fs::create_directory(folder_ / "taken");
   EXPECT_FALSE(saveTree(*tree_, folder_ / "taken").ok()) << "a folder is in the way";
   EXPECT_EQ(filesInFolder(), 1U);
-}
-
-TEST_F(TreeFile, SymbolicLink_StaysAndItsTargetIsWritten) {
-  const fs::path target = folder_ / "target.cairn", link = folder_ / "link.cairn";
-  ASSERT_TRUE(writeFileAtomically(target, std::string_view("old")).ok());
-  fs::create_symlink(target, link);
-  ASSERT_TRUE(saveTree(*tree_, link).ok());
-  EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_TRUE(loadTree(target).ok());
-  EXPECT_EQ(filesInFolder(), 2U);
-}
-
-TEST_F(TreeFile, Pipe_IsWrittenToAndStays) {
-  const fs::path pipe = folder_ / "pipe";
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  std::thread reader([&] {
-    const Result<std::vector<std::byte>> bytes = readFile(pipe);
-    EXPECT_TRUE(bytes.ok() && bytes.value() == encodeTree(*tree_));
-  });
-  EXPECT_TRUE(saveTree(*tree_, pipe).ok());
-  reader.join();
-  EXPECT_TRUE(fs::is_fifo(pipe));
-  EXPECT_FALSE(writeFileAtomically(pipe, [](const fs::path&) { return Status(); }).ok());
 }
 
 TEST_F(TreeFile, WriterThatFails_LeavesTheOldFile) {

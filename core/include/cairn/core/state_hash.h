@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 
+#include "cairn/core/bit_cast.h"
 #include "cairn/core/export.h"
 
 namespace cairn {
@@ -23,9 +23,9 @@ class CAIRN_CORE_EXPORT StateHash {
     for (const std::byte b : bytes) value_ = (value_ ^ std::to_integer<std::uint64_t>(b)) * 1099511628211ULL;
   }
   /// Feeds the bits of a number.
-  void add(float v) { add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(v))); }
+  void add(float v) { add(static_cast<std::uint64_t>(bitCast<std::uint32_t>(v))); }
   /// Feeds the bits of a number.
-  void add(double v) { add(std::bit_cast<std::uint64_t>(v)); }
+  void add(double v) { add(bitCast<std::uint64_t>(v)); }
 
   /// The hash of all that was fed.
   std::uint64_t value() const { return value_; }
