@@ -22,6 +22,8 @@ constexpr int kCoarseSteps = 8;
 /// Points of the first stage, at least, and how many times as many the next one has. An attempt's cost grows faster
 /// than its points, so the early stages together cost a small part of the last one.
 constexpr std::uint32_t kFirstPoints = 60, kMorePoints = 4;
+/// A search with no more points than these takes a moment, so it need not begin low.
+constexpr std::uint32_t kQuickPoints = 200;
 
 std::uint32_t pointsFor(std::uint32_t spheres) {
   return std::min<std::uint32_t>(1500 + 25 * spheres, 4000);
@@ -30,7 +32,7 @@ std::uint32_t pointsFor(std::uint32_t spheres) {
 /// How many points the stages have. A proof needs more points than spheres.
 std::vector<std::uint32_t> stagesFor(std::uint32_t spheres, std::uint32_t points) {
   std::vector<std::uint32_t> stages{points};
-  const std::uint32_t first = std::max(kFirstPoints, 4 * spheres);
+  const std::uint32_t first = std::max(kFirstPoints, 2 * spheres);
   while (stages.front() / kMorePoints >= first) stages.insert(stages.begin(), stages.front() / kMorePoints);
   return stages;
 }
@@ -73,6 +75,7 @@ Result<ErrorBound> lowerErrorBound(const TriangleMesh& mesh, std::uint32_t spher
     StepStage stage;
     stage.points = spreadOverSurface(mesh, stages[i], keepGoing);
     if (!isLast) stage.effort = earlyEffort(stages[i]);
+    stage.beginsLow = stages.back() > kQuickPoints;
     stage.closeEnough = isLast && spheres <= kFewSpheres ? 1 : kCoarseSteps;
     stage.from = i == 0 ? 0 : stages[i - 1] / double(stages.back());
     stage.to = stages[i] / double(stages.back());

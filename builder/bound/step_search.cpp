@@ -13,13 +13,14 @@ namespace {
 /// Errors tried are 2^(-step / kStepsPerOctave) of the diagonal, for steps in [0, kLastStep].
 constexpr int kStepsPerOctave = 64;
 constexpr int kLastStep = 12 * kStepsPerOctave;
-/// First stride of the search where nothing is proved yet, and where fewer points have proved a step.
-constexpr int kFirstStride = 32, kLaterStride = 4;
+/// First stride of the search where nothing is proved yet, from a low beginning or not, and where fewer points have
+/// proved a step.
+constexpr int kLowStride = 32, kFirstStride = 16, kLaterStride = 4;
 
-/// Where the search begins: a third of the error at which few balls usually fail. A proof far below the limit is found
-/// at once; a failure costs all rounds.
-int firstStep(std::uint32_t spheres) {
-  const double fraction = 0.13 * std::pow(spheres, -0.7);
+/// Where few balls usually fail, or a third of that error: a proof far below the limit is found at once, while a
+/// failure costs all rounds.
+int firstStep(std::uint32_t spheres, bool isLow) {
+  const double fraction = (isLow ? 0.13 : 0.4) * std::pow(spheres, -0.7);
   return std::clamp(static_cast<int>(-kStepsPerOctave * std::log2(fraction)), 0, kLastStep);
 }
 
@@ -31,13 +32,13 @@ double StepSearch::errorAt(int step) const {
 
 void StepSearch::run(const StepStage& stage) {
   int failed = -1, proved = proved_ >= 0 ? proved_ : kLastStep + 1;
-  int stride = proved_ >= 0 ? kLaterStride : kFirstStride;
+  int stride = proved_ >= 0 ? kLaterStride : stage.beginsLow ? kLowStride : kFirstStride;
   const auto isDecided = [&] {
     const bool bracketed = failed >= 0 && proved <= kLastStep;
     return proved - failed <= (bracketed ? stage.closeEnough : 1);
   };
   double left = 1;  // the number of attempts is unknown, so the share approaches the end without a final jump
-  int step = proved_ >= 0 ? std::max(0, proved - stride) : firstStep(spheres_);
+  int step = proved_ >= 0 ? std::max(0, proved - stride) : firstStep(spheres_, stage.beginsLow);
   while (!isDecided()) {
     watch_.enter(proved_ >= 0 ? fmt::format("bounding, {:.4f} % proved", 100 * best_.error / diagonal_) : "bounding",
                  stage.to - (stage.to - stage.from) * left);

@@ -14,6 +14,7 @@ namespace cairn::builder {
 struct StepStage {
   std::vector<Vec3d> points;  ///< of the surface, see `spreadOverSurface`
   RefutationEffort effort;
+  bool beginsLow = true;    ///< where a proof is found at once, not where the limit is likely
   int closeEnough = 1;      ///< steps that may lie between the proved one and an unproved one
   double from = 0, to = 1;  ///< how much of the whole work is done before and after the stage
 };
