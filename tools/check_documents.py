@@ -34,6 +34,7 @@ MAX_WORDS = (
     ("docs/architecture.md", 1200),
     ("docs/claims.md", 1200),
     ("docs/file-format.md", 700),
+    ("docs/python.md", 600),
     ("*", 1500),
 )
 MAX_TOTAL_WORDS = 25000

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -59,7 +60,8 @@ struct Obstacle {
 
 }  // namespace
 
-CenterSearch::CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement)
+CenterSearch::CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement,
+                           const KeepGoing& keepGoing)
     : points_(std::move(points)), outside_(std::move(outside)), half_(roundedUp(half)) {
   const CenterCell root{{0, 0, 0}, half_};
   // Let D bound all lengths that occur (points lie in the root). Displacement of two ends changes the difference of
@@ -69,23 +71,30 @@ CenterSearch::CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside
   const std::vector<std::uint32_t> everyPoint = allOf(points_.size()), everyOutside = allOf(outside_.size());
   constexpr int kFirstCells = 1 << (3 * kFirstLevels);
   std::vector<std::vector<Node>> parts(kFirstCells);
+  std::atomic<bool> stopped = false;
   tbb::parallel_for(0, kFirstCells, [&](int i) {
+    if (stopped) return;
     CenterCell cell = root;
     for (int level = kFirstLevels; level-- > 0;) cell = octantOf(cell, (i >> (3 * level)) & 7);
-    collect(narrowed(cell, everyPoint, everyOutside), kKeptLevels, parts[i]);
+    if (!collect(narrowed(cell, everyPoint, everyOutside), kKeptLevels, keepGoing, parts[i])) stopped = true;
   });
+  complete_ = !stopped;
   for (std::vector<Node>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(kept_));
   for (const Node& node : kept_) keptOctants_.push_back(octantsOf(node.cell.center, half_));
 }
 
-void CenterSearch::collect(const Node& node, int levels, std::vector<Node>& out) const {
-  if (node.points.empty()) return;
+bool CenterSearch::collect(const Node& node, int levels, const KeepGoing& keepGoing, std::vector<Node>& out) const {
+  if (!keepGoing()) return false;
+  if (node.points.empty()) return true;
   if (levels == 0) {
     out.push_back(node);
-    return;
+    return true;
   }
-  for (int octant = 0; octant < 8; ++octant)
-    collect(narrowed(octantOf(node.cell, octant), node.points, node.outside), levels - 1, out);
+  for (int octant = 0; octant < 8; ++octant) {
+    const Node part = narrowed(octantOf(node.cell, octant), node.points, node.outside);
+    if (!collect(part, levels - 1, keepGoing, out)) return false;
+  }
+  return true;
 }
 
 CenterSearch::Node CenterSearch::narrowed(const CenterCell& cell, std::span<const std::uint32_t> points,
@@ -145,7 +154,9 @@ struct CenterSearch::Descent {
   std::span<const std::uint64_t> weights;
   std::uint64_t most;
   double finest;
+  const KeepGoing& keepGoing;
   std::vector<HeavyCell> found;
+  bool stopped = false;
   int visits = 0;
 
   std::uint64_t loadOf(std::span<const std::uint32_t> points) const {
@@ -156,6 +167,8 @@ struct CenterSearch::Descent {
 
   void visit(const CenterCell& cell, std::span<const std::uint32_t> points, std::span<const std::uint32_t> outside) {
     ++visits;
+    stopped = stopped || !keepGoing();
+    if (stopped) return;
     double nearestSq = 0;
     const Node node = search.narrowed(cell, points, outside, &nearestSq);
     const std::uint64_t load = loadOf(node.points);
@@ -172,18 +185,23 @@ struct CenterSearch::Descent {
   }
 };
 
-std::vector<HeavyCell> CenterSearch::heavierThan(std::span<const std::uint64_t> weights, std::uint64_t most,
-                                                 double finest) const {
+std::optional<std::vector<HeavyCell>> CenterSearch::heavierThan(std::span<const std::uint64_t> weights,
+                                                                std::uint64_t most, double finest,
+                                                                const KeepGoing& keepGoing) const {
   std::vector<std::vector<HeavyCell>> parts(kept_.size());
+  std::atomic<bool> stopped = !complete_;
   tbb::parallel_for(std::size_t{0}, kept_.size(), [&](std::size_t i) {
+    if (stopped) return;
     std::vector<std::uint32_t> weighty;
     for (const std::uint32_t p : kept_[i].points) {
       if (weights[p] > 0) weighty.push_back(p);
     }
-    Descent descent{*this, weights, most, finest, {}, 0};
+    Descent descent{*this, weights, most, finest, keepGoing, {}, false, 0};
     if (descent.loadOf(weighty) > most) descent.visit(kept_[i].cell, weighty, kept_[i].outside);
+    if (descent.stopped) stopped = true;
     parts[i] = std::move(descent.found);
   });
+  if (stopped) return std::nullopt;
   std::vector<HeavyCell> all;
   for (const std::vector<HeavyCell>& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "cairn/builder/progress.h"
 #include "cairn/core/vec3.h"
 
 namespace cairn::builder {
@@ -31,12 +33,14 @@ struct HeavyCell {
 /// All positions are relative to one origin. The cubes' corners are exact binary fractions.
 ///
 ///     CenterSearch search(points, outside, half, displacement);
-///     bool proved = search.heavierThan(weights, most, finest).empty();
+///     bool proved = search.heavierThan(weights, most, finest, keepGoing).value().empty();
 class CenterSearch {
  public:
   /// `half`: no relevant centre and no point is farther than this from the origin along an axis. `displacement`: upper
-  /// bound of the distance from any point to the exact point it represents.
-  CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement);
+  /// bound of the distance from any point to the exact point it represents. Once `keepGoing` returns false, the
+  /// construction ends, and every later search finds nothing out.
+  CenterSearch(std::vector<Vec3d> points, std::vector<Vec3d> outside, double half, double displacement,
+               const KeepGoing& keepGoing);
 
   /// Adds a point that no ball may hold. False when the point lies beyond `half` and is ignored. Cheap; it makes all
   /// later answers tighter.
@@ -45,8 +49,10 @@ class CenterSearch {
   /// Searches all centres for balls that may hold points of a total weight above `most`. An empty result proves that
   /// there are none. Otherwise the result has the heaviest few of each part of space. Some are single centres: the
   /// largest ball that the outside points allow there does hold this weight. The others are cells with a half edge of
-  /// at most `finest`. Parallel, deterministic.
-  std::vector<HeavyCell> heavierThan(std::span<const std::uint64_t> weights, std::uint64_t most, double finest) const;
+  /// at most `finest`. Nothing when it was told to stop, by `keepGoing` or during the construction. Parallel,
+  /// deterministic.
+  std::optional<std::vector<HeavyCell>> heavierThan(std::span<const std::uint64_t> weights, std::uint64_t most,
+                                                    double finest, const KeepGoing& keepGoing) const;
 
   /// Returns the points that balls with centres in the cell may hold, by the same test as `heavierThan`; ascending.
   /// Precondition: the cell comes from `heavierThan` or is a single centre.
@@ -71,13 +77,15 @@ class CenterSearch {
   /// point.
   Node narrowed(const CenterCell& cell, std::span<const std::uint32_t> points, std::span<const std::uint32_t> outside,
                 double* nearestSq = nullptr) const;
-  void collect(const Node& node, int levels, std::vector<Node>& out) const;
+  /// False when it was told to stop.
+  bool collect(const Node& node, int levels, const KeepGoing& keepGoing, std::vector<Node>& out) const;
   /// Returns the kept node that holds this centre; null when its balls hold no point.
   const Node* nodeAt(const Vec3d& center) const;
 
   std::vector<Vec3d> points_, outside_;
   double half_;
   double guard_;                            ///< for differences of squared lengths
+  bool complete_ = true;                    ///< the construction was not stopped
   std::vector<Node> kept_;                  ///< in the order of their octants
   std::vector<std::uint32_t> keptOctants_;  ///< the path from the root, three bits a level
 };

@@ -21,10 +21,6 @@ namespace {
 using Points = std::vector<std::uint32_t>;
 using Weights = std::vector<std::uint64_t>;
 
-/// An attempt ends after this many solutions of the linear program.
-constexpr int kMaxRounds = 30;
-/// Outside points the search starts with, at most; more are found where they matter.
-constexpr double kMaxOutside = 8000;
 /// Weights are fractions of this number. The sum of 20000 of them, times any sensible number of spheres, fits 64 bits.
 constexpr double kUnitWeight = 0x1p32;
 /// Number of balls and cells that a round adds; twice the number of spheres is added to it.
@@ -52,15 +48,15 @@ double largestCoordinate(const Vec3d& v) {
 /// Spacing of the first outside points. A ball of radius r can pass between two of them beyond the offset surface by
 /// about spacing^2 / (4 r). This should stay below a fortieth of the error. The offset surface is as large as the
 /// solid's. Around a solid that is small against the error it is as large as a sphere's.
-double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double error) {
+double outsideSpacing(const SignedDistance& solid, std::uint32_t spheres, double error, double maxOutside) {
   const double area = surfaceArea(solid.mesh());
   const double ball = std::sqrt(area / (4 * spheres));
   const double offsetArea = std::max(area, 4 * std::numbers::pi * error * error);
-  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(offsetArea / kMaxOutside));
+  return std::max(std::sqrt(0.1 * ball * error), std::sqrt(offsetArea / maxOutside));
 }
 
 CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points, std::vector<Vec3d> outside,
-                          double error) {
+                          double error, const KeepGoing& keepGoing) {
   const Vec3d origin = solid.bounds().center();
   // A ball's centre is one of its points, so it is at most `error` from the solid. The same length again makes room for
   // outside points found later.
@@ -73,19 +69,23 @@ CenterSearch searchAround(const SignedDistance& solid, std::vector<Vec3d> points
   const double extent = std::max(largestCoordinate(solid.bounds().lower), largestCoordinate(solid.bounds().upper));
   // A surface point and its move to the origin round by less than this.
   const double displacement = 128 * 0x1p-53 * (extent + 2 * half);
-  return {std::move(points), std::move(outside), half * (1 + 1e-9), displacement};
+  return {std::move(points), std::move(outside), half * (1 + 1e-9), displacement, keepGoing};
 }
 
 /// The attempt for one error and one number of spheres. A ball that prevents a proof is tested again. If it protrudes
 /// too far, because it slipped between the outside points, its farthest point becomes one of them.
 class Attempt {
  public:
-  Attempt(const SignedDistance& solid, const std::vector<Vec3d>& points, std::uint32_t spheres, double error)
+  Attempt(const SignedDistance& solid, const std::vector<Vec3d>& points, std::uint32_t spheres, double error,
+          double maxOutside, const KeepGoing& keepGoing)
       : solid_(solid),
+        keepGoing_(keepGoing),
         origin_(solid.bounds().center()),
         spheres_(spheres),
         error_(error),
-        search_(searchAround(solid, points, outsidePoints(solid, error, outsideSpacing(solid, spheres, error)), error)),
+        search_(searchAround(solid, points,
+                             outsidePoints(solid, error, outsideSpacing(solid, spheres, error, maxOutside), keepGoing),
+                             error, keepGoing)),
         program_(points.size()) {}
 
   /// Adds the balls that prevented a proof at another error.
@@ -96,20 +96,22 @@ class Attempt {
     learnFrom(balls, 0, Weights(search_.points().size(), 1), again);
   }
 
-  enum class Outcome { proved, hopeless, open };
+  enum class Outcome { proved, hopeless, open, stopped };
   /// Solves for weights and searches for balls that hold too much of them. `centers` receives the balls that the next
   /// round uses.
   Outcome round(Refutation& proof, std::vector<Vec3d>& centers) {
-    const std::vector<double> shares = program_.solve();
+    const std::vector<double> shares = program_.solve(keepGoing_);
     // The program has only some balls as rows. With all of them its value would be smaller.
     if (std::accumulate(shares.begin(), shares.end(), 0.0) <= spheres_) return Outcome::hopeless;
     proof.weights.clear();
     for (const double share : shares) proof.weights.push_back(static_cast<std::uint64_t>(share * kUnitWeight));
     const std::uint64_t total = std::accumulate(proof.weights.begin(), proof.weights.end(), std::uint64_t{0});
     proof.mostInOneBall = (total - 1) / spheres_;
-    const std::vector<HeavyCell> heavy = search_.heavierThan(proof.weights, proof.mostInOneBall, finestCell());
-    if (heavy.empty()) return Outcome::proved;
-    const bool learned = learnFrom(heaviest(heavy), proof.mostInOneBall, proof.weights, centers);
+    const std::optional<std::vector<HeavyCell>> heavy =
+        search_.heavierThan(proof.weights, proof.mostInOneBall, finestCell(), keepGoing_);
+    if (!heavy) return Outcome::stopped;
+    if (heavy->empty()) return Outcome::proved;
+    const bool learned = learnFrom(heaviest(*heavy), proof.mostInOneBall, proof.weights, centers);
     return learned ? Outcome::open : Outcome::hopeless;
   }
 
@@ -140,11 +142,13 @@ class Attempt {
     std::vector<std::array<std::optional<Vec3d>, 2>> missed(heavy.size());
     std::vector<Vec3d> grown(heavy.size());
     tbb::parallel_for(std::size_t{0}, heavy.size(), [&](std::size_t i) {
+      if (!keepGoing_()) return;
       const CenterCell& cell = heavy[i].cell;
       missed[i][0] = beyond(cell.center, search_.pointsOf(cell));
       grown[i] = cell.half > 0 ? cell.center : search_.grown(cell.center);
       if (cell.half == 0) missed[i][1] = beyond(grown[i], search_.pointsOf({grown[i], 0}));
     });
+    if (!keepGoing_()) return false;
     bool learned = false;
     for (const auto& points : missed) {
       for (const std::optional<Vec3d>& q : points) learned = (q && search_.addOutside(*q)) || learned;
@@ -170,6 +174,7 @@ class Attempt {
   }
 
   const SignedDistance& solid_;
+  const KeepGoing& keepGoing_;
   Vec3d origin_;
   std::uint32_t spheres_;
   double error_;
@@ -180,16 +185,17 @@ class Attempt {
 
 }  // namespace
 
-std::optional<Refutation> CoverRefuter::refute(std::uint32_t spheres, double error,
-                                               const std::function<bool()>& keepOn) {
-  Attempt attempt(solid_, points_, spheres, error);
+std::optional<Refutation> CoverRefuter::refute(const std::vector<Vec3d>& points, std::uint32_t spheres, double error,
+                                               const RefutationEffort& effort) {
+  Attempt attempt(solid_, points, spheres, error, effort.maxOutside, keepGoing_);
   attempt.remember(centers_);
   Refutation proof;
-  for (int round = 0; round < kMaxRounds && keepOn(); ++round) {
+  for (int round = 0; round < effort.maxRounds && keepGoing_(); ++round) {
     switch (attempt.round(proof, centers_)) {
       case Attempt::Outcome::proved:
         return proof;
       case Attempt::Outcome::hopeless:
+      case Attempt::Outcome::stopped:
         return {};
       case Attempt::Outcome::open:
         break;

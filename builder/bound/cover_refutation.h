@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "bound/center_search.h"
+#include "cairn/builder/progress.h"
 #include "surface/signed_distance.h"
 
 namespace cairn::builder {
@@ -20,23 +20,31 @@ struct Refutation {
 /// Up to this number of spheres, proofs are close to the truth and worth the finest search.
 inline constexpr std::uint32_t kFewSpheres = 16;
 
+/// The effort of one attempt. Less of it proves less, sooner.
+struct RefutationEffort {
+  double maxOutside = 8000;  ///< outside points the search starts with, at most; more are found where they matter
+  int maxRounds = 30;        ///< an attempt ends after this many solutions of the linear program
+};
+
 /// Tries to prove that balls which protrude by at most a given error cannot cover given points of a surface.
 ///
-///     CoverRefuter refuter(distance, points);
-///     std::optional<Refutation> proof = refuter.refute(64, error, keepOn);
+///     CoverRefuter refuter(distance, keepGoing);
+///     std::optional<Refutation> proof = refuter.refute(points, 64, error);
 class CoverRefuter {
  public:
-  /// Keeps references. `points` lie on the solid's surface (mesh frame), up to the displacement stated at
-  /// `spreadOverSurface`.
-  CoverRefuter(const SignedDistance& solid, const std::vector<Vec3d>& points) : solid_(solid), points_(points) {}
+  /// Keeps references.
+  CoverRefuter(const SignedDistance& solid, const KeepGoing& keepGoing) : solid_(solid), keepGoing_(keepGoing) {}
 
-  /// Returns nothing when no proof was found; this does not show that a cover exists. `keepOn` is called between
-  /// rounds; false ends the attempt. Deterministic. Later attempts profit from the centres that earlier attempts found.
-  std::optional<Refutation> refute(std::uint32_t spheres, double error, const std::function<bool()>& keepOn);
+  /// Returns nothing when no proof was found; this does not show that a cover exists. `points` lie on the solid's
+  /// surface (mesh frame), up to the displacement stated at `spreadOverSurface`. Once `keepGoing` returns false, the
+  /// attempt ends soon without a proof. Deterministic. Later attempts profit from the centres that earlier attempts
+  /// found.
+  std::optional<Refutation> refute(const std::vector<Vec3d>& points, std::uint32_t spheres, double error,
+                                   const RefutationEffort& effort = {});
 
  private:
   const SignedDistance& solid_;
-  const std::vector<Vec3d>& points_;
+  const KeepGoing& keepGoing_;
   std::vector<Vec3d> centers_;  ///< of balls that prevented earlier proofs; relative to the search's origin
 };
 

@@ -16,10 +16,12 @@ namespace {
 /// inner side, along the line to their nearest surface point. The distance is exact on that line.
 class ShellWalk {
  public:
-  ShellWalk(const SignedDistance& solid, double error, double spacing)
-      : solid_(solid), error_(error), spacing_(spacing) {}
+  ShellWalk(const SignedDistance& solid, double error, double spacing, const KeepGoing& keepGoing)
+      : solid_(solid), error_(error), spacing_(spacing), keepGoing_(keepGoing) {}
 
   void visit(const Vec3d& center, double half, std::vector<Vec3d>& out) const {
+    // Smaller cells take some milliseconds with all their parts.
+    if (half > 4 * spacing_ && !keepGoing_()) return;
     const SignedDistance::Answer answer = solid_.query(center);
     const double outside = -answer.depth;
     const bool leaf = half <= 0.5 * spacing_;
@@ -43,16 +45,18 @@ class ShellWalk {
 
   const SignedDistance& solid_;
   double error_, spacing_;
+  const KeepGoing& keepGoing_;
 };
 
 }  // namespace
 
-std::vector<Vec3d> outsidePoints(const SignedDistance& solid, double error, double spacing) {
+std::vector<Vec3d> outsidePoints(const SignedDistance& solid, double error, double spacing,
+                                 const KeepGoing& keepGoing) {
   assert(error > 0 && spacing > 0);
   const Vec3d size = solid.bounds().upper - solid.bounds().lower;
   double half = spacing / 2;
   while (half < 0.5 * std::max({size.x, size.y, size.z}) + error + spacing) half *= 2;
-  const ShellWalk walk(solid, error, spacing);
+  const ShellWalk walk(solid, error, spacing, keepGoing);
   constexpr int kParts = 64;  // two levels of octants, for the threads
   std::array<std::vector<Vec3d>, kParts> parts;
   tbb::parallel_for(0, kParts, [&](int i) {

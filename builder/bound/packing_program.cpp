@@ -6,6 +6,13 @@
 #include <algorithm>
 
 namespace cairn::builder {
+namespace {
+
+/// Steps of the solver between two questions whether to go on: a fraction of a second. The next call starts from the
+/// basis that was reached.
+constexpr int kStepsAtOnce = 200;
+
+}  // namespace
 
 struct PackingProgram::Solver {
   glp_prob* problem = glp_create_prob();
@@ -36,12 +43,15 @@ void PackingProgram::addRow(std::span<const std::uint32_t> points) {
   glp_set_mat_row(solver_->problem, row, static_cast<int>(points.size()), columns.data(), ones.data());
 }
 
-std::vector<double> PackingProgram::solve() {
+std::vector<double> PackingProgram::solve(const KeepGoing& keepGoing) {
   glp_smcp options;
   glp_init_smcp(&options);
   options.msg_lev = GLP_MSG_OFF;
   options.meth = GLP_DUALP;
-  if (glp_simplex(solver_->problem, &options) != 0 || glp_get_status(solver_->problem) != GLP_OPT) return {};
+  options.it_lim = kStepsAtOnce;
+  int ended = GLP_EITLIM;
+  while (ended == GLP_EITLIM && keepGoing()) ended = glp_simplex(solver_->problem, &options);
+  if (ended != 0 || glp_get_status(solver_->problem) != GLP_OPT) return {};
   std::vector<double> weights;
   for (int c = 1; c <= solver_->columns; ++c) weights.push_back(std::max(0.0, glp_get_col_prim(solver_->problem, c)));
   return weights;

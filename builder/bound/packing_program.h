@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "cairn/builder/progress.h"
+
 namespace cairn::builder {
 
 /// A linear program: maximise the total weight of `columns` points, with at most 1 on each point and in each row's set.
@@ -14,7 +16,7 @@ namespace cairn::builder {
 ///
 ///     PackingProgram program(points.size());
 ///     program.addRow(pointsOfOneBall);
-///     const std::vector<double> weights = program.solve();
+///     const std::vector<double> weights = program.solve(keepGoing);
 class PackingProgram {
  public:
   explicit PackingProgram(std::size_t columns);
@@ -25,8 +27,8 @@ class PackingProgram {
   /// `points` are column numbers without repetition.
   void addRow(std::span<const std::uint32_t> points);
 
-  /// Returns the weights of an optimum, none negative; empty when the solver failed.
-  std::vector<double> solve();
+  /// Returns the weights of an optimum, none negative; empty when the solver failed or was told to stop.
+  std::vector<double> solve(const KeepGoing& keepGoing);
 
  private:
   struct Solver;

@@ -25,13 +25,13 @@ std::vector<Vec3d> candidatesOn(const TriangleMesh& mesh, std::size_t pieceCount
 
 }  // namespace
 
-std::vector<Vec3d> spreadOverSurface(const TriangleMesh& mesh, std::size_t count) {
+std::vector<Vec3d> spreadOverSurface(const TriangleMesh& mesh, std::size_t count, const KeepGoing& keepGoing) {
   const std::vector<Vec3d> candidates = candidatesOn(mesh, 16 * count);
   std::vector<double> toChosen(candidates.size(), std::numeric_limits<double>::infinity());
   std::vector<Vec3d> chosen;
   // The first is the candidate farthest from the middle; candidates are sorted, so ties have one answer.
   Vec3d last = boundsOf(mesh).center();
-  for (bool first = true; chosen.size() < count; first = false) {
+  for (bool first = true; chosen.size() < count && keepGoing(); first = false) {
     std::size_t farthest = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       toChosen[i] = std::min(toChosen[i], lengthSq(candidates[i] - last));

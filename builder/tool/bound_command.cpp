@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,12 +22,17 @@ constexpr const char* kAboutBound =
     "Prove how well any cover of a mesh's surface by so many balls can fit at best: a lower bound on its worst\n"
     "protrusion, whoever makes it. With --tree, beside what each level of a tree reaches.\n\n"
     "  cairn bound rock.obj --spheres 8\n"
+    "  cairn bound rock.obj --spheres 8,64 --time 30      the best that half a minute proves\n"
     "  cairn bound rock.obj --tree rock.cairn --json -";
+
+/// Time of a row when earlier ones have used up all.
+constexpr double kMinSeconds = 0.01;
 
 struct BoundCommand {
   std::string mesh, tree, json;
   std::vector<std::uint32_t> spheres;
   builder::BoundOptions options;
+  double seconds = 0;  ///< for all rows together; 0: no limit
   unsigned threads = 0;
 };
 
@@ -37,6 +43,7 @@ struct Row {
   std::optional<builder::LevelFit> level;
   double lower = 0;
   double cpuSeconds = 0;
+  bool stoppedByTime = false;
 
   /// The level's error divided by the bound; none without a level or a proof.
   std::optional<double> ratio() const {
@@ -51,14 +58,29 @@ void printRows(const std::vector<Row>& rows) {
     const std::string level = row.level ? fmt::format("{}", row.level->level) : "-";
     const std::string upper = row.level ? fmt::format("{:.4f}", 100 * row.level->certifiedMaxFraction) : "-";
     const std::string ratio = row.ratio() ? fmt::format("{:.3f}", *row.ratio()) : "-";
-    fmt::print("{:>5}  {:7}  {:13.4f}  {:>15}  {:>5}\n", level, row.spheres, 100 * row.lower, upper, ratio);
+    fmt::print("{:>5}  {:7}  {:13.4f}  {:>15}  {:>5}{}\n", level, row.spheres, 100 * row.lower, upper, ratio,
+               row.stoppedByTime ? "  stopped by time" : "");
   }
+}
+
+/// Says that there is more to find, or that nothing was found.
+void printEnd(const BoundCommand& command, const std::vector<Row>& rows) {
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.stoppedByTime; }))
+    fmt::print("stopped by time after {:g} s: the bounds hold, a longer --time may raise those it names\n",
+               command.seconds);
+  for (const Row& row : rows)
+    if (!(row.lower > 0))
+      fmt::print("nothing was proved for {} spheres: try {}\n", row.spheres,
+                 row.stoppedByTime ? "a longer --time" : "more --points, several times as many as spheres");
 }
 
 Json rowsJson(const std::vector<Row>& rows) {
   Json json = Json::array();
   for (const Row& row : rows) {
-    Json entry = {{"spheres", row.spheres}, {"lower_bound_fraction", row.lower}, {"cpu_s", row.cpuSeconds}};
+    Json entry = {{"spheres", row.spheres},
+                  {"lower_bound_fraction", row.lower},
+                  {"cpu_s", row.cpuSeconds},
+                  {"stopped_by_time", row.stoppedByTime}};
     if (row.level) {
       entry["level"] = row.level->level;
       entry["certified_max_fraction"] = row.level->certifiedMaxFraction;
@@ -75,12 +97,19 @@ Status bound(const BoundCommand& command, const builder::TriangleMesh& mesh, std
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.spheres > b.spheres; });
   double lower = 0;
   ProgressBar bar;
+  const Stopwatch whole;
+  builder::BoundOptions options = command.options;
+  std::size_t left = rows.size();
   for (Row& row : rows) {
     const Stopwatch stopwatch;
-    const auto result = builder::lowerErrorBound(mesh, row.spheres, command.options, bar.callback());
+    // What a row leaves over goes to the others.
+    if (command.seconds > 0)
+      options.seconds = std::max(kMinSeconds, (command.seconds - whole.wallSeconds()) / static_cast<double>(left--));
+    const auto result = builder::lowerErrorBound(mesh, row.spheres, options, bar.callback());
     if (!result) return result.error();
     lower = std::max(lower, result.value().error / diagonal);
     row.lower = lower;
+    row.stoppedByTime = result.value().stoppedByTime;
     row.cpuSeconds = stopwatch.cpuSeconds();
   }
   std::reverse(rows.begin(), rows.end());
@@ -92,9 +121,12 @@ int report(const BoundCommand& command, const builder::TriangleMesh& mesh, std::
   const Json json = {{"mesh", mesh.name},
                      {"threads", threadsUsed(command.threads)},
                      {"peak_rss_mb", peakMemoryMb()},
+                     {"time_limit_s", command.seconds > 0 ? Json(command.seconds) : Json(nullptr)},
                      {"bounds", rowsJson(rows)}};
   if (Status s = writeJson(json, command.json); !s) return refuse(s.error());
-  if (command.json != "-") printRows(rows);
+  if (command.json == "-") return kDone;
+  printRows(rows);
+  printEnd(command, rows);
   return kDone;
 }
 
@@ -125,6 +157,14 @@ void addBoundCommand(CLI::App& app, Action& action) {
   sub->add_option("--tree", command->tree, "Bound the levels of this tree (.cairn) too and print how near they are");
   sub->add_option("--points", command->options.points, "Surface points of the proof, 0: as many as usually pay")
       ->capture_default_str();
+  sub->add_option("--time", command->seconds,
+                  "End after so many seconds of search, for all numbers together, with the best bounds found so far; "
+                  "reading the files comes on top")
+      ->check([](const std::string& text) {
+        double value = 0;
+        const bool holds = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+        return holds ? std::string() : fmt::format("'{}' is not a number of seconds above 0", text);
+      });
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");
   sub->callback([command, &action] {

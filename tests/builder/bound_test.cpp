@@ -5,11 +5,15 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <random>
 
 #include "balls/enclosing_ball.h"
+#include "bound/center_search.h"
 #include "bound/outside_points.h"
 #include "bound/surface_spread.h"
 #include "builder_meshes.h"
@@ -195,9 +199,82 @@ TEST(LowerBound, RefusesWhatIsOutOfRangeAndStopsWhenToldTo) {
   const TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
   EXPECT_NE(lowerErrorBound(mesh, 0).error().message.find("0 spheres"), std::string::npos);
   EXPECT_NE(lowerErrorBound(mesh, 1, fewPoints(7)).error().message.find("7 points"), std::string::npos);
+  for (const double seconds : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    BoundOptions options;
+    options.seconds = seconds;
+    EXPECT_NE(lowerErrorBound(mesh, 1, options).error().message.find("no time to search in"), std::string::npos);
+  }
   const auto cancelled = lowerErrorBound(mesh, 8, fewPoints(), [](std::string_view, double) { return false; });
   ASSERT_FALSE(cancelled.ok());
   EXPECT_EQ(cancelled.error().message, kCancelled);
+}
+
+TEST(LowerBound, IsThereEarlyAndHoldsWhenTimeIsUp) {
+  const TriangleMesh mesh = test::lumpyBall(5, 4);
+  const SignedDistance solid(mesh);
+  BuildOptions build;
+  build.method = Method::adaptive;
+  build.branching = 8;
+  build.depth = 1;
+  const SphereTree tree = buildTree(mesh, build).value();
+  const double reached = certify(tree, mesh).value().levels.at(1).maxProtrusion;
+  BoundOptions options;
+  options.points = 20'000;  // far more than the time is enough for
+  ErrorBound bound;
+  // Three seconds are enough for a core of its own; a crowded machine gets more.
+  for (options.seconds = 3; bound.error < 0.2 * reached && *options.seconds < 300;
+       options.seconds = 4 * *options.seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    bound = lowerErrorBound(mesh, 8, options).value();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_TRUE(bound.stoppedByTime);
+    EXPECT_LT(seconds, 1.2 * *options.seconds + 1);
+  }
+  EXPECT_LE(bound.error, reached);
+  EXPECT_GT(bound.error, 0.2 * reached);
+  EXPECT_GT(totalOf(bound), 8 * bound.mostInOneBall);
+  EXPECT_FALSE(boundOf(meshOf(cuboid({1, 1, 1}, 1)), 1, fewPoints(60)).stoppedByTime);
+}
+
+TEST(LowerBound, SaysOnTheWayWhatIsProvedAndThatNeverFalls) {
+  double proved = 0, share = 0;
+  const auto listen = [&](std::string_view stage, double fraction) {
+    double percent = 0;
+    if (std::sscanf(std::string(stage).c_str(), "bounding, %lf %% proved", &percent) == 1) {
+      EXPECT_GE(percent, proved);
+      proved = percent;
+    }
+    EXPECT_GE(fraction, share);
+    EXPECT_LE(fraction, 1);
+    share = fraction;
+    return true;
+  };
+  const TriangleMesh mesh = test::lumpyBall(3, 5);
+  const ErrorBound bound = lowerErrorBound(mesh, 4, fewPoints(250), listen).value();
+  EXPECT_GT(proved, 0);
+  EXPECT_LE(proved, 100 * bound.error / boundsOf(mesh).diagonal() * (1 + 1e-3));
+}
+
+// A search that was cut short has not seen all centres, so it must not pass for a proof.
+TEST(CenterSearch, FindsNothingOutWhenStopped) {
+  const TriangleMesh mesh = test::lumpyBall(3, 5);
+  const SignedDistance solid(mesh);
+  const std::vector<Vec3d> points = spreadOverSurface(mesh, 100);
+  const std::vector<std::uint64_t> weights(points.size(), 1);
+  const std::vector<Vec3d> outside = outsidePoints(solid, 0.1, 0.1);
+  const auto heavier = [&](int callsOfConstruction, int callsOfSearch) {
+    std::atomic<int> construction = callsOfConstruction, searching = callsOfSearch;
+    const CenterSearch search(points, outside, 3, 1e-12, [&] { return construction-- > 0; });
+    return search.heavierThan(weights, 200, 0.001, [&] { return searching-- > 0; });
+  };
+  constexpr int kMany = 1 << 30;
+  const auto whole = heavier(kMany, kMany);
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_TRUE(whole->empty());  // 200 of a weight of 100
+  for (const int calls : {0, 1, 10}) EXPECT_FALSE(heavier(calls, kMany).has_value()) << calls;
+  std::atomic<int> searching = 5;
+  const CenterSearch search(points, outside, 3, 1e-12, [] { return true; });
+  EXPECT_FALSE(search.heavierThan(weights, 10, 0.001, [&] { return searching-- > 0; }).has_value());
 }
 
 TEST(OutsidePoints, AreFartherThanTheErrorAndCloseToItEverywhere) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <tuple>
 
 #include "builder_meshes.h"
@@ -49,9 +50,35 @@ TEST_F(BoundTool, SetsTheLevelsOfATreeBesideTheirBounds) {
   EXPECT_FALSE(bounds[0].contains("level"));
 }
 
+TEST_F(BoundTool, EndsWhenItsTimeIsUpWithWhatIsProved) {
+  // Two seconds are enough for a core of its own; a crowded machine gets more.
+  double lower = 0;
+  for (int limit = 2; lower <= 0.01 && limit <= 128; limit *= 4) {
+    const ProgramResult result = bound("--spheres 3,6 --points 20000 --json - --time " + std::to_string(limit));
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const Json report = Json::parse(result.output);
+    EXPECT_EQ(report.at("time_limit_s"), limit);
+    for (const Json& bound : report.at("bounds")) EXPECT_EQ(bound.at("stopped_by_time"), true);
+    lower = report.at("bounds")[1].at("lower_bound_fraction");
+  }
+  EXPECT_GT(lower, 0.01);
+  const ProgramResult words = bound("--spheres 3 --points 20000 --time 1");
+  ASSERT_EQ(words.exitCode, 0) << words.errors;
+  EXPECT_NE(words.output.find("stopped by time after 1 s"), std::string::npos) << words.output;
+}
+
+TEST_F(BoundTool, SaysThatNothingWasProvedAndWhatToDo) {
+  const ProgramResult result = bound("--spheres 500 --points 60");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  EXPECT_NE(result.output.find("nothing was proved for 500 spheres: try more --points"), std::string::npos)
+      << result.output;
+  EXPECT_EQ(result.output.find("stopped by time"), std::string::npos);
+}
+
 TEST_F(BoundTool, RefusesInOneSentence) {
   for (const auto& [arguments, exitCode, part] :
        {std::tuple{"", 2, "--spheres, or --tree"}, std::tuple{"--spheres 0", 2, "--spheres"},
+        std::tuple{"--spheres 2 --time 0", 2, "seconds above 0"}, std::tuple{"--spheres 2 --time nan", 2, "--time"},
         std::tuple{"--spheres 2 --points 3", 1, "3 points"}, std::tuple{"--tree nowhere.cairn", 1, "nowhere.cairn"}}) {
     const ProgramResult result = bound(arguments);
     EXPECT_EQ(result.exitCode, exitCode) << arguments;
