@@ -53,5 +53,5 @@ try {
 } catch (error) {
   const refusal = document.getElementById('refusal');
   refusal.hidden = false;
-  refusal.textContent = `This page cannot be drawn: ${error.message}. It needs a browser with WebGL 2.`;
+  refusal.textContent = `This page cannot be drawn: ${error.message.replace(/\.+$/, '')}. It needs a browser with WebGL 2.`;
 }
