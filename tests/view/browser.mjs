@@ -31,7 +31,7 @@ export async function launch(packages) {
 /// Opens a page and waits until its picture is done. `faults` collects whatever must not happen: errors on the console
 /// and requests.
 export async function openPage(browser, file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const context = await browser.newContext({ viewport: { width: 960, height: 600 }, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(120000);
   page.faults = [];

@@ -51,7 +51,7 @@ async function checkKeys(page) {
   await page.keyboard.press('m');
   const nothing = await colorsOf(page);
   // The middle of the picture: spheres over mesh, mesh, ground.
-  const middle = [472, 400];
+  const middle = [312, 300];
   const [a, b, c] = [all, withoutSpheres, nothing].map((colors) => colors(...middle));
   for (const [one, other] of [[a, b], [b, c], [a, c]]) assert.ok(colorDistance(one, other) > 12, `${one} and ${other}`);
   await page.keyboard.press('m');
@@ -135,8 +135,8 @@ async function checkClicks(page) {
   assert.ok(!(await page.isVisible('#selection')));
   const free = await colorsOf(page);
   let changed = 0;
-  for (let x = 0; x < 940; x += 4) for (let y = 0; y < 800; y += 4) changed += colorDistance(chosen(x, y), free(x, y)) > 20;
-  assert.ok(changed > 50, `the chosen sphere and its parent stand out (${changed} of 47000 places)`);
+  for (let x = 0; x < 620; x += 4) for (let y = 0; y < 600; y += 4) changed += colorDistance(chosen(x, y), free(x, y)) > 20;
+  assert.ok(changed > 50, `the chosen sphere and its parent stand out (${changed} of 23250 places)`);
   await page.keyboard.press('w');
   const said = await detailsOf(page);
   assert.ok(Math.abs(parseFloat(said['Certified error']) / truth.levels[level].error_max - 1) < 6e-3, 'the worst sphere');
