@@ -87,14 +87,21 @@ END
 
 say() { printf '\n== %s\n' "$*"; }
 
+# Prints the names of the installed packages, and of what they provide: newer packages of Node.js, for one, provide npm.
+installed_packages() {
+  dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+    awk '$1 == "installed" { $1 = ""; gsub(/ \([^)]*\)|,/, ""); for (i = 1; i <= NF; ++i) print $i }'
+}
+
 # Prints the packages of the given rooms that are not installed, one "package<TAB>why" a line.
 missing_packages() {
-  local room package why wanted
+  local room package why wanted installed
+  installed=$(installed_packages)
   while read -r room package why; do
     [[ -z $room || $room == \#* ]] && continue
     for wanted in "$@"; do
       [[ $wanted == "$room" ]] || continue
-      dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || printf '%s\t%s\n' "$package" "$why"
+      grep -qxF -- "$package" <<< "$installed" || printf '%s\t%s\n' "$package" "$why"
     done
   done < cmake/packages-debian.txt
 }

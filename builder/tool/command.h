@@ -23,6 +23,7 @@ void addEvaluateCommand(CLI::App& app, Action& action);
 void addCertifyCommand(CLI::App& app, Action& action);
 void addInspectCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
+void addViewCommand(CLI::App& app, Action& action);
 void addSimplifyCommand(CLI::App& app, Action& action);
 void addBoundCommand(CLI::App& app, Action& action);
 void addCoverCommand(CLI::App& app, Action& action);

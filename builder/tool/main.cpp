@@ -18,6 +18,7 @@ constexpr const char* kAbout =
     "  cairn evaluate rock.obj rock.cairn          measure the fit again\n"
     "  cairn inspect rock.cairn                    what is in a tree file\n"
     "  cairn export rock.cairn --to glb -o rock.glb   look at the spheres of a level\n"
+    "  cairn view rock.cairn -o rock.html          the same in a browser: levels, errors, single spheres\n"
     "  cairn bound rock.obj --tree rock.cairn      how near each level is to the best possible\n"
     "  cairn cover link.obj --spheres 20 -o link.txt   a flat set of spheres, with its proof\n"
     "  cairn simplify scan.ply -o rock.obj         fewer triangles, if a mesh has too many\n"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   cairn::tool::addCertifyCommand(app, action);
   cairn::tool::addInspectCommand(app, action);
   cairn::tool::addExportCommand(app, action);
+  cairn::tool::addViewCommand(app, action);
   cairn::tool::addSimplifyCommand(app, action);
   cairn::tool::addBoundCommand(app, action);
   cairn::tool::addCoverCommand(app, action);
