@@ -139,10 +139,22 @@ class PartFitter {
         fmt::format("{}: link '{}': {}", model_.file, model_.links[users_.at(key.first)].name, cover.error().message)};
   }
 
+  /// A skin that is farther off than the largest error is refused before any work.
+  Status checkReachable(const CoverKey& key) const {
+    const RobotSolid& solid = fitted_.solids[key.first];
+    if (key.second != 0 || *options_.budget.maxError > solid.offOriginal + placing_.at(key.first)) return {};
+    return Error{
+        fmt::format("{}: link '{}': the closed skin of '{}' alone is up to {:.3g} m off; ask for a larger "
+                    "--max-error",
+                    model_.file, model_.links[users_.at(key.first)].name, solid.name, solid.offOriginal)};
+  }
+
   Status makeCovers() {
     std::set<CoverKey> wanted;
     forParts([&](std::uint32_t, RobotPart& part) { wanted.insert(keyOf(part)); });
     const std::vector<CoverKey> keys(wanted.begin(), wanted.end());
+    for (const CoverKey& key : keys)
+      if (Status s = checkReachable(key); !s) return s;
     std::vector<SolidCover> made(keys.size());
     const WorkShare share{"placing spheres", options_.budget.maxError ? kCollected : kShared, kPlaced};
     const Status done =

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/solid_cover.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -82,12 +80,7 @@ Result<SolidCover> coverSolid(const RobotSolid& solid, const CoverWish& wish, co
   wanted.seed = wish.seed;
   wanted.quick = wish.quick;
   const double maxError = wish.maxError - solid.offOriginal;
-  if (!wish.spheres) {
-    if (!(maxError > 0))
-      return Error{fmt::format("the closed skin of '{}' alone is up to {:.3g} m off; ask for a larger --max-error",
-                               solid.name, solid.offOriginal)};
-    wanted.maxError = maxError;
-  }
+  if (!wish.spheres) wanted.maxError = maxError;
   Result<Cover> made = coverMesh(solid.solid, wanted, progress);
   if (!made) return made.error();
   SolidCover cover;

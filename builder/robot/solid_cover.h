@@ -25,7 +25,7 @@ struct CoverWish {
   bool quick = false;  ///< spend little on the search
 };
 
-/// Covers a solid.
+/// Covers a solid. Precondition: an error wished for is larger than the solid's `offOriginal`.
 Result<SolidCover> coverSolid(const RobotSolid& solid, const CoverWish& wish, const ProgressCallback& progress);
 
 /// What placing the spheres in a part may add to their error, metres.

@@ -132,6 +132,10 @@ TEST(RobotProofs, LargestErrorIsKept) {
     EXPECT_LE(link.at("certified_sticks_out_m"), 0.05) << link.at("link");
     EXPECT_EQ(link.at("coverage_proven"), true) << link.at("link");
   }
+  // The skin of the overlapping bodies is farther off than a millimetre.
+  const test::RobotRun fine("--max-error 0.001 --primitives --check-poses 0");
+  EXPECT_EQ(fine.result.exitCode, 1);
+  EXPECT_NE(fine.result.errors.find("link 'upper'"), std::string::npos) << fine.result.errors;
 }
 
 TEST(RobotProofs, MirroredLinksShareOneSet) {
