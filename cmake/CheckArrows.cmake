@@ -44,7 +44,7 @@ function(one_way where prefix)
   endforeach()
 endfunction()
 
-one_way(builder "" surface import coarse certify balls medial cover spheres regions levels hierarchy flat evaluate export view bound fracture tool)
+one_way(builder "" surface import coarse certify balls medial cover spheres regions levels hierarchy flat evaluate export view bound fracture robot tool)
 one_way(plugin "" platform memory placement queries shape contacts kernel triangles terrain colliders continuous pairs dispatch serialize drawing effects)
 one_way(python "" common core builder)
 one_way(demos/rockfall "rockfall/" case terrain rocks simulation ensemble outputs convergence validation)

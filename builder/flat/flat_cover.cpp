@@ -76,7 +76,7 @@ FlatCover::FlatCover(const TriangleMesh& mesh, const CoverOptions& options, cons
 
 Result<Cover> FlatCover::run() {
   Result<Cover> cover = options_.spheres
-                            ? make(*options_.spheres, Effort::full)
+                            ? make(*options_.spheres, options_.quick ? Effort::quick : Effort::full)
                             : fewestSpheres(*options_.maxError, options_.objective, mesh_.name,
                                             [this](std::uint32_t n, Effort effort) { return make(n, effort); });
   if (!watch_.report(kStage, 1)) return Error{std::string(kCancelled)};

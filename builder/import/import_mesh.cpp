@@ -11,6 +11,7 @@
 #include "cairn/builder/sha256.h"
 #include "cairn/core/atomic_file.h"
 #include "import/mesh_text.h"
+#include "import/robot_surface.h"
 #include "import/scene_reader.h"
 #include "import/triangulate.h"
 #include "import/weld.h"
@@ -39,24 +40,22 @@ std::span<const std::byte> withoutMark(std::span<const std::byte> bytes) {
 }
 
 /// Coordinates are in double precision where this library reads the text, in single precision where assimp reads.
-Result<TriangleSoup> readSoup(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+Result<TriangleSoup> readSoup(const std::filesystem::path& path, std::span<const std::byte> bytes, UpDirection up) {
   const std::span<const std::byte> text = withoutMark(bytes);
   const Result<std::optional<PolygonSoup>> polygons = readMeshText(path, text);
   if (!polygons) return polygons.error();
   if (polygons.value()) return triangulated(*polygons.value());
   // assimp's readers treat a byte order mark as a part of the first line.
   const bool marked = text.size() != bytes.size();
-  return marked ? readTriangles(path, text) : readTriangles(path);
+  return marked ? readTriangles(path, text, up) : readTriangles(path, up);
 }
 
-}  // namespace
-
-Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCounts* counts) {
+Result<TriangleMesh> readSurface(const std::filesystem::path& path, UpDirection up, ImportCounts* counts) {
   const std::string file = path.filename().string();
   Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
   if (bytes.value().empty()) return Error{fmt::format("{}: the file is empty; export the mesh again", path.string())};
-  const Result<TriangleSoup> soup = readSoup(path, bytes.value());
+  const Result<TriangleSoup> soup = readSoup(path, bytes.value(), up);
   if (!soup) return soup.error();
   if (Status s = checkFinite(file, soup.value()); !s) return s.error();
   ImportCounts found;
@@ -67,6 +66,16 @@ Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCoun
   mesh.name = file;
   mesh.sha256 = sha256Hex(bytes.value());
   return mesh;
+}
+
+}  // namespace
+
+Result<TriangleMesh> importSurface(const std::filesystem::path& path, ImportCounts* counts) {
+  return readSurface(path, UpDirection::turned, counts);
+}
+
+Result<TriangleMesh> importRobotSurface(const std::filesystem::path& path) {
+  return readSurface(path, UpDirection::ignored, nullptr);
 }
 
 Result<TriangleMesh> importMesh(const std::filesystem::path& path, ImportCounts* counts) {

@@ -62,9 +62,10 @@ bool reads(const Assimp::Importer& importer, const std::filesystem::path& path) 
 }
 
 /// Reads the file itself when `text` is empty.
-Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<const std::byte> text) {
+Result<TriangleSoup> readScene(const std::filesystem::path& path, std::span<const std::byte> text, UpDirection up) {
   const std::string file = path.filename().string();
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, up == UpDirection::ignored);
   if (!reads(importer, path))
     return Error{
         fmt::format("{}: '{}' is not the extension of a mesh format assimp reads; export it as OBJ, OFF, PLY, STL "
@@ -90,13 +91,13 @@ bool isMeshFile(const std::filesystem::path& path) {
   return reads(Assimp::Importer(), path);
 }
 
-Result<TriangleSoup> readTriangles(const std::filesystem::path& path) {
-  return readTriangles(path, {});
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, UpDirection up) {
+  return readTriangles(path, {}, up);
 }
 
-Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text) {
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text, UpDirection up) {
   try {
-    return readScene(path, text);
+    return readScene(path, text, up);
   } catch (const std::exception& e) {
     return Error{fmt::format("{}: assimp failed on it ({}); check that the file is complete and export it again",
                              path.filename().string(), e.what())};

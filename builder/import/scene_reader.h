@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
@@ -10,12 +11,18 @@
 
 namespace cairn::builder {
 
+/// What becomes of the up direction that a Collada file names.
+enum class UpDirection : std::uint8_t {
+  turned,   ///< it is turned to y, as assimp does by itself
+  ignored,  ///< coordinates stay those of the file
+};
+
 /// Reads all triangles of all meshes of a file, placed by their nodes. A node that mirrors reverses its triangles, so
 /// that they still face outward. Only this file reads with assimp, which stores coordinates in single precision. Fails
 /// when assimp cannot read the file or finds no triangles.
-Result<TriangleSoup> readTriangles(const std::filesystem::path& path);
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, UpDirection up);
 
 /// Reads the triangles of a text in memory that needs no other file. `path` gives the format, and the name for errors.
-Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text);
+Result<TriangleSoup> readTriangles(const std::filesystem::path& path, std::span<const std::byte> text, UpDirection up);
 
 }  // namespace cairn::builder

@@ -27,6 +27,7 @@ void addViewCommand(CLI::App& app, Action& action);
 void addSimplifyCommand(CLI::App& app, Action& action);
 void addBoundCommand(CLI::App& app, Action& action);
 void addCoverCommand(CLI::App& app, Action& action);
+void addRobotCommand(CLI::App& app, Action& action);
 void addFractureCommand(CLI::App& app, Action& action);
 /// `advise` is replaced by the program `cairn-advise` beside this one: it needs the plugin, which the builder never
 /// includes.

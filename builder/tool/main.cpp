@@ -21,6 +21,7 @@ constexpr const char* kAbout =
     "  cairn view rock.cairn -o rock.html          the same in a browser: levels, errors, single spheres\n"
     "  cairn bound rock.obj --tree rock.cairn      how near each level is to the best possible\n"
     "  cairn cover link.obj --spheres 20 -o link.txt   a flat set of spheres, with its proof\n"
+    "  cairn robot arm.urdf -o out.urdf --total 200   spheres for every link of a robot, with proofs\n"
     "  cairn simplify scan.ply -o rock.obj         fewer triangles, if a mesh has too many\n"
     "  cairn fracture rock.obj -o pieces           meshes and trees of the pieces it breaks into\n"
     "  cairn advise rock.obj --bodies 50 --budget-us 500   which tree and budget to use, measured on this machine\n\n"
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   cairn::tool::addSimplifyCommand(app, action);
   cairn::tool::addBoundCommand(app, action);
   cairn::tool::addCoverCommand(app, action);
+  cairn::tool::addRobotCommand(app, action);
   cairn::tool::addFractureCommand(app, action);
   cairn::tool::addAdviseCommand(app, action);
   const auto isMeant = [&](const CLI::App* command) { return command->get_name() == argv[1]; };

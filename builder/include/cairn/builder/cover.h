@@ -32,6 +32,7 @@ struct CoverOptions {
   /// Keep a mirror plane the mesh has: spheres come in pairs and on the plane.
   bool symmetric = false;
   std::uint64_t seed = 1;  ///< of the random starts
+  bool quick = false;      ///< spend little on the search of a given number, to estimate its error
 };
 /// Largest number of spheres of a flat set.
 inline constexpr std::uint32_t kMaxCoverSpheres = 4096;
