@@ -18,8 +18,8 @@ namespace cairn::builder {
 /// the wrong side of each. Such a piece goes to the ball that holds it deepest.
 ///
 /// A piece that no ball holds is bisected down to a longest edge of `finest`. Then the ball that grows least for it
-/// takes it. The parts cover exactly the area of `pieces`. Preconditions: `balls` is not empty, `finest` > 0. Cost:
-/// about n^2 log n for n pieces held by two balls.
+/// takes it. The parts cover exactly the area of `pieces`. Preconditions: `balls` is not empty, `finest` > 0. Cost: for
+/// each two balls one pass over the pieces, and a sort of those that both hold.
 std::vector<Pieces> divideByPlanes(Pieces pieces, std::span<const Ball> balls, double finest);
 
 }  // namespace cairn::builder
