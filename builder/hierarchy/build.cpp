@@ -39,6 +39,7 @@ BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
   std::string method = methodName(options.method);
   if (options.optimiser) method += std::string("+optimise-") + optimiserName(*options.optimiser);
   if (options.balance) method += "+balance-" + balanceName(*options.balance);
+  if (options.division != SurfaceDivision::standOff) method += std::string("+divide-") + divisionName(options.division);
   return {mesh.name, mesh.sha256, std::move(method), options.branching, options.depth, options.samples, options.seed};
 }
 
@@ -82,15 +83,11 @@ RegionTree growRegions(const SignedDistance& solid, const BuildOptions& options,
     for (std::uint32_t i = 0; i < medial.spheres.size(); ++i) root.medial.push_back(i);
   }
   const double diagonal = boundsOf(solid.mesh()).diagonal();
-  const SplitSettings settings{options.method,
-                               options.branching,
-                               options.seed,
-                               kNegligibleFraction * diagonal,
-                               &medial,
-                               options.optimiser.value_or(traitsOf(options.method).optimiser),
-                               options.balance,
-                               keepGoing,
-                               isConvex(solid.mesh(), kNegligibleConcavity * diagonal)};
+  const SplitSettings settings{options.method,  options.branching,
+                               options.seed,    kNegligibleFraction * diagonal,
+                               &medial,         options.optimiser.value_or(traitsOf(options.method).optimiser),
+                               options.balance, options.division,
+                               keepGoing,       isConvex(solid.mesh(), kNegligibleConcavity * diagonal)};
   const auto grow = options.method == Method::adaptive ? growLevels : growRegionTree;
   return grow(std::move(root), options.depth, solid, settings,
               [&](std::uint32_t level, std::size_t done, std::size_t count) {

@@ -17,6 +17,17 @@ Status checkRange(const char* option, std::uint64_t value, std::uint64_t least, 
                std::to_string(least) + " to " + std::to_string(most)};
 }
 
+Status checkDivision(const BuildOptions& options) {
+  if (options.division == SurfaceDivision::standOff) return {};
+  const std::string name = "the option division is " + std::string(divisionName(options.division));
+  if (!fitsRegions(options.method))
+    return Error{name + ", but the method " + std::string(methodName(options.method)) +
+                 " does not fit spheres region by region; leave it out or choose another method"};
+  if (options.optimiser ? *options.optimiser == Optimiser::cairn : optimisedByCairn(options.method))
+    return Error{name + ", but the optimiser cairn moves the seams itself; choose the optimiser none or thesis"};
+  return {};
+}
+
 }  // namespace
 
 Status checkOptions(const BuildOptions& options) {
@@ -32,6 +43,7 @@ Status checkOptions(const BuildOptions& options) {
     return Error{"the method " + std::string(methodName(options.method)) +
                  " does not fit spheres region by region, as the option " +
                  (options.optimiser ? "optimiser" : "balance") + " needs; leave it out or choose another method"};
+  if (Status s = checkDivision(options); !s) return s;
   if (options.method == Method::adaptive && std::pow(options.branching, options.depth) > kMaxAdaptiveLeaves)
     return Error{
         "the method adaptive fits all spheres of a level at once, but the options branching and depth ask for " +

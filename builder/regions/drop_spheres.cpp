@@ -7,6 +7,8 @@
 
 #include "balls/depth_field.h"
 #include "cover/optimise.h"
+#include "cover/optimise_one_by_one.h"
+#include "spheres/burst.h"
 
 namespace cairn::builder {
 
@@ -48,10 +50,67 @@ std::optional<Split> withOneLess(const Split& split, const Region& region, doubl
   return closing.usable() ? tried(closing) : std::nullopt;
 }
 
+/// One run of the thesis's Alg. 11. Its error of a set is the worst certified error of the region's division among it.
+class BalanceByBurst {
+ public:
+  BalanceByBurst(const Split& full, const SignedDistance& solid, const SplitSettings& settings)
+      : full_(full), solid_(solid), depth_(solid), settings_(settings) {}
+
+  Split run() const {
+    Split best = full_;
+    best.allowed = full_.worst() * (1 + settings_.balance->excess);
+    for (std::size_t count = full_.children.size() - 1; count >= kMin; --count) {
+      std::optional<Split> fewer = withAtMost(count, best, allowedFor(count));
+      if (!fewer) break;
+      best = *std::move(fewer);
+      best.allowed = allowedFor(count);
+    }
+    if (best.children.size() < full_.children.size()) optimiseAtLast(best);
+    return best;
+  }
+
+ private:
+  /// Bursts spheres of `from`, and optimises the rest only if its error is too large, as Alg. 11 has it.
+  std::optional<Split> withAtMost(std::size_t count, const Split& from, double allowed) const {
+    const SphereSet balls = burst({full_.points, depth_, count}, from.balls);
+    Split split = splitAsTheyAre(full_, balls, solid_, settings_);
+    if (!isWithin(split, allowed) && settings_.optimiser == Optimiser::thesis)
+      split = splitAsTheyAre(full_, optimised(balls), solid_, settings_);
+    if (!isWithin(split, allowed)) return std::nullopt;
+    return split;
+  }
+
+  void optimiseAtLast(Split& best) const {
+    if (settings_.optimiser != Optimiser::thesis) return;
+    Split last = splitAsTheyAre(full_, optimised(best.balls), solid_, settings_);
+    if (!isWithin(last, best.worst())) return;
+    last.allowed = best.allowed;
+    best = std::move(last);
+  }
+
+  SphereSet optimised(const SphereSet& balls) const {
+    return optimiseOneByOne({full_.points, depth_, balls.size()}, balls);
+  }
+  /// A ball without pieces is dropped too. The allowed error need not grow with the number of dropped balls.
+  bool isWithin(const Split& split, double allowed) const {
+    if (split.children.size() < kMin || split.worst() > allowed) return false;
+    return split.children.size() >= full_.children.size() || split.worst() <= allowedFor(split.children.size());
+  }
+  double allowedFor(std::size_t count) const {
+    return full_.worst() * allowedGrowth(*settings_.balance, full_.children.size(), count);
+  }
+
+  const Split& full_;
+  const SignedDistance& solid_;
+  SolidDepth depth_;
+  const SplitSettings& settings_;
+};
+
 }  // namespace
 
 Split dropSpheres(const Split& full, const Region& region, const SignedDistance& solid, const SplitSettings& settings) {
   if (!settings.balance || full.children.empty()) return full;
+  if (settings.optimiser != Optimiser::cairn) return BalanceByBurst(full, solid, settings).run();
   const auto allowed = [&](std::size_t kept) {
     return full.worst() * allowedGrowth(*settings.balance, full.children.size(), kept);
   };

@@ -20,7 +20,8 @@ constexpr std::array kMethods{
     MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
     MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
     MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::mesh},
-    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::mesh},
+    MethodTraits{Method::gridVolume, "grid-volume", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
     MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh},
     MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
     MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
@@ -28,6 +29,7 @@ constexpr std::array kMethods{
 
 /// Rows are in the order of the enumeration.
 constexpr std::array<const char*, 3> kOptimisers{"none", "thesis", "cairn"};
+constexpr std::array<const char*, 2> kDivisions{"stand-off", "planes"};
 
 }  // namespace
 
@@ -76,8 +78,26 @@ std::vector<std::string> optimiserNames() {
   return {kOptimisers.begin(), kOptimisers.end()};
 }
 
+Result<SurfaceDivision> parseDivision(const std::string& name) {
+  const auto* const found = std::find(kDivisions.begin(), kDivisions.end(), name);
+  if (found == kDivisions.end()) return Error{"there is no division '" + name + "'; choose one of stand-off, planes"};
+  return static_cast<SurfaceDivision>(found - kDivisions.begin());
+}
+
+const char* divisionName(SurfaceDivision division) {
+  return kDivisions[static_cast<std::size_t>(division)];
+}
+
+std::vector<std::string> divisionNames() {
+  return {kDivisions.begin(), kDivisions.end()};
+}
+
 bool fitsRegions(Method method) {
   return traitsOf(method).division == Division::spheres;
+}
+
+bool optimisedByCairn(Method method) {
+  return traitsOf(method).optimiser == Optimiser::cairn;
 }
 
 bool dividesByEight(Method method) {

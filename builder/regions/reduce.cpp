@@ -66,19 +66,26 @@ SphereSet optimised(const CoverProblem& problem, SphereSet set, Optimiser optimi
   }
 }
 
+/// Expand with all candidates and points, as in the thesis, where the set stays as Expand leaves it. Where our
+/// optimiser goes on from it, a start from few of them serves as well.
+SphereSet expanded(const CoverProblem& problem, const Candidates& candidates, Optimiser optimiser) {
+  return expand(problem, candidates.all, ExpandRank::maxElim,
+                optimiser == Optimiser::cairn ? ExpandLimits{} : kNoExpandLimits);
+}
+
 SphereSet betterOfBoth(const CoverProblem& problem, const Candidates& candidates, Optimiser optimiser) {
-  SphereSet expanded = expand(problem, candidates.all), merged = merge(problem, candidates.covering);
+  SphereSet expandedSet = expanded(problem, candidates, optimiser), merged = merge(problem, candidates.covering);
   if (optimiser == Optimiser::cairn) {
-    expanded = optimise(problem, std::move(expanded));
+    expandedSet = optimise(problem, std::move(expandedSet));
     merged = optimise(problem, std::move(merged));
   }
-  return coverStandOff(problem.points, merged) < coverStandOff(problem.points, expanded) ? merged : expanded;
+  return coverStandOff(problem.points, merged) < coverStandOff(problem.points, expandedSet) ? merged : expandedSet;
 }
 
 SphereSet reducedFrom(const Candidates& candidates, const CoverProblem& problem, const SplitSettings& settings) {
   switch (settings.method) {
     case Method::expand:
-      return expand(problem, candidates.all);
+      return expanded(problem, candidates, settings.optimiser);
     case Method::merge:
       return merge(problem, candidates.covering);
     case Method::expandCover:
@@ -90,10 +97,15 @@ SphereSet reducedFrom(const Candidates& candidates, const CoverProblem& problem,
   }
 }
 
+/// These have the same regions and differ in the ball of each.
+bool isGrid(Method method) {
+  return method == Method::grid || method == Method::gridVolume || method == Method::hybrid;
+}
+
 SphereSet reducedSet(const CoverProblem& problem, const Region& region, double spacing, const SignedDistance& solid,
                      const SplitSettings& settings) {
   if (settings.method == Method::spawn) return spawn(problem);
-  if (settings.method == Method::grid || settings.method == Method::hybrid) return gridSpheres(problem);
+  if (isGrid(settings.method)) return gridSpheres(problem);
   return reducedFrom(candidatesFrom(medialSpheresOf(problem, region, spacing, solid, settings), problem), problem,
                      settings);
 }

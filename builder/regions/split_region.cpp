@@ -13,6 +13,7 @@
 #include "balls/enclosing_ball.h"
 #include "balls/farthest_sample.h"
 #include "cover/divide.h"
+#include "cover/divide_by_planes.h"
 #include "cover/optimise.h"
 #include "regions/method_traits.h"
 #include "regions/reduce.h"
@@ -79,11 +80,18 @@ std::vector<std::size_t> worstFirst(const SphereSet& balls) {
   return order;
 }
 
+std::vector<Pieces> dividedBy(const Split& split, SurfaceDivision division, double finest) {
+  if (division == SurfaceDivision::planes) return divideByPlanes(split.pieces, split.balls, finest);
+  return divide(split.pieces, split.balls, split.bias, split.standOff, finest);
+}
+
 /// Fills in the children from the pieces, the balls and the bias; balls without a piece are dropped. A part that equals
 /// the part of `previous` at the same index keeps its child. False when a child's error is above `ofInterest`; the
 /// children are then incomplete.
-bool makeChildren(Split& split, const Split* previous, const SignedDistance& solid, Refit refit, double ofInterest) {
-  std::vector<Pieces> parts = divide(split.pieces, split.balls, split.bias, split.standOff, finestSeam(split));
+bool makeChildren(Split& split, const Split* previous, const SignedDistance& solid, const SplitSettings& settings,
+                  double ofInterest) {
+  const Refit refit = traitsOf(settings.method).refit;
+  std::vector<Pieces> parts = dividedBy(split, settings.division, finestSeam(split));
   dropEmpty(split, parts);
   split.children.resize(parts.size());
   for (const std::size_t i : worstFirst(split.balls)) {
@@ -119,7 +127,7 @@ void take(Split& split, SphereSet balls, double negligible) {
 /// Divides the region among the balls as they are.
 void settle(Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings) {
   take(split, std::move(balls), settings.negligible);
-  makeChildren(split, nullptr, solid, traitsOf(settings.method).refit, kInfinity);
+  makeChildren(split, nullptr, solid, settings, kInfinity);
 }
 
 /// Divides the region among the balls. The seams show the cost of the surface between the pieces' corners. The balls
@@ -133,7 +141,7 @@ bool settleOptimised(Split& split, SphereSet balls, const CoverProblem& problem,
     for (const Vec3d& corner : farthestPointSample(worst, kMaxSeamPoints, 0)) split.points.push(corner);
     take(split, optimise(problem, split.balls), settings.negligible);
   }
-  return makeChildren(split, nullptr, solid, traitsOf(settings.method).refit, ofInterest);
+  return makeChildren(split, nullptr, solid, settings, ofInterest);
 }
 
 /// Fills in `split`, an empty one. False as with `makeChildren`.
@@ -313,10 +321,18 @@ Split splitAmong(const Split& split, SphereSet start, const DepthField& field, c
   return among;
 }
 
+Split splitAsTheyAre(const Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings) {
+  Split among;
+  among.pieces = split.pieces;
+  among.points = split.points;
+  settle(among, std::move(balls), solid, settings);
+  return among;
+}
+
 std::optional<Split> redivide(const Split& split, std::vector<double> bias, double standOff, double ofInterest,
                               const SignedDistance& solid, const SplitSettings& settings) {
   Split changed{split.pieces, split.points, split.balls, std::move(bias), standOff, {}, split.allowed};
-  if (!makeChildren(changed, &split, solid, traitsOf(settings.method).refit, ofInterest)) return std::nullopt;
+  if (!makeChildren(changed, &split, solid, settings, ofInterest)) return std::nullopt;
   return changed;
 }
 

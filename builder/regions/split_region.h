@@ -24,6 +24,7 @@ struct SplitSettings {
   const HubbardMedial* hubbard = nullptr;  ///< the solid's; for that method only
   Optimiser optimiser = Optimiser::cairn;
   std::optional<Balance> balance{};
+  SurfaceDivision division = SurfaceDivision::standOff;
   /// Called during long splits. Once it returns false, splits end undivided and must not be used.
   KeepGoing keepGoing = [] { return true; };
   /// True when the solid has no relevant concavity, so that it equals its closing.
@@ -81,6 +82,10 @@ SphereSet seenBy(const DepthField& field, SphereSet balls);
 /// function.
 Split splitAmong(const Split& split, SphereSet start, const DepthField& field, const SignedDistance& solid,
                  const SplitSettings& settings);
+
+/// Divides the region of `split` among `balls` as they are, and fits a ball to each part (thesis Alg. 8). Precondition:
+/// `balls` is not empty. A pure function.
+Split splitAsTheyAre(const Split& split, SphereSet balls, const SignedDistance& solid, const SplitSettings& settings);
 
 /// Divides the split's pieces anew among its balls, with other seams, and refits the balls of changed parts. Returns
 /// nothing when the error of one of them is above `ofInterest`.

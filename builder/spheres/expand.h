@@ -15,6 +15,9 @@ struct ExpandLimits {
   int bisections = 10;  ///< gives the stand-off to 0.1 % of the stand-off that one ball alone needs
 };
 
+/// Every candidate and point, and the stand-off to a millionth: Expand as the thesis has it.
+inline constexpr ExpandLimits kNoExpandLimits{~std::size_t{0}, ~std::size_t{0}, 20};
+
 /// The Expand reduction (thesis 5.3.3, Alg. 6). All candidates grow to the same stand-off e, r = e + s(c). A greedy
 /// choice keeps as few as cover the points. Bisection finds the least e that needs no more than `problem.count` balls.
 /// A choice that fails is tried again without its first ball. A single ball would divide nothing. It is replaced by the

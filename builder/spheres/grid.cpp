@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
-#include "balls/enclosing_ball.h"
-#include "balls/farthest_sample.h"
+#include "balls/ball_fit.h"
 #include "cover/downhill_simplex.h"
 #include "spheres/oriented_grid.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
@@ -17,17 +19,17 @@ namespace {
 
 /// Factor from one size of cells to the next (Alg. 1).
 constexpr double kShrink = 0.9;
-/// The search ends when this many sizes needed too many balls. The need is no monotone function of the size, because
-/// the search at one size may end badly.
-constexpr int kMaxMisses = 2;
 /// The search also ends when cells are this fraction of the first ones. In a rod's region few points are left to cover
 /// long before. The number of a block's cells then stays far below 2^64.
 constexpr double kMinPart = 1e-3;
-constexpr std::size_t kEvaluations = 60;
+/// For each start of a search. The thesis names no number; the author's program allows as many.
+constexpr std::size_t kEvaluations = 100;
 /// First steps of the search: a fraction of a cell along its axes, and radians about them.
-constexpr double kFirstMove = 0.25, kFirstTurn = 0.3;
-/// The search sees this number of points. All points then decide which balls are needed.
-constexpr std::size_t kSearchPoints = 60;
+constexpr double kFirstMove = 0.5, kFirstTurn = 0.2;
+/// Number of times that the points are shared out anew among the moved balls.
+constexpr int kSharings = 3;
+
+using Shares = std::vector<std::vector<Vec3d>>;
 
 std::vector<Vec3d> listOf(const PointSet& points) {
   std::vector<Vec3d> list(points.size());
@@ -35,10 +37,9 @@ std::vector<Vec3d> listOf(const PointSet& points) {
   return list;
 }
 
-/// Returns the smallest balls around the points that each cell's ball was kept for. They hold all points.
-SphereSet ballsOf(const OrientedGrid& grid, const std::vector<Vec3d>& points, const DepthField& solid) {
-  const std::vector<Vec3d> centers = coverByGrid(grid, points).centers;
-  std::vector<std::vector<Vec3d>> shares(centers.size());
+/// The points that each cell's ball was kept for.
+Shares sharesOf(const OrientedGrid& grid, const std::vector<Vec3d>& centers, const std::vector<Vec3d>& points) {
+  Shares shares(centers.size());
   for (const Vec3d& p : points) {
     std::size_t home = 0;
     for (std::size_t i = 0; i < centers.size(); ++i) {
@@ -49,66 +50,95 @@ SphereSet ballsOf(const OrientedGrid& grid, const std::vector<Vec3d>& points, co
     }
     shares[home].push_back(p);
   }
-  SphereSet set;
-  for (const std::vector<Vec3d>& share : shares) {
-    if (share.empty()) continue;
-    const EnclosingBall smallest = smallestEnclosingBall(share);
-    set.push_back({smallest.center, smallest.radius, solid.depth(smallest.center)});
+  return shares;
+}
+
+/// The points, each with the ball that holds it at the least stand-off.
+Shares sharesOf(const SphereSet& set, const std::vector<Vec3d>& points) {
+  Shares shares(set.size());
+  for (const Vec3d& p : points) {
+    std::size_t home = 0;
+    for (std::size_t i = 1; i < set.size(); ++i)
+      if (costOf(set[i], p) < costOf(set[home], p)) home = i;
+    shares[home].push_back(p);
   }
+  return shares;
+}
+
+/// Returns the balls of least stand-off for the shares, found from `centers`. Balls without points are dropped.
+SphereSet fitted(const Shares& shares, const std::vector<Vec3d>& centers, const DepthField& solid) {
+  SphereSet set;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (!shares[i].empty()) set.push_back(fitBall(centers[i], PointSet(shares[i]), solid));
   return set;
 }
 
 double worstStandOff(const SphereSet& set) {
-  double worst = -std::numeric_limits<double>::infinity();
+  double worst = -kInfinity;
   for (const Ball& ball : set) worst = std::max(worst, ball.standOff());
   return worst;
 }
 
-struct Search {
-  explicit Search(const CoverProblem& problem)
-      : points(listOf(problem.points)),
-        few(farthestPointSample(points, kSearchPoints, 0)),
-        principal(principalGrid(points)) {
-    for (const Vec3d& p : points) pivot += p / static_cast<double>(points.size());
+/// Returns the set that covers the points from the grid's cells at the worst stand-off found.
+SphereSet movedBalls(const OrientedGrid& grid, const std::vector<Vec3d>& cells, const std::vector<Vec3d>& points,
+                     const DepthField& solid) {
+  SphereSet set = fitted(sharesOf(grid, cells, points), cells, solid);
+  for (int sharing = 0; sharing < kSharings; ++sharing) {
+    std::vector<Vec3d> centers;
+    for (const Ball& ball : set) centers.push_back(ball.center);
+    SphereSet next = fitted(sharesOf(set, points), centers, solid);
+    if (worstStandOff(next) >= worstStandOff(set)) break;
+    set = std::move(next);
   }
+  return set;
+}
+
+class Search {
+ public:
+  explicit Search(const std::vector<Vec3d>& points) : points_(points), principal_(principalGrid(points)) {
+    for (const Vec3d& p : points) pivot_ += p / static_cast<double>(points.size());
+  }
+
+  const OrientedGrid& principal() const { return principal_; }
 
   /// Returns the grid of the given size with the best metric. The search starts from the last grid and from the points'
   /// own box.
   OrientedGrid best(OrientedGrid last, double edge) const {
-    OrientedGrid own = principal;
+    OrientedGrid own = principal_;
     last.edge = own.edge = edge;
-    if (coverByGrid(last, few).centers.size() == 1) return last;
-    const auto found = [&](const OrientedGrid& start) {
-      return downhillSimplex<6>(
-          {}, {kFirstMove, kFirstMove, kFirstMove, kFirstTurn, kFirstTurn, kFirstTurn}, kEvaluations,
-          [&](const std::array<double, 6>& x) { return -coverByGrid(moved(start, x, pivot), few).metric; });
-    };
+    if (coverByGrid(last, points_).centers.size() == 1) return last;
     const auto fromLast = found(last), fromOwn = found(own);
-    return fromOwn.value < fromLast.value ? moved(own, fromOwn.at, pivot) : moved(last, fromLast.at, pivot);
+    return fromOwn.value < fromLast.value ? moved(own, fromOwn.at, pivot_) : moved(last, fromLast.at, pivot_);
   }
 
-  std::vector<Vec3d> points, few;
-  OrientedGrid principal;
-  Vec3d pivot;
+ private:
+  SimplexOptimum<6> found(const OrientedGrid& start) const {
+    return downhillSimplex<6>(
+        {}, {kFirstMove, kFirstMove, kFirstMove, kFirstTurn, kFirstTurn, kFirstTurn}, kEvaluations,
+        [&](const std::array<double, 6>& x) { return -coverByGrid(moved(start, x, pivot_), points_).metric; });
+  }
+
+  const std::vector<Vec3d>& points_;
+  OrientedGrid principal_;
+  Vec3d pivot_;
 };
 
 }  // namespace
 
 SphereSet gridSpheres(const CoverProblem& problem) {
   assert(!problem.points.empty());
-  const Search search(problem);
-  OrientedGrid grid = principalGrid(search.points);
-  SphereSet best = ballsOf(grid, search.points, problem.solid);
+  const std::vector<Vec3d> points = listOf(problem.points);
+  const Search search(points);
+  OrientedGrid grid = search.principal();
+  SphereSet best = movedBalls(grid, coverByGrid(grid, points).centers, points, problem.solid);
   assert(best.size() == 1);
-  int misses = 0;
   const double least = kMinPart * grid.edge;
-  for (double edge = grid.edge * kShrink; misses < kMaxMisses && edge > least; edge *= kShrink) {
+  for (double edge = grid.edge * kShrink; edge > least; edge *= kShrink) {
     grid = search.best(grid, edge);
-    SphereSet set = ballsOf(grid, search.points, problem.solid);
-    if (set.size() > problem.count)
-      ++misses;
-    else if (worstStandOff(set) < worstStandOff(best))
-      best = std::move(set);
+    const std::vector<Vec3d> cells = coverByGrid(grid, points).centers;
+    if (cells.size() > problem.count) break;
+    SphereSet set = movedBalls(grid, cells, points, problem.solid);
+    if (set.size() > 1 && (best.size() == 1 || worstStandOff(set) < worstStandOff(best))) best = std::move(set);
   }
   return best;
 }

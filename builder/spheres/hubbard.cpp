@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <optional>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -14,6 +15,7 @@
 
 #include "balls/nearest_ball.h"
 #include "spheres/hubbard_error.h"
+#include "surface/infinity.h"
 
 namespace cairn::builder {
 
@@ -157,23 +159,72 @@ class HubbardMerging {
   std::size_t alive_ = 0;
 };
 
+/// Assigns pieces to groups.
+class Owners {
+ public:
+  Owners(const HubbardMedial& medial, std::span<const HubbardGroup> groups) : medial_(medial), groups_(groups) {
+    std::vector<EnclosingBall> balls;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (const std::uint32_t m : groups[g].members) {
+        balls.push_back({medial.spheres[m].ball.center, medial.spheres[m].ball.radius});
+        groupOf_.push_back(g);
+      }
+    nearest_.emplace(std::move(balls));
+  }
+
+  std::size_t of(const Piece& piece) const {
+    const std::size_t nearest = groupOf_[nearest_->to(centroidOf(piece))];
+    double least = growthOf(nearest, piece);
+    if (least <= 0) return nearest;
+    std::size_t owner = nearest;
+    const double near = gapOf(nearest, piece);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const double growth = growthOf(g, piece);
+      if (growth >= least) continue;
+      const double excess = std::max(growth, gapOf(g, piece) - near);
+      if (excess >= least) continue;
+      least = excess;
+      owner = g;
+    }
+    return owner;
+  }
+
+ private:
+  /// The length by which the group's merged ball has to grow to hold the piece.
+  double growthOf(std::size_t group, const Piece& piece) const {
+    const Ball& ball = groups_[group].ball;
+    double reach = 0;
+    for (const Vec3d& corner : piece.corners) reach = std::max(reach, distance(corner, ball.center));
+    return reach - ball.radius;
+  }
+
+  /// The distance from the piece's centroid to the group's nearest medial sphere.
+  double gapOf(std::size_t group, const Piece& piece) const {
+    const Vec3d centroid = centroidOf(piece);
+    double least = kInfinity;
+    for (const std::uint32_t m : groups_[group].members) {
+      const Ball& ball = medial_.spheres[m].ball;
+      least = std::min(least, distance(centroid, ball.center) - ball.radius);
+    }
+    return least;
+  }
+
+  const HubbardMedial& medial_;
+  std::span<const HubbardGroup> groups_;
+  std::vector<std::size_t> groupOf_;  // by medial sphere of `nearest_`
+  std::optional<NearestBall> nearest_;
+};
+
 }  // namespace
 
 std::vector<Pieces> divideByOwners(const HubbardMedial& medial, std::span<const HubbardGroup> groups,
                                    std::span<const Piece> pieces) {
   assert(!groups.empty());
-  std::vector<EnclosingBall> balls;
-  std::vector<std::size_t> groupOf;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const std::uint32_t m : groups[g].members) {
-      balls.push_back({medial.spheres[m].ball.center, medial.spheres[m].ball.radius});
-      groupOf.push_back(g);
-    }
-  const NearestBall nearest(std::move(balls));
+  const Owners owners(medial, groups);
   std::vector<std::size_t> owner(pieces.size());
   constexpr std::size_t kGrain = 256;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), kGrain), [&](const auto& range) {
-    for (std::size_t p = range.begin(); p < range.end(); ++p) owner[p] = groupOf[nearest.to(centroidOf(pieces[p]))];
+    for (std::size_t p = range.begin(); p < range.end(); ++p) owner[p] = owners.of(pieces[p]);
   });
   std::vector<Pieces> parts(groups.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) parts[owner[p]].push_back(pieces[p]);

@@ -29,9 +29,12 @@ std::vector<HubbardGroup> mergeHubbard(
     const HubbardMedial& medial, std::span<const std::uint32_t> members, std::size_t count, const DepthField& solid,
     const KeepGoing& keepGoing = [] { return true; });
 
-/// Gives every piece to the group with the medial sphere nearest to its centroid, |p - c| - r; on a tie to the first
-/// group. Part i of the result must lie in the ball of group i. Cost: a search of a tree for each piece, in parallel.
-/// Precondition: `groups` is not empty.
+/// Gives every piece to the group with the medial sphere nearest to its centroid, |p - c| - r, if that group's ball
+/// holds the piece. Otherwise the ball would have to grow. Then the piece goes where the larger of two lengths is
+/// least: the growth that the group's ball needs, and how much farther its nearest medial sphere is than the nearest of
+/// all. On a tie the first group takes it. Part i of the result must lie in the ball of group i. Cost: a search of a
+/// tree for each piece, and of all medial spheres for the few that make a ball grow; in parallel. Precondition:
+/// `groups` is not empty.
 std::vector<Pieces> divideByOwners(const HubbardMedial& medial, std::span<const HubbardGroup> groups,
                                    std::span<const Piece> pieces);
 

@@ -31,14 +31,15 @@ constexpr const char* kAboutBuild =
     "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
     "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate\n"
     "  cairn build rock.obj -o lean.cairn --balance 0.05\n"
-    "  cairn build rock.obj -o thesis.cairn --method burst --optimise thesis --balance work\n"
+    "  cairn build rock.obj -o thesis.cairn --method burst --optimise thesis --balance work --division planes\n"
     "  cairn build scan.ply -o scan.cairn --repair\n"
     "  cairn build ship.dae -o ship.cairn --wrap --wrap-alpha 0.05 --mesh-output skin.ply";
 
 struct BuildCommand {
   MeshSourceOptions source;
   std::string output, json;
-  std::string method = builder::methodName(builder::BuildOptions{}.method), optimiser, balance;
+  std::string method = builder::methodName(builder::BuildOptions{}.method), optimiser, balance,
+              division = builder::divisionName(builder::BuildOptions{}.division);
   builder::BuildOptions options;
   bool noEvaluate = false;
 };
@@ -110,6 +111,9 @@ Status readSetTreatment(BuildCommand& command) {
     if (!balance) return balance.error();
     command.options.balance = balance.value();
   }
+  const Result<builder::SurfaceDivision> division = builder::parseDivision(command.division);
+  if (!division) return division.error();
+  command.options.division = division.value();
   return {};
 }
 
@@ -129,6 +133,20 @@ int run(BuildCommand& command) {
   return finish(command, built.value(), cpuSeconds, wallSeconds, bar.callback());
 }
 
+/// Planes divide the sets of a method that fits regions, unless our own optimiser moves the seams.
+void checkDivision(const BuildCommand& command, const Result<builder::Method>& method) {
+  if (!method || command.division == builder::divisionName(builder::SurfaceDivision::standOff)) return;
+  if (!builder::fitsRegions(method.value()))
+    throw CLI::ValidationError("--division", "the method " + command.method +
+                                                 " does not fit spheres region by region; leave the option out or "
+                                                 "choose another method");
+  if (command.optimiser.empty() ? builder::optimisedByCairn(method.value())
+                                : command.optimiser == builder::optimiserName(builder::Optimiser::cairn))
+    throw CLI::ValidationError("--division",
+                               "--optimise cairn moves the seams itself; choose --optimise none or "
+                               "--optimise thesis with planes");
+}
+
 /// Checks combinations of options; throws as the parser does.
 void checkUsage(const BuildCommand& command) {
   checkMeshSource(command.source);
@@ -141,6 +159,7 @@ void checkUsage(const BuildCommand& command) {
                                "the method " + command.method +
                                    " does not fit spheres region by region; leave the option out or choose another "
                                    "method");
+  checkDivision(command, method);
 }
 
 }  // namespace
@@ -164,6 +183,12 @@ void addBuildCommand(CLI::App& app, Action& action) {
         const Result<builder::Balance> balance = builder::parseBalance(text);
         return balance ? std::string() : balance.error().message;
       });
+  sub->add_option("--division", command->division,
+                  "How a region's spheres share its surface: each part goes to the sphere that needs the least "
+                  "stand-off, or planes stand between each two spheres, as in the thesis; planes not with --optimise "
+                  "cairn")
+      ->check(CLI::IsMember(builder::divisionNames()))
+      ->capture_default_str();
   sub->add_option("--branching", command->options.branching, "Most children of a sphere")
       ->check(CLI::Range(2U, 8U))
       ->capture_default_str();

@@ -86,11 +86,14 @@ TEST_P(EveryMethod, DeeperLevels_HaveSmallerErrors) {
   EXPECT_LT(tree.levelError(2), tree.levelError(1));
 }
 
+constexpr SurfaceDivision kOwn = SurfaceDivision::standOff;
+
 struct SetTreatment {
   const char* name;
   Method method;
   std::optional<Optimiser> optimiser;
   std::optional<Balance> balance;
+  SurfaceDivision division;
   const char* goldenHash;  ///< of a small cuboid's tree; see SmallTree_HasItsGoldenHash
 };
 
@@ -100,19 +103,24 @@ class EveryTreatment : public testing::TestWithParam<SetTreatment> {
     BuildOptions o = smallBuild(GetParam().method);
     o.optimiser = GetParam().optimiser;
     o.balance = GetParam().balance;
+    o.division = GetParam().division;
     return o;
   }
 };
 INSTANTIATE_TEST_SUITE_P(
     Build, EveryTreatment,
-    testing::Values(SetTreatment{"balanced", Method::combined, {}, constantExcess(0.05), "3a56e155733d2c0d"},
-                    SetTreatment{"balancedByWork", Method::merge, {}, kBalanceByWork, "aff666e4a7b1afb9"},
-                    SetTreatment{"thesis", Method::combined, Optimiser::thesis, {}, "4a640a00bb4ff806"},
-                    SetTreatment{"thesisBalanced", Method::expandCover, Optimiser::thesis, constantExcess(0.05),
-                                 "00082ffec6b15188"},
-                    SetTreatment{"unoptimised", Method::combined, Optimiser::none, {}, "77d21ef6d024fda4"},
-                    SetTreatment{"hybrid", Method::hybrid, {}, {}, "1aeed02182cd757e"},
-                    SetTreatment{"spawnByCairn", Method::spawn, Optimiser::cairn, {}, "04a0e03380b8554f"}),
+    testing::Values(
+        SetTreatment{"balanced", Method::combined, {}, constantExcess(0.05), kOwn, "3a56e155733d2c0d"},
+        SetTreatment{"balancedByWork", Method::merge, {}, kBalanceByWork, kOwn, "aff666e4a7b1afb9"},
+        SetTreatment{"thesis", Method::combined, Optimiser::thesis, {}, kOwn, "bd87f35786ccf048"},
+        SetTreatment{"thesisBalanced", Method::expandCover, Optimiser::thesis, constantExcess(0.05), kOwn,
+                     "83536354dc5416d5"},
+        SetTreatment{
+            "thesisPlanes", Method::expand, Optimiser::thesis, {}, SurfaceDivision::planes, "df236733d83c917d"},
+        SetTreatment{"unoptimised", Method::combined, Optimiser::none, {}, kOwn, "5ba1073db3cf0d90"},
+        SetTreatment{"gridPlanes", Method::grid, {}, {}, SurfaceDivision::planes, "54e7f1d6a37e495f"},
+        SetTreatment{"hybrid", Method::hybrid, {}, {}, kOwn, "44aabb652bc53938"},
+        SetTreatment{"spawnByCairn", Method::spawn, Optimiser::cairn, {}, kOwn, "04a0e03380b8554f"}),
     [](const auto& treatment) { return std::string(treatment.param.name); });
 
 TEST_P(EveryTreatment, AnySolid_IsProvedToBeCoveredWithTheSameBitsForAnyNumberOfThreads) {
@@ -136,31 +144,9 @@ TEST(Build, Treatment_IsNamedInTheTree) {
   BuildOptions options = smallBuild(Method::merge, 1);
   options.optimiser = Optimiser::thesis;
   options.balance = constantExcess(0.05);
+  options.division = SurfaceDivision::planes;
   EXPECT_EQ(built(test::meshOf(test::cuboid({1, 1, 1}, 1)), options).info().method,
-            "merge+optimise-thesis+balance-0.05");
-}
-
-TEST(Hybrid, Regions_AreTheGridsAndNoBallErrsMore) {
-  for (const std::uint64_t seed : {std::uint64_t{3}, std::uint64_t{4}}) {
-    const TriangleMesh mesh = test::lumpyBall(2, seed);
-    const SignedDistance solid(mesh);
-    const auto grown = [&](Method method) {
-      SplitSettings settings{method, 8, 1, 1e-6};
-      settings.optimiser = Optimiser::none;
-      return growRegionTree(rootRegion(solid, 800), 2, solid, settings, [](auto...) { return true; });
-    };
-    const RegionTree grid = grown(Method::grid), hybrid = grown(Method::hybrid);
-    ASSERT_EQ(grid.size(), hybrid.size());
-    double gridSum = 0, hybridSum = 0;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      EXPECT_EQ(grid[i].region.pieces, hybrid[i].region.pieces) << "seed " << seed << ", node " << i;
-      EXPECT_LE(hybrid[i].region.error, grid[i].region.error) << "seed " << seed << ", node " << i;
-      EXPECT_GE(hybrid[i].region.ball.radius, grid[i].region.ball.radius * (1 - 1e-12));
-      gridSum += grid[i].region.error;
-      hybridSum += hybrid[i].region.error;
-    }
-    EXPECT_LT(hybridSum, 0.95 * gridSum);
-  }
+            "merge+optimise-thesis+balance-0.05+divide-planes");
 }
 
 TEST(Build, Combined_BeatsTheOctreeByFar) {
@@ -214,6 +200,13 @@ TEST(Build, OptionsOutOfRange_AreNamedInOneSentence) {
               o.method = Method::hubbard;
               o.optimiser = Optimiser::thesis;
             }).find("region by region, as the option optimiser needs"),
+            std::string::npos);
+  EXPECT_NE(refusal([](BuildOptions& o) {
+              o.method = Method::octree;
+              o.division = SurfaceDivision::planes;
+            }).find("choose another method"),
+            std::string::npos);
+  EXPECT_NE(refusal([](BuildOptions& o) { o.division = SurfaceDivision::planes; }).find("choose the optimiser none"),
             std::string::npos);
 }
 

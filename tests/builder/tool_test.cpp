@@ -168,6 +168,9 @@ TEST_F(Tool, WrongUsageEndsWithTwo) {
   expectOneSentence(run("build " + in + out + " --balance 5%"), 2, "--balance");
   expectOneSentence(run("build " + in + out + " --optimise well"), 2, "--optimise");
   expectOneSentence(run("build " + in + out + " --method octree --balance 0.05"), 2, "--balance");
+  expectOneSentence(run("build " + in + out + " --division planes"), 2, "--division");
+  expectOneSentence(run("build " + in + out + " --method octree --division planes"), 2, "--division");
+  expectOneSentence(run("build " + in + out + " --method grid --optimise cairn --division planes"), 2, "--division");
   expectOneSentence(run("build " + in + out + " --method adaptive --optimise thesis"), 2, "--optimise");
   expectOneSentence(run("export a.cairn --to sph --level 1 -o b"), 2, "--level");
   expectOneSentence(run("export a.cairn --to glb -o b.obj"), 2, "ends in .obj");

@@ -16,7 +16,7 @@ namespace cairn::builder {
 
 /// The construction that covers a region of the surface with a given number of spheres. `combined`, `merge` and
 /// `expand` are improved further: their centres move, and divisions of the surface take the children into account.
-/// `adaptive` is Cairn's own. The other methods are the thesis's constructions without change.
+/// `adaptive` is Cairn's own. The other methods are the thesis's constructions.
 enum class Method : std::uint8_t {
   combined,     ///< per node the better of merge and expand (thesis 7.1.5)
   merge,        ///< medial spheres merged pairwise (5.3.1)
@@ -26,10 +26,11 @@ enum class Method : std::uint8_t {
   burst,        ///< medial spheres removed one by one, while their neighbours grow (5.3.2)
   spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
   solidOctree,  ///< octree with the cubes inside the solid, which fill it but cover no surface (3.1.2)
-  grid,         ///< cells of a cubic grid, freely turned and moved (3.3)
-  hybrid,       ///< the regions of grid, each with the sphere of least error instead of the smallest (7.1.5)
+  grid,         ///< cells of a cubic grid, freely turned and moved; then each sphere moves by itself (3.3, 6.1)
+  hybrid,       ///< the regions of grid, each with the sphere of least certified error (7.1.5)
   hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
   adaptive,     ///< whole levels of equal error instead of single regions (Cairn's own)
+  gridVolume,   ///< the regions of grid, each with its smallest sphere (3.3, 7.1.5)
 };
 
 /// The way a sphere set is improved before the surface is divided among its spheres (thesis 6.2).
@@ -37,6 +38,12 @@ enum class Optimiser : std::uint8_t {
   none,    ///< the set stays as its method made it
   thesis,  ///< one sphere after another, by downhill simplex (Alg. 9 and 10)
   cairn,   ///< Cairn's own: also improves the seams, and divisions take the children into account
+};
+
+/// How spheres that overlap share the surface between them, once a region's spheres are chosen.
+enum class SurfaceDivision : std::uint8_t {
+  standOff,  ///< each part of the surface goes to the sphere that needs the least stand-off for it (Cairn's own)
+  planes,    ///< planes between each two spheres, moved to give both equal shares (thesis 6.1, Alg. 8)
 };
 
 /// The tree that `buildTree` should make. `buildTree` refuses values out of range.
@@ -56,6 +63,9 @@ struct BuildOptions {
   /// Whether to make a coarser mesh for each level too, see level_meshes.h. No value: for meshes of more than
   /// `kDenseTriangles`, on which contacts would be slow; none where they cannot be made.
   std::optional<bool> levelMeshes;
+  /// How the spheres of a region share its surface. Other values than `standOff` are allowed only for methods that fit
+  /// spheres region by region, and not with the optimiser `cairn`, which moves the seams itself.
+  SurfaceDivision division = SurfaceDivision::standOff;
 };
 
 /// Contacts on a mesh of more triangles take several times as long as on one of 1500, which games use.
@@ -85,9 +95,17 @@ Result<Optimiser> parseOptimiser(const std::string& name);
 const char* optimiserName(Optimiser optimiser);
 /// Names of all optimisers.
 std::vector<std::string> optimiserNames();
+/// Returns the division of a name, as in `cairn build --division`. Fails for any other name and lists the valid ones.
+Result<SurfaceDivision> parseDivision(const std::string& name);
+/// Returns the name that `parseDivision` reads.
+const char* divisionName(SurfaceDivision division);
+/// Names of all divisions.
+std::vector<std::string> divisionNames();
 /// True for methods that fit a set of spheres to one region after another. Only these methods can be optimised and
 /// balanced.
 bool fitsRegions(Method method);
+/// True for methods that `Optimiser::cairn` improves unless the user chooses otherwise.
+bool optimisedByCairn(Method method);
 /// True for methods that cut cubes in eight; they accept no branching but 8.
 bool dividesByEight(Method method);
 
