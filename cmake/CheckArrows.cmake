@@ -42,5 +42,5 @@ endfunction()
 
 one_way(builder "" surface import certify balls medial cover spheres regions levels hierarchy flat evaluate export bound fracture tool)
 one_way(plugin "" memory placement queries shape contacts kernel triangles terrain colliders continuous pairs dispatch serialize drawing effects)
-one_way(demos/rockfall "rockfall/" case terrain rocks simulation ensemble outputs convergence validation)
+one_way(demos/rockfall "rockfall/" case terrain gis rocks simulation ensemble outputs convergence validation)
 one_way(demos/accuracy_cost "accuracy_cost/" models experiments figures runs)

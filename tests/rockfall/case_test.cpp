@@ -253,8 +253,8 @@ TEST(Case_Polygon, SharesItsBorderWithNoOther) {
 TEST(Case_Zones, TheLastOverAPointCounts) {
   TerrainSection terrain;
   terrain.material = 7;
-  terrain.zones = {makeZone(1, {{103, -45}, {111, -45}, {111, -39}, {103, -39}}),
-                   makeZone(2, {{105, -45}, {125, -45}, {105, -25}})};
+  terrain.zones = {makeZone(1, {{{103, -45}, {111, -45}, {111, -39}, {103, -39}}, {}}),
+                   makeZone(2, {{{105, -45}, {125, -45}, {105, -25}}, {}})};
   for (double x = 100.5; x < 130; ++x)
     for (double y = -49.5; y < -20; ++y) {
       const bool inSecond = x >= 105 && y >= -45 && x + y < 80;
