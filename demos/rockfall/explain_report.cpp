@@ -30,6 +30,7 @@ std::string explainText(const Scene& scene, const Explanation& explanation) {
                    fmt::format("{:.3g} to {:.3g}", group.smallestSieveM, group.largestSieveM), group.greatestMassKg,
                    group.greatestFallM, group.greatestSpeedMPerS, group.greatestInertiaRatio);
   }
+  for (const MapNote& note : description.notes) fmt::format_to(out, "map {}: {}\n", note.path, note.text);
   fmt::format_to(out, "effects listed: {}; nothing else is simulated\n", outlooks.size());
   for (const EffectOutlook& outlook : outlooks) {
     const std::string whom =
@@ -68,8 +69,11 @@ std::string explainJson(const Scene& scene, const Explanation& explanation) {
                        {"advice", outlook.advice}});
   for (const SceneWarning& warning : sceneWarnings)
     warnings.push_back({{"path", warning.path}, {"warning", warning.text}});
+  Ordered maps = Ordered::array();
+  for (const MapNote& note : scene.description.notes) maps.push_back({{"path", note.path}, {"found", note.text}});
   const Ordered json{{"case", scene.description.name},
                      {"ground_m", {scene.ground->lower().z, scene.ground->upper().z}},
+                     {"maps", maps},
                      {"groups", groups},
                      {"effects", effects},
                      {"warnings", warnings}};

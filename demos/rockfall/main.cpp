@@ -76,7 +76,7 @@ Status execute(const ExplainCommand& command) {
 }
 
 Status execute(const MergeCommand& command) {
-  const auto report = mergeOutputs({command.parts, command.folder, command.png});
+  const auto report = mergeOutputs({command.parts, command.folder, command.png, command.geopackage, command.geojson});
   if (!report) return report.error();
   const MergeReport& merged = report.value();
   fmt::print("{} runs, {} rocks, {} lost, {:.1f} s of CPU time; results in {}\n", merged.runs, merged.rocks,
@@ -84,6 +84,7 @@ Status execute(const MergeCommand& command) {
   for (std::size_t i = 0; i < merged.effects.size(); ++i)
     fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s, took {:.6g} kJ\n", merged.effects[i].name,
                merged.effects[i].acted, merged.effects[i].elapsedUs / 1e6, merged.did[i].energyTakenJ / 1e3);
+  fmt::print("{}", enoughText(merged.quantiles, merged.runs));
   fmt::print("merged hash {}\n", merged.hash);
   return {};
 }

@@ -61,6 +61,13 @@ CLI::App* addMerge(CLI::App& app, MergeCommand& merge) {
   command->add_option("DIR", merge.parts, "folders that run has filled, in any order")->required();
   command->add_option("-o,--output", merge.folder, "folder for the results, made if missing")->required();
   command->add_flag("--png", merge.png, "draw the figures as PNG too (needs rsvg-convert)");
+  command->add_flag("--geopackage", merge.geopackage,
+                    "write trajectories, stops and collectors to results.gpkg too (needs GDAL)");
+  command->add_flag("--geojson", merge.geojson, "write the same as GeoJSON, a file for each (needs GDAL)");
+  command->footer(
+      "Examples:\n"
+      "  rockfall merge runs -o results --png --geopackage\n"
+      "  rockfall merge out/part-* -o out/merged");
   return command;
 }
 

@@ -28,7 +28,7 @@ struct ExplainCommand {
 struct MergeCommand {
   std::vector<std::filesystem::path> parts;
   std::filesystem::path folder;
-  bool png = false;
+  bool png = false, geopackage = false, geojson = false;
 };
 
 struct SchemaCommand {};

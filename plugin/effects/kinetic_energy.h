@@ -3,6 +3,9 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace cairn::effects {
 
 /// Of the centre of mass's motion, J.
@@ -18,6 +21,16 @@ inline btScalar rotationalEnergy(const btRigidBody& body) {
   for (int axis = 0; axis < 3; ++axis)
     if (inverse[axis] > 0) twice += spin[axis] * spin[axis] / inverse[axis];
   return btScalar(0.5) * twice;
+}
+
+/// Takes energy of all motion, J, or all there is: velocities are scaled down in their directions. Precondition: loss >
+/// 0.
+inline void loseEnergy(btRigidBody& body, btScalar loss) {
+  const btScalar energy = translationalEnergy(body) + rotationalEnergy(body);
+  if (!(energy > 0)) return;
+  const btScalar kept = std::sqrt(std::max(btScalar(0), 1 - loss / energy));
+  body.setLinearVelocity(body.getLinearVelocity() * kept);
+  body.setAngularVelocity(body.getAngularVelocity() * kept);
 }
 
 }  // namespace cairn::effects

@@ -15,15 +15,6 @@ namespace {
 // So many stems at once a body has room for from the beginning.
 constexpr std::size_t kUsualStems = 8;
 
-// Precondition: loss > 0.
-void loseEnergy(btRigidBody& body, btScalar loss) {
-  const btScalar energy = translationalEnergy(body) + rotationalEnergy(body);
-  if (!(energy > 0)) return;
-  const btScalar kept = std::sqrt(std::max(btScalar(0), 1 - loss / energy));
-  body.setLinearVelocity(body.getLinearVelocity() * kept);
-  body.setAngularVelocity(body.getAngularVelocity() * kept);
-}
-
 }  // namespace
 
 SingleTrees::SingleTrees(std::vector<Stem> stems, const GroundHeight& ground, const Options& options)

@@ -2,6 +2,7 @@
 #include "every_effect.h"
 
 #include "cairn/effects/air_drag.h"
+#include "cairn/effects/barrier.h"
 #include "cairn/effects/continuous_collision.h"
 #include "cairn/effects/forest_drag.h"
 #include "cairn/effects/friction.h"
@@ -79,6 +80,10 @@ std::vector<EffectRow> mediumEffects() {
       stems.push_back({away - btScalar(0.5) * btScalar(i), btScalar(2 * (i % 7) - 8), btScalar(0.2)});
     return [=] { return std::make_unique<SingleTrees>(stems, kIncline, SingleTrees::Options{20, ratio}); };
   };
+  const auto barrier = [](btScalar away, btScalar capacity) -> EffectRow::Make {
+    const std::vector<Barrier::Segment> segments{{{away, -50}, {away, 50}}};
+    return [=] { return std::make_unique<Barrier>(segments, kIncline, Barrier::Options{20, capacity}); };
+  };
   const Region elsewhere({{kFar, 0}, {2 * kFar, 0}, {2 * kFar, 1}});
   return {
       {"air_drag", make<AirDrag>(AirDrag::Options{}), make<AirDrag>(AirDrag::Options{.density = 0}),
@@ -91,6 +96,7 @@ std::vector<EffectRow> mediumEffects() {
       {"forest_drag", forest({.height = 5, .coefficient = 1}), forest({.height = 5, .coefficient = 0}),
        forest({.height = 5, .coefficient = 1, .region = elsewhere})},
       {"trees", trees(-1, btScalar(1e-4)), trees(-1, 0), trees(-kFar, 1)},
+      {"barrier", barrier(-3, 1), barrier(-3, 0), barrier(-kFar, 1)},
       {"ground_drag", ground({.deceleration = 2}), ground({.deceleration = 0}),
        ground({.within = -kFar, .deceleration = 2})},
   };

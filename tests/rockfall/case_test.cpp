@@ -108,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "fricton", "default": 1}}])",
              "case.json: /effects/1/effect: there is no effect \"fricton\" (did you mean \"friction\"?): use friction, "
              "rolling_resistance, restitution, tangential_restitution, slip_friction, surface_roughness, gyroscopic, "
-             "ccd, sleeping, air_drag, water, forest_drag, trees, soil_scarring, ground_drag, fragmentation, events"},
+             "ccd, sleeping, air_drag, water, forest_drag, trees, barrier, soil_scarring, ground_drag, fragmentation, "
+             "events"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "water"}}])",
              R"(case.json: /effects/1: "level_m" is missing)"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "water", "level_cm": 50}}])",
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
              "case.json: /rocks/0/sieve_m/sizes/1: sieve sizes must not fall, and shares must rise, from point to "
              "point"},
         Slip{R"([{"op": "replace", "path": "/collectors/0/line_m", "value": [[1, 2]]}])",
-             "case.json: /collectors/0/line_m: this list must have 2 elements"},
+             "case.json: /collectors/0/line_m: this list must have at least 2 elements"},
         Slip{R"([{"op": "add", "path": "/outputs/geotiff", "value": "yes"}])",
              "case.json: /outputs/geotiff: this must be true or false"},
         Slip{R"([{"op": "replace", "path": "/outputs", "value": {"geotiff": true}}])",
@@ -253,8 +254,8 @@ TEST(Case_Polygon, SharesItsBorderWithNoOther) {
 TEST(Case_Zones, TheLastOverAPointCounts) {
   TerrainSection terrain;
   terrain.material = 7;
-  terrain.zones = {makeZone(1, {{103, -45}, {111, -45}, {111, -39}, {103, -39}}),
-                   makeZone(2, {{105, -45}, {125, -45}, {105, -25}})};
+  terrain.zones = {makeZone(1, {{{103, -45}, {111, -45}, {111, -39}, {103, -39}}, {}}),
+                   makeZone(2, {{{105, -45}, {125, -45}, {105, -25}}, {}})};
   for (double x = 100.5; x < 130; ++x)
     for (double y = -49.5; y < -20; ++y) {
       const bool inSecond = x >= 105 && y >= -45 && x + y < 80;

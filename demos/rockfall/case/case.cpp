@@ -44,21 +44,56 @@ Case readSections(const Value& value) {
 struct NamedFile {
   std::string path;  // in the case
   std::string file;
+  bool isMap = false;
 };
 
 std::vector<NamedFile> namedFiles(const Case& scene) {
   std::vector<NamedFile> files;
   if (const auto* raster = std::get_if<RasterTerrain>(&scene.terrain.source))
-    files.push_back({"/terrain/raster", raster->file});
+    files.push_back({"/terrain/raster", raster->file, true});
   if (const auto* mesh = std::get_if<MeshTerrain>(&scene.terrain.source))
     files.push_back({"/terrain/mesh", mesh->file});
   for (std::size_t i = 0; i < scene.rocks.size(); ++i)
     if (const auto* mesh = std::get_if<MeshRocks>(&scene.rocks[i].source))
       files.push_back({pathInto("/rocks", i) + "/mesh", mesh->file});
+  for (const MapSource* map : mapsOf(scene))
+    files.push_back({map->path + (map->isRaster ? "/raster" : "/vector"), map->file, true});
   return files;
 }
 
+/// What belongs to a map's file decides what is read of it.
+Status addToHash(ContentHash& hash, const Case& scene, const NamedFile& named) {
+  const auto content = readFile(scene.pathOf(named.file));
+  if (!content) return content.error();
+  hash.add(content.value());
+  if (!named.isMap) return {};
+  for (const std::string& beside : filesBesideMap(named.file))
+    if (std::filesystem::exists(scene.pathOf(beside))) {
+      const auto more = readFile(scene.pathOf(beside));
+      if (!more) return more.error();
+      hash.add(beside);
+      hash.add(more.value());
+    }
+  return {};
+}
+
 }  // namespace
+
+std::vector<const MapSource*> mapsOf(const Case& scene) {
+  std::vector<const MapSource*> maps;
+  for (const MappedZones& zones : scene.terrain.mapped) maps.push_back(&zones.map);
+  for (const RockGroup& group : scene.rocks)
+    if (group.release.map) maps.push_back(&*group.release.map);
+  for (const Collector& collector : scene.collectors)
+    if (collector.map) maps.push_back(&*collector.map);
+  for (const EffectOptions& effect : scene.effects) {
+    if (const auto* barrier = std::get_if<BarrierOptions>(&effect); barrier && barrier->map)
+      maps.push_back(&*barrier->map);
+    if (const auto* trees = std::get_if<TreesOptions>(&effect))
+      if (const auto* mapped = std::get_if<MappedTrees>(&trees->stems)) maps.push_back(&mapped->map);
+  }
+  return maps;
+}
 
 std::uint32_t Case::stepCount() const {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(durationS / stepS)));
@@ -74,9 +109,8 @@ Result<Case> parseCase(std::string_view text, const std::string& file, const std
   ContentHash hash;
   hash.add(document.value().dump());
   for (const NamedFile& named : namedFiles(scene)) {
-    const auto content = readFile(scene.pathOf(named.file));
-    if (!content) return Error{inOneLine(file + ": " + named.path + ": " + content.error().message)};
-    hash.add(content.value());
+    const Status added = addToHash(hash, scene, named);
+    if (!added) return Error{inOneLine(file + ": " + named.path + ": " + added.error().message)};
   }
   scene.hash = hash.hex();
   return scene;

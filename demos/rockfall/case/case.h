@@ -24,6 +24,12 @@ struct BudgetSection {
   std::optional<double> microseconds;
 };
 
+/// What was found in a map that a case names.
+struct MapNote {
+  std::string path;  ///< in the case
+  std::string text;  ///< how much it holds, what was left out, from where it was reprojected
+};
+
 /// A scene as its file describes it; no object is built yet. SI units. The world is z up; x and y are those of the map.
 ///
 ///     Result<Case> scene = readCase("slope.json");
@@ -38,6 +44,7 @@ struct Case {
   std::vector<EffectOptions> effects;
   std::vector<Collector> collectors;
   OutputsSection outputs;
+  std::vector<MapNote> notes;  ///< on the maps that were read, in the order in which the case names them
 
   std::filesystem::path folder;  ///< of the case file; the file names in the case are relative to it
   /// SHA-256, hexadecimal, of the case without its comments and of the files it names. Cases with equal hashes give
@@ -47,6 +54,9 @@ struct Case {
   std::filesystem::path pathOf(const std::string& file) const { return folder / file; }
   std::uint32_t stepCount() const;
 };
+
+/// The maps that a case names and that are not read yet.
+std::vector<const MapSource*> mapsOf(const Case& scene);
 
 /// Reads a case from a text; `file` is its name for messages. Fails in one sentence with file and JSON path. It refuses
 /// invalid JSON, unknown or repeated keys, and materials that are not listed. It refuses values that are missing, of

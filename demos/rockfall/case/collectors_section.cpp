@@ -13,14 +13,12 @@ std::vector<Collector> readCollectors(const Value& value) {
   for (const Value& item : value.items(0, kMaxCollectors)) {
     Object object(item);
     const Value name = object.at("name");
-    Collector collector{name.name(), {}};
+    Collector collector{name.name(), {}, {}};
     if (std::ranges::find(collectors, collector.name, &Collector::name) != collectors.end())
       name.refuse(fmt::format("the collector \"{}\" is listed twice", collector.name));
-    const Value line = object.at("line_m");
-    if (const auto ends = line.items(2, 2); ends.size() == 2) {
-      collector.line = {readPoint(ends[0]), readPoint(ends[1])};
-      if (collector.line[0] == collector.line[1]) line.refuse("the ends of the line are the same point");
-    }
+    PlacedLines placed = readLines(object);
+    collector.lines = std::move(placed.lines);
+    collector.map = std::move(placed.map);
     collectors.push_back(collector);
   }
   return collectors;

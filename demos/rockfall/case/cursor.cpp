@@ -161,6 +161,18 @@ std::vector<Value> Value::items(std::size_t least, std::size_t most) const {
   return items;
 }
 
+std::vector<std::pair<std::string, Value>> Value::members() const {
+  std::vector<std::pair<std::string, Value>> members;
+  if (!json_) return members;
+  if (!json_->is_object() || json_->empty()) {
+    refuse("this must be an object, as in { ... }, that is not empty");
+    return members;
+  }
+  for (const auto& [key, member] : json_->items())
+    members.emplace_back(key, Value(&member, pathInto(path_, key), *complaint_));
+  return members;
+}
+
 Object::Object(const Value& value) : value_(value) {
   if (value_.json_ && !value_.json_->is_object()) {
     refuse("this must be an object, as in { ... }");

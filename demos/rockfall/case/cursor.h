@@ -64,6 +64,12 @@ class Value {
   /// Returns the elements of an array of `least` to `most` elements.
   std::vector<Value> items(std::size_t least, std::size_t most) const;
 
+  /// Returns the keys of an object of at least one member and their values, in the order of the keys.
+  std::vector<std::pair<std::string, Value>> members() const;
+
+  /// Where it is in the document, as a JSON pointer.
+  const std::string& path() const { return path_; }
+  bool isNull() const { return json_ && json_->is_null(); }
   bool isObject() const { return json_ && json_->is_object(); }
   bool isArray() const { return json_ && json_->is_array(); }
   /// Reports an error at this value. For a missing value the object has reported its own error.
@@ -94,6 +100,7 @@ class Object {
   double numberOr(std::string_view key, const Range& range, double otherwise);
 
   void refuse(std::string_view why) const { value_.refuse(why); }
+  const std::string& path() const { return value_.path(); }
 
  private:
   const Json* member(std::string_view key);

@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "rockfall/case/map_source.h"
 #include "rockfall/case/materials.h"
 #include "rockfall/case/plane_geometry.h"
 
@@ -96,10 +99,24 @@ struct StandOfTrees {
   std::array<double, 2> diameterM{};  ///< least and greatest; uniformly distributed
   Polygon polygon;
 };
+/// Trees of a map: single ones, or stands by their classes.
+struct MappedTrees {
+  MapSource map;
+  std::string diameterField;  ///< of points, metres; empty: stands
+  ClassTable<StandOfTrees> stands;
+};
 struct TreesOptions {
   static constexpr std::string_view kName = "trees";
   double energyRatio = 1;  ///< energy that a stem can absorb, divided by that of the measured stems
-  std::variant<std::vector<Stem>, StandOfTrees> stems;
+  /// Of a map there are stems once it is read.
+  std::variant<std::vector<Stem>, StandOfTrees, MappedTrees> stems;
+};
+
+struct BarrierOptions {
+  static constexpr std::string_view kName = "barrier";
+  std::vector<Polyline> lines;
+  std::optional<MapSource> map;  ///< of the lines; they are there once it is read
+  double heightM = 0, capacityJ = 0;
 };
 
 struct SoilScarringOptions {
@@ -130,13 +147,13 @@ struct EventsOptions {
 using EffectOptions =
     std::variant<FrictionOptions, RollingResistanceOptions, RestitutionOptions, TangentialRestitutionOptions,
                  SlipFrictionOptions, SurfaceRoughnessOptions, GyroscopicOptions, CcdOptions, SleepingOptions,
-                 AirDragOptions, WaterOptions, ForestDragOptions, TreesOptions, SoilScarringOptions, GroundDragOptions,
-                 FragmentationOptions, EventsOptions>;
+                 AirDragOptions, WaterOptions, ForestDragOptions, TreesOptions, BarrierOptions, SoilScarringOptions,
+                 GroundDragOptions, FragmentationOptions, EventsOptions>;
 
 std::string_view nameOf(const EffectOptions& effect);
 
 /// Returns the listed effect of a kind, or null. For effects that may be listed several times (water, forest_drag,
-/// trees), returns the first.
+/// trees, barrier), returns the first.
 template <class Options>
 const Options* findEffect(const std::vector<EffectOptions>& effects) {
   for (const EffectOptions& effect : effects)

@@ -25,6 +25,7 @@ EffectOptions readAirDrag(Object& object, const Materials& materials);
 EffectOptions readWater(Object& object, const Materials& materials);
 EffectOptions readForestDrag(Object& object, const Materials& materials);
 EffectOptions readTrees(Object& object, const Materials& materials);
+EffectOptions readBarrier(Object& object, const Materials& materials);
 EffectOptions readGroundDrag(Object& object, const Materials& materials);
 
 }  // namespace cairn::rockfall

@@ -35,6 +35,7 @@ constexpr std::array kReaders{
     readerOf<WaterOptions>(readWater, true),
     readerOf<ForestDragOptions>(readForestDrag, true),
     readerOf<TreesOptions>(readTrees, true),
+    readerOf<BarrierOptions>(readBarrier, true),
     readerOf<SoilScarringOptions>(readSoilScarring),
     readerOf<GroundDragOptions>(readGroundDrag),
     readerOf<FragmentationOptions>(readFragmentation),

@@ -7,8 +7,8 @@
 
 namespace cairn::rockfall {
 
-/// Reads the effects in the order of the list. Effects of a place (water, forest_drag, trees) may occur several times,
-/// the others once.
+/// Reads the effects in the order of the list. Effects of a place (water, forest_drag, trees, barrier) may occur
+/// several times, the others once.
 std::vector<EffectOptions> readEffects(const Value& value, const Materials& materials);
 
 }  // namespace cairn::rockfall

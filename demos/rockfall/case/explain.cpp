@@ -134,13 +134,20 @@ class Outlooks {
     bool some = false;
     if (const auto* stand = std::get_if<StandOfTrees>(&o.stems))
       some = stand->densityPerHa > 0 && bounds_.lowestGround(stand->polygon);
-    else
-      for (const Stem& stem : std::get<std::vector<Stem>>(o.stems)) {
+    else if (const auto* stems = std::get_if<std::vector<Stem>>(&o.stems))
+      for (const Stem& stem : *stems) {
+        if (some) break;
         const auto [x, y] = stem.placeM;
         const double r = stem.diameterM / 2;
         some |= bounds_.lowestGround({{x - r, y - r}, {x + r, y - r}, {x + r, y + r}, {x - r, y + r}}).has_value();
       }
     all(some && o.energyRatio > 0, "stems over the ground and an energy ratio above 0");
+  }
+  void judge(const BarrierOptions& o) {
+    all(o.heightM > 0 && o.capacityJ > 0, "height and capacity above 0");
+    const bool putsToRest = findEffect<SleepingOptions>(scene_.effects) != nullptr;
+    if (!outlook_.groups.empty() && !putsToRest)
+      outlook_.advice = "rocks that it catches stay awake until the time is over: list \"sleeping\" too";
   }
   void judge(const GroundDragOptions& o) {
     all(o.belowMPerS > 0 && o.withinM > 0 && o.decelerationMPerS2 > 0, "speed, layer and deceleration above 0");

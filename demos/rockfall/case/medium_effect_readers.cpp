@@ -21,8 +21,7 @@ double readDiameter(const Value& value) {
   return diameter;
 }
 
-StandOfTrees readStand(const Value& value) {
-  Object object(value);
+StandOfTrees readStandDensity(Object& object) {
   StandOfTrees stand;
   stand.densityPerHa = object.at("density_per_ha").number(between(0, 100000));
   const Value diameters = object.at("diameter_m");
@@ -30,6 +29,27 @@ StandOfTrees readStand(const Value& value) {
     stand.diameterM = {readDiameter(ends[0]), readDiameter(ends[1])};
     if (stand.diameterM[1] < stand.diameterM[0]) diameters.refuse("the smaller diameter comes first");
   }
+  return stand;
+}
+
+MappedTrees readMappedTrees(Object& object) {
+  MappedTrees trees{readMapSource(object), {}, {}};
+  if (!trees.map.isRaster)
+    if (const auto field = object.find("diameter_field")) {
+      trees.diameterField = field->text();
+      return trees;
+    }
+  trees.stands = readClasses<StandOfTrees>(object, trees.map, "stands", [](const Value& value) {
+    Object stand(value);
+    return readStandDensity(stand);
+  });
+  return trees;
+}
+
+std::variant<std::vector<Stem>, StandOfTrees, MappedTrees> readStand(const Value& value) {
+  Object object(value);
+  if (namesMap(object)) return readMappedTrees(object);
+  StandOfTrees stand = readStandDensity(object);
   stand.polygon = readRegion(object);
   return stand;
 }
@@ -79,6 +99,16 @@ EffectOptions readTrees(Object& object, const Materials& /*materials*/) {
     options.stems = readStand(stems);
   else
     stems.refuse("this must be a list of stems, or an object with the density of a stand");
+  return options;
+}
+
+EffectOptions readBarrier(Object& object, const Materials& /*materials*/) {
+  BarrierOptions options;
+  const PlacedLines placed = readLines(object);
+  options.lines = placed.lines;
+  options.map = placed.map;
+  options.heightM = object.at("height_m").number(between(0, 100));
+  options.capacityJ = object.at("capacity_j").number(between(0, 1e9));
   return options;
 }
 

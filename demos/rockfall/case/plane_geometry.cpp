@@ -47,6 +47,16 @@ Polygon readPolygon(const Value& value) {
   return polygon;
 }
 
+Polyline readPolyline(const Value& value) {
+  Polyline line;
+  for (const Value& corner : value.items(2, kMaxCorners)) {
+    line.push_back(readPoint(corner));
+    if (line.size() > 1 && line.back() == line[line.size() - 2])
+      value.refuse("two neighbouring ends of the line are the same point");
+  }
+  return line;
+}
+
 Polygon readRegion(Object& object) {
   const auto polygon = object.find("polygon_m");
   return polygon ? readPolygon(*polygon) : Polygon();
@@ -71,6 +81,11 @@ bool contains(const Polygon& polygon, const MapPoint& point) {
       isInside = !isInside;
   }
   return isInside;
+}
+
+bool areaContains(const Area& area, const MapPoint& point) {
+  return contains(area.outline, point) &&
+         std::ranges::none_of(area.holes, [&](const Polygon& hole) { return contains(hole, point); });
 }
 
 }  // namespace cairn::rockfall

@@ -46,7 +46,12 @@ SieveCurve readSieve(const Value& value) {
 Release readRelease(const Value& value) {
   Object object(value);
   Release release;
-  if (const auto corners = object.at("box_m").items(2, 2); corners.size() == 2)
+  const auto box = object.find("box_m");
+  if (box.has_value() == namesMap(object))
+    object.refuse("exactly one of \"box_m\", \"vector\" and \"raster\" must be given");
+  else if (!box)
+    release.map = readMapSource(object);
+  else if (const auto corners = box->items(2, 2); corners.size() == 2)
     release.boxM = {readPoint(corners[0]), readPoint(corners[1])};
   release.aboveGroundM = object.at("above_ground_m").number(between(0, 10000));
   if (const auto velocity = object.find("velocity_m_per_s"))

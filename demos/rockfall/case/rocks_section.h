@@ -3,13 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "cairn/core/vec3.h"
+#include "rockfall/case/map_source.h"
 #include "rockfall/case/materials.h"
-#include "rockfall/case/plane_geometry.h"
+#include "rockfall/case/place_set.h"
 
 namespace cairn::rockfall {
 
@@ -44,6 +46,8 @@ struct SieveCurve {
 /// Place and motion of the rocks of a group at their release.
 struct Release {
   std::array<MapPoint, 2> boxM{};  ///< opposite corners on the map; a place is drawn evenly from it
+  std::optional<MapSource> map;    ///< in place of the box
+  PlaceSet places;                 ///< of the map, once it is read; not empty: in place of the box
   double aboveGroundM = 0;         ///< of the rock's lowest point
   Vec3d velocityMPerS{};
   double intervalS = 0;  ///< between one rock and the next; 0: all at once

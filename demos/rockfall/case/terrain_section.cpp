@@ -74,13 +74,35 @@ TerrainSource readTerrainSource(Object& object) {
   return readGenerated(*generated, object);
 }
 
+MappedZones readMappedZones(Object& object, std::size_t item, const Materials& materials) {
+  MappedZones zones{readMapSource(object), item, {}, {}};
+  const auto material = object.find("material");
+  const auto read = [&](const Value& value) { return readMaterial(value, materials); };
+  if (material)
+    zones.only = read(*material);
+  else
+    zones.materials = readClasses<MaterialId>(object, zones.map, "materials", read);
+  return zones;
+}
+
+void readZone(const Value& value, std::size_t item, const Materials& materials, TerrainSection& terrain) {
+  Object object(value);
+  if (namesMap(object)) {
+    terrain.mapped.push_back(readMappedZones(object, item, materials));
+    return;
+  }
+  const MaterialId material = readMaterial(object.at("material"), materials);
+  terrain.zones.push_back(makeZone(material, {readPolygon(object.at("polygon_m")), {}}));
+  terrain.zones.back().item = item;
+}
+
 }  // namespace
 
-Zone makeZone(MaterialId material, Polygon polygon) {
-  Zone zone{material, std::move(polygon)};
-  if (zone.polygon.empty()) return zone;
-  zone.lower = zone.upper = zone.polygon.front();
-  for (const MapPoint& corner : zone.polygon)
+Zone makeZone(MaterialId material, Area area) {
+  Zone zone{material, std::move(area), {}, {}, 0, {}};
+  if (zone.area.outline.empty()) return zone;
+  zone.lower = zone.upper = zone.area.outline.front();
+  for (const MapPoint& corner : zone.area.outline)
     for (std::size_t axis = 0; axis < 2; ++axis) {
       zone.lower[axis] = std::min(zone.lower[axis], corner[axis]);
       zone.upper[axis] = std::max(zone.upper[axis], corner[axis]);
@@ -91,15 +113,19 @@ Zone makeZone(MaterialId material, Polygon polygon) {
 std::optional<MaterialId> MaterialGrid::at(const MapPoint& point) const {
   const double column = (point[0] - cornerM[0]) / cellM, row = (point[1] - cornerM[1]) / cellM;
   if (!(column >= 0 && column < columns && row >= 0 && row < rows)) return {};
-  return materials[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+  const MaterialId material = materials[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+  return material == kNone ? std::nullopt : std::optional(material);
+}
+
+std::optional<MaterialId> Zone::at(const MapPoint& point) const {
+  if (grid) return grid->at(point);
+  const bool isInBox = point[0] >= lower[0] && point[0] <= upper[0] && point[1] >= lower[1] && point[1] <= upper[1];
+  return isInBox && areaContains(area, point) ? std::optional(material) : std::nullopt;
 }
 
 MaterialId TerrainSection::materialAt(const MapPoint& point) const {
-  for (auto zone = zones.rbegin(); zone != zones.rend(); ++zone) {
-    const bool isInBox = point[0] >= zone->lower[0] && point[0] <= zone->upper[0] && point[1] >= zone->lower[1] &&
-                         point[1] <= zone->upper[1];
-    if (isInBox && contains(zone->polygon, point)) return zone->material;
-  }
+  for (auto zone = zones.rbegin(); zone != zones.rend(); ++zone)
+    if (const auto found = zone->at(point)) return *found;
   return grid.at(point).value_or(material);
 }
 
@@ -108,12 +134,11 @@ TerrainSection readTerrain(const Value& value, const Materials& materials) {
   TerrainSection terrain;
   terrain.source = readTerrainSource(object);
   terrain.material = readMaterial(object.at("material"), materials);
-  if (const auto zones = object.find("zones"))
-    for (const Value& item : zones->items(0, kMaxZones)) {
-      Object zone(item);
-      const MaterialId material = readMaterial(zone.at("material"), materials);
-      terrain.zones.push_back(makeZone(material, readPolygon(zone.at("polygon_m"))));
-    }
+  if (const auto crs = object.find("crs")) terrain.crs = crs->text();
+  if (const auto zones = object.find("zones")) {
+    const std::vector<Value> items = zones->items(0, kMaxZones);
+    for (std::size_t i = 0; i < items.size(); ++i) readZone(items[i], i, materials, terrain);
+  }
   return terrain;
 }
 

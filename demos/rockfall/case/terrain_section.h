@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "rockfall/case/map_source.h"
 #include "rockfall/case/materials.h"
 #include "rockfall/case/plane_geometry.h"
 
@@ -62,30 +64,48 @@ struct MeshTerrain {
 using TerrainSource =
     std::variant<PlaneTerrain, SteppedSlopeTerrain, ChannelTerrain, TalusConeTerrain, RasterTerrain, MeshTerrain>;
 
-/// A part of the ground with its own material. Where zones overlap, the last one counts.
-struct Zone {
-  MaterialId material = 0;
-  Polygon polygon;
-  MapPoint lower{}, upper{};  ///< bounding box of the polygon; it quickly excludes most points
-};
-Zone makeZone(MaterialId material, Polygon polygon);
-
 /// A material for each square cell of a grid.
 struct MaterialGrid {
+  /// Of cells that have none.
+  static constexpr MaterialId kNone = std::numeric_limits<MaterialId>::max();
+
   std::uint32_t columns = 0, rows = 0;
   double cellM = 1;
   MapPoint cornerM{};                 ///< of the first cell, where x and y are least
   std::vector<MaterialId> materials;  ///< row by row from the south, each along x
 
-  /// Nothing outside the grid.
+  /// Nothing outside the grid, and in cells without a material.
   std::optional<MaterialId> at(const MapPoint& point) const;
+};
+
+/// A part of the ground with its own material. Where zones overlap, the last one counts.
+struct Zone {
+  MaterialId material = 0;
+  Area area;
+  MapPoint lower{}, upper{};         ///< bounding box of the area; it quickly excludes most points
+  std::size_t item = 0;              ///< its place in the case's list
+  std::optional<MaterialGrid> grid;  ///< in place of material and area
+
+  /// Nothing where the zone is not.
+  std::optional<MaterialId> at(const MapPoint& point) const;
+};
+Zone makeZone(MaterialId material, Area area);
+
+/// Zones of a map by their classes.
+struct MappedZones {
+  MapSource map;
+  std::size_t item = 0;  ///< its place in the case's list
+  ClassTable<MaterialId> materials;
+  std::optional<MaterialId> only;  ///< in place of the table: all that the map holds is of this material
 };
 
 struct TerrainSection {
   TerrainSource source;
   MaterialId material = 0;
-  MaterialGrid grid;        ///< before `material`; empty: there is none
-  std::vector<Zone> zones;  ///< before `grid`, the last first
+  MaterialGrid grid;                ///< before `material`; empty: there is none
+  std::vector<Zone> zones;          ///< before `grid`, the last first
+  std::vector<MappedZones> mapped;  ///< more zones, not read yet
+  std::optional<std::string> crs;   ///< of the coordinates, where the terrain's file does not say it: EPSG:2056
 
   MaterialId materialAt(const MapPoint& point) const;
 };

@@ -89,12 +89,26 @@ void drawTrajectory(Svg& svg, const Frame& frame, const Trajectory& trajectory, 
   }
 }
 
+void drawLines(Svg& svg, const Frame& frame, const std::vector<Polyline>& lines, const char* color) {
+  for (const std::string& style :
+       {std::string("stroke:#fff;stroke-width:5"), fmt::format("stroke:{};stroke-width:2.5", color)})
+    for (const Polyline& line : lines)
+      for (std::size_t i = 1; i < line.size(); ++i)
+        svg.line(frame.x(line[i - 1][0]), frame.y(line[i - 1][1]), frame.x(line[i][0]), frame.y(line[i][1]), style);
+}
+
+void drawBarriers(Svg& svg, const Frame& frame, const Case& description) {
+  for (const EffectOptions& effect : description.effects)
+    if (const auto* barrier = std::get_if<BarrierOptions>(&effect)) drawLines(svg, frame, barrier->lines, "#222");
+}
+
 void drawCollectors(Svg& svg, const Frame& frame, const Case& description) {
   for (const Collector& collector : description.collectors) {
-    const auto& [a, b] = collector.line;
-    svg.line(frame.x(a[0]), frame.y(a[1]), frame.x(b[0]), frame.y(b[1]), "stroke:#fff;stroke-width:5");
-    svg.line(frame.x(a[0]), frame.y(a[1]), frame.x(b[0]), frame.y(b[1]), "stroke:#0a7d4f;stroke-width:2.5");
-    const auto& upper = a[1] > b[1] ? a : b;
+    drawLines(svg, frame, collector.lines, "#0a7d4f");
+    MapPoint upper = collector.lines.front().front();
+    for (const Polyline& line : collector.lines)
+      for (const MapPoint& corner : line)
+        if (corner[1] > upper[1]) upper = corner;
     svg.text(std::clamp(frame.x(upper[0]), kMapLeft, kMapLeft + frame.width), std::max(frame.y(upper[1]), kMapTop) - 6,
              collector.name, 13, Svg::Anchor::middle);
   }
@@ -152,6 +166,7 @@ std::string mapFigure(const Case& description, const Ground& ground, const std::
     svg.circle(frame.x(stops[i].place[0]), frame.y(stops[i].place[1]), 2.2,
                stops[i].ending == RockEnd::resting ? "fill:#111" : "fill:#fff;stroke:#111");
   svg.endClip();
+  drawBarriers(svg, frame, description);
   drawCollectors(svg, frame, description);
   drawAxes(svg, frame);
   drawLegend(svg, frame, fastest, drawn > 0);

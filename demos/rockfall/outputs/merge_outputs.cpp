@@ -4,17 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <utility>
 
 #include "cairn/core/atomic_file.h"
 #include "rockfall/case/content_hash.h"
+#include "rockfall/gis/read_maps.h"
 #include "rockfall/outputs/figures.h"
-#include "rockfall/outputs/raster.h"
+#include "rockfall/outputs/geo_tables.h"
+#include "rockfall/outputs/raster_files.h"
 #include "rockfall/outputs/svg.h"
 #include "rockfall/outputs/tables.h"
-#include "rockfall/terrain/ascii_grid.h"
 #include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
@@ -25,7 +25,7 @@ using Ordered = nlohmann::ordered_json;
 
 /// Collects all outputs from the runs, one run after the other.
 struct Gathered {
-  explicit Gathered(const Case& description) : tables(description) {
+  explicit Gathered(const Case& description) : tables(description), collectors(description) {
     merged.collectors.resize(description.collectors.size());
   }
 
@@ -33,6 +33,9 @@ struct Gathered {
     const RunResult& result = file.result;
     merged.add(result, cellM);
     tables.add(result);
+    places.add(result);
+    collectors.add(result);
+    for (const RockRecord& rock : result.rocks) runoutM.push_back(rock.runoutM());
     for (std::uint32_t rock = 0; rock < result.trajectories.size(); ++rock)
       trajectories.push_back({result.run, rock, result.trajectories[rock]});
     for (const RockRecord& rock : result.rocks)
@@ -53,6 +56,9 @@ struct Gathered {
 
   MergedRuns merged;
   Tables tables;
+  GeoTables places;
+  CollectorStatistics collectors;
+  std::vector<double> runoutM;
   std::vector<Trajectory> trajectories;
   std::vector<StopPoint> stops;
   double cpuS = 0;
@@ -107,47 +113,33 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
 /// A file's name and its content.
 using File = std::pair<std::string, std::string>;
 
-struct RasterKind {
-  const char* name;
-  double (*value)(const CellSummary&);
-};
-constexpr std::array kRasters{
-    RasterKind{"reach", [](const CellSummary& c) { return static_cast<double>(c.passages()); }},
-    RasterKind{"stops", [](const CellSummary& c) { return static_cast<double>(c.stops); }},
-    RasterKind{"energy_max_j", [](const CellSummary& c) { return c.energyJ.greatest(); }},
-    RasterKind{"energy_p95_j", [](const CellSummary& c) { return c.energyJ.quantile(950); }},
-    RasterKind{"height_max_m", [](const CellSummary& c) { return c.heightM.greatest(); }},
-    RasterKind{"height_p95_m", [](const CellSummary& c) { return c.heightM.quantile(950); }}};
-
-void addRasters(std::vector<File>& files, const RasterFrame& frame, const MergedRuns& merged) {
-  for (const RasterKind& kind : kRasters)
-    files.emplace_back(std::string(kind.name) + ".asc", asciiGrid(rasterOf(frame, merged, kind.value)));
-}
-
-/// The rasters as GeoTIFF, on request. They are not part of the merged hash: their bytes depend on GDAL's version, and
-/// their values equal those of the other files.
-Status writeGeoTiffs(const fs::path& folder, const Case& description, const Ground& ground, const MergedRuns& merged) {
-  const OutputsSection& outputs = description.outputs;
-  if (!outputs.geotiff || !outputs.rasterCellM) return {};
-  const RasterFrame frame = rasterFrame(ground, *outputs.rasterCellM);
-  for (const RasterKind& kind : kRasters) {
-    Raster raster = rasterOf(frame, merged, kind.value);
-    raster.projection = ground.projection();
-    if (const Status written = writeGeoTiff(folder / (std::string(kind.name) + ".tif"), raster); !written)
+/// What programs for maps read, on request. Its bytes depend on GDAL's version, so the merged hash leaves it out.
+Status writeGeoTables(const MergeOptions& options, const std::string& projection, std::vector<GeoTable> tables) {
+  // No table without rows: it would stand for a thing that nobody recorded.
+  std::erase_if(tables, [](const GeoTable& table) { return table.rows.empty(); });
+  if (options.geopackage)
+    if (const Status written = writeGeoPackage(options.folder / "results.gpkg", tables, projection); !written)
       return written;
-  }
+  if (!options.geojson) return {};
+  for (const GeoTable& table : tables)
+    if (const Status written = writeGeoJson(options.folder / (table.name + ".geojson"), table, projection); !written)
+      return written;
   return {};
 }
 
-std::vector<File> filesOf(const Case& description, const Ground& ground, const Gathered& gathered) {
+std::vector<File> filesOf(const Case& description, const Ground& ground, const Gathered& gathered,
+                          const std::vector<CollectorFigures>& figures) {
   const OutputsSection& outputs = description.outputs;
   std::vector<File> files{{"runs.csv", gathered.tables.runs()},
                           {"rocks.csv", gathered.tables.rocks()},
                           {"effects.csv", gathered.tables.effects()},
                           {"summary.json", summaryText(description, gathered.merged)}};
   if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", gathered.tables.impacts());
-  if (!description.collectors.empty()) files.emplace_back("collectors.csv", gathered.tables.crossings());
-  if (outputs.rasterCellM) addRasters(files, rasterFrame(ground, *outputs.rasterCellM), gathered.merged);
+  if (!description.collectors.empty()) {
+    files.emplace_back("collectors.csv", gathered.tables.crossings());
+    files.emplace_back("collectors_summary.csv", collectorsSummary(figures));
+  }
+  for (File& raster : asciiRasters(description, ground, gathered.merged)) files.push_back(std::move(raster));
   if (outputs.trajectoriesEveryS) files.emplace_back("trajectories.vtk", vtkPolydata(gathered.trajectories));
   files.emplace_back("map.svg", mapFigure(description, ground, gathered.trajectories, gathered.stops));
   if (outputs.rasterCellM && !gathered.merged.distances.empty())
@@ -200,6 +192,10 @@ Result<Case> caseOf(const Manifest& manifest) {
 Status prepare(const MergeOptions& options) {
   if (options.png)
     if (const Status there = checkRenderer(); !there) return there;
+  if ((options.geopackage || options.geojson) && !hasGdal())
+    return Error{
+        "this program was built without GDAL, which --geopackage and --geojson need: install libgdal-dev and build "
+        "again, or do without"};
   for (const fs::path& part : options.parts)
     if (fs::weakly_canonical(part) == fs::weakly_canonical(options.folder))
       return Error{fmt::format("{} holds runs: merge them into another folder", options.folder.string())};
@@ -215,9 +211,12 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   const auto parts = Parts::open(options.parts);
   if (!parts) return parts.error();
   if (const Status prepared = prepare(options); !prepared) return prepared.error();
-  const auto description = caseOf(parts.value().manifest());
+  auto description = caseOf(parts.value().manifest());
   if (!description) return description.error();
-  const auto ground = makeGround(description.value());
+  auto terrain = terrainOf(description.value());
+  if (!terrain) return terrain.error();
+  if (const Status maps = readMaps(description.value(), terrain.value()); !maps) return maps.error();
+  const auto ground = makeGround(std::move(terrain).value(), description.value().terrain);
   if (!ground) return ground.error();
   Gathered gathered(description.value());
   const Status read = parts.value().forEach([&](const RunFile& file) -> Status {
@@ -225,9 +224,16 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
     return {};
   });
   if (!read) return read.error();
-  const auto files = filesOf(description.value(), *ground.value(), gathered);
-  if (const Status tiffs = writeGeoTiffs(options.folder, description.value(), *ground.value(), gathered.merged); !tiffs)
-    return tiffs.error();
+  const std::vector<CollectorFigures> figures = gathered.collectors.figures();
+  const auto files = filesOf(description.value(), *ground.value(), gathered, figures);
+  if (const Status rasters = writeGeoRasters(options.folder, description.value(), *ground.value(), gathered.merged);
+      !rasters)
+    return rasters.error();
+  if (const Status places = writeGeoTables(
+          options, ground.value()->projection(),
+          {gathered.places.trajectories(), gathered.places.stops(), collectorsTable(description.value(), figures)});
+      !places)
+    return places.error();
   auto hash = write(files, parts.value(), options.folder);
   if (!hash) return hash.error();
   if (options.png)
@@ -235,8 +241,15 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
       if (const fs::path svg = options.folder / name; svg.extension() == ".svg")
         if (const Status drawn = renderSvg(svg, fs::path(svg).replace_extension(".png")); !drawn) return drawn.error();
   const auto lost = gathered.merged.endings[static_cast<std::size_t>(RockEnd::lost)];
-  return MergeReport{gathered.merged.runs,    gathered.merged.rocks,  lost, gathered.cpuS, gathered.effects,
-                     gathered.merged.effects, std::move(hash).value()};
+  const std::uint64_t runs = gathered.merged.runs;
+  return MergeReport{runs,
+                     gathered.merged.rocks,
+                     lost,
+                     gathered.cpuS,
+                     gathered.effects,
+                     gathered.merged.effects,
+                     checkQuantiles(Sample(std::move(gathered.runoutM)), figures, runs),
+                     std::move(hash).value()};
 }
 
 }  // namespace cairn::rockfall

@@ -26,12 +26,22 @@ void MergedRuns::addEffects(const std::vector<EffectRecord>& ofRun) {
   }
 }
 
+void MergedRuns::addCells(const RunResult& result) {
+  std::set<std::pair<Cell, std::uint32_t>> arrived;
+  for (const VisitRecord& visit : result.cells) {
+    CellSummary& cell = cells[{visit.row, visit.column}];
+    addVisit(cell, visit);
+    cell.arrived += arrived.insert({{visit.row, visit.column}, result.wholeRock(visit.rock)}).second;
+  }
+}
+
 void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
   ++runs;
   releasedEnergyJ += result.releasedEnergyJ;
   addEffects(result.effects);
   for (const RockRecord& rock : result.rocks) {
     ++rocks;
+    released += rock.brokenFrom < 0;
     ++endings[static_cast<std::size_t>(rock.ending)];
     impacts += rock.impacts;
     runoutSumM += rock.runoutM();
@@ -44,7 +54,7 @@ void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
                static_cast<std::int32_t>(std::floor(rock.end.x / *cellM))}]
             .stops;
   }
-  for (const VisitRecord& visit : result.cells) addVisit(cells[{visit.row, visit.column}], visit);
+  addCells(result);
   for (const VisitRecord& visit : result.distances) addVisit(distances[visit.column], visit);
   std::set<std::pair<std::uint32_t, std::uint32_t>> crossed;
   for (const CrossingRecord& crossing : result.crossings) {

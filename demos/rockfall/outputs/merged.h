@@ -17,6 +17,7 @@ namespace cairn::rockfall {
 struct CellSummary {
   LogHistogram energyJ, heightM;
   std::uint64_t stops = 0;
+  std::uint64_t arrived = 0;  ///< released rocks that came here, by themselves or by pieces
   std::uint64_t passages() const { return energyJ.count(); }
 };
 
@@ -31,6 +32,7 @@ struct MergedRuns {
   using Cell = std::pair<std::int32_t, std::int32_t>;  ///< row, column
 
   std::uint64_t runs = 0, rocks = 0, impacts = 0;
+  std::uint64_t released = 0;                      ///< rocks but for the pieces of broken ones
   std::array<std::uint64_t, kRockEnds> endings{};  ///< by `RockEnd`
   double runoutSumM = 0, releasedEnergyJ = 0;
   LogHistogram runoutM, energyJ, heightM;
@@ -44,6 +46,7 @@ struct MergedRuns {
 
  private:
   void addEffects(const std::vector<EffectRecord>& ofRun);
+  void addCells(const RunResult& result);
 };
 
 }  // namespace cairn::rockfall

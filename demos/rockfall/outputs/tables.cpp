@@ -25,7 +25,7 @@ Tables::Tables(const Case& description)
       rocks_(
           "run,rock,broken_from,group,variant,sieve_m,mass_kg,release_s,end_s,ending,start_x_m,start_y_m,start_z_m,end_"
           "x_m,"
-          "end_y_m,end_z_m,runout_m,max_speed_m_per_s,max_energy_j,max_height_m,impacts\n"),
+          "end_y_m,end_z_m,runout_m,max_speed_m_per_s,max_energy_j,max_height_m,impacts,energy_line_deg\n"),
       impacts_("run,rock,with,material,time_s,x_m,y_m,z_m,energy_before_j,energy_after_j,impulse_n_s\n"),
       crossings_("run,collector,rock,direction,time_s,along_m,height_m,speed_m_per_s,energy_j\n"),
       effects_("run,index,effect,acts,energy_taken_j,impulse_n_s,torque_impulse_n_m_s\n") {}
@@ -44,10 +44,10 @@ void Tables::add(const RunResult& result) {
     fmt::format_to(
         std::back_inserter(rocks_),
         "{},{},{},{},{},{:.4f},{:.3f},{:.4f},{:.4f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
-        "{:.6g},{:.4f},{}\n",
+        "{:.6g},{:.4f},{},{:.3f}\n",
         result.run, i, r.brokenFrom < 0 ? "" : fmt::format("{}", r.brokenFrom), r.group, r.variant, r.sieveM, r.massKg,
         r.releaseS, r.endS, nameOf(r.ending), r.start.x, r.start.y, r.start.z, r.end.x, r.end.y, r.end.z, r.runoutM(),
-        r.maxSpeed, r.maxEnergyJ, r.maxHeightM, r.impacts);
+        r.maxSpeed, r.maxEnergyJ, r.maxHeightM, r.impacts, r.energyLineDeg());
   }
   for (const ImpactRecord& i : result.impacts)
     fmt::format_to(std::back_inserter(impacts_), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.6g},{:.6g},{:.6g}\n",

@@ -15,6 +15,7 @@
 #include "cairn/core/mix_bits.h"
 #include "cairn/core/state_hash.h"
 #include "cairn/effects/air_drag.h"
+#include "cairn/effects/barrier.h"
 #include "cairn/effects/continuous_collision.h"
 #include "cairn/effects/forest_drag.h"
 #include "cairn/effects/fragmentation.h"
@@ -145,11 +146,19 @@ class Factory {
     std::vector<effects::SingleTrees::Stem> stems;
     if (const auto* stand = std::get_if<StandOfTrees>(&o.stems))
       stems = stemsOf(*stand);
-    else
-      for (const Stem& stem : std::get<std::vector<Stem>>(o.stems))
+    else if (const auto* single = std::get_if<std::vector<Stem>>(&o.stems))
+      for (const Stem& stem : *single)
         stems.push_back({scalar(stem.placeM[0]), scalar(stem.placeM[1]), scalar(stem.diameterM)});
     return std::make_unique<effects::SingleTrees>(std::move(stems), ground_,
                                                   effects::SingleTrees::Options{.energyRatio = scalar(o.energyRatio)});
+  }
+  Made operator()(const BarrierOptions& o) const {
+    const auto post = [](const MapPoint& point) { return effects::Barrier::Point{scalar(point[0]), scalar(point[1])}; };
+    std::vector<effects::Barrier::Segment> segments;
+    for (const Polyline& line : o.lines)
+      for (std::size_t i = 1; i < line.size(); ++i) segments.push_back({post(line[i - 1]), post(line[i])});
+    const effects::Barrier::Options options{scalar(o.heightM), scalar(o.capacityJ)};
+    return std::make_unique<effects::Barrier>(std::move(segments), ground_, options);
   }
   Made operator()(const SoilScarringOptions& o) const {
     std::vector<effects::SoilScarring::Soil> soils(scene_.description.materials.size());

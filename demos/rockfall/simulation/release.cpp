@@ -44,18 +44,23 @@ class Releaser {
   // A full level is not looked at again by the rocks of its group that follow, nor are those below it.
   Vec3d freePlace(const Release& release, const ReleasedRock& rock) {
     scenes::Random places = random(Variable::place);
-    const auto& [a, b] = release.boxM;
     if (rock.group != fullGroup_) fullLevels_ = 0;
     fullGroup_ = rock.group;
     for (int draw = fullLevels_ * kDrawsPerLevel;; ++draw) {
       fullLevels_ = std::max(fullLevels_, draw / kDrawsPerLevel - 1);
-      const MapPoint point{places.uniform(a[0], b[0]), places.uniform(a[1], b[1])};
+      const MapPoint point = placeOver(release, places);
       const double onGround =
           scene_.ground->heightAt(point) + rock.reachM / std::max(kMinUpward, scene_.ground->normalAt(point).z);
       const double raised = 2 * rock.reachM * (draw / kDrawsPerLevel);
       const Vec3d place(point[0], point[1], onGround + release.aboveGroundM + raised);
       if (isFree(place, rock)) return place;
     }
+  }
+
+  /// Places over holes of the ground are drawn again: `prepareScene` has looked that there are others.
+  MapPoint placeOver(const Release& release, scenes::Random& places) const {
+    for (;;)
+      if (const MapPoint point = drawPlace(release, places); scene_.ground->covers(point)) return point;
   }
 
   bool isFree(const Vec3d& place, const ReleasedRock& rock) const {
@@ -73,6 +78,16 @@ class Releaser {
 };
 
 }  // namespace
+
+MapPoint drawPlace(const Release& release, scenes::Random& random) {
+  if (release.places.empty()) {
+    const auto& [a, b] = release.boxM;
+    const double x = random.uniform(a[0], b[0]);
+    return {x, random.uniform(a[1], b[1])};
+  }
+  const double which = random.uniform(), along = random.uniform();
+  return release.places.at(which, along, random.uniform());
+}
 
 std::vector<ReleasedRock> releaseRocks(const Scene& scene, std::uint64_t run) {
   Releaser releaser(scene, run);

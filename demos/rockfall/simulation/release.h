@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rockfall/simulation/scene.h"
+#include "scenes/figures/random.h"
 
 namespace cairn::rockfall {
 
@@ -19,6 +20,9 @@ struct ReleasedRock {
   btTransform pose;
   btVector3 velocity;
 };
+
+/// Draws a place of release, evenly. It may be over a hole of the ground.
+MapPoint drawPlace(const Release& release, scenes::Random& random);
 
 /// Returns all rocks of a run, by group and number: a pure function of (scene, run). The height of a centre counts from
 /// the place where a ball of the rock's reach would touch the plane of the ground below it. The centre lies

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "scenes/bodies/model.h"
@@ -25,13 +26,13 @@ struct Crossing {
   bool toTheRight;
 };
 
-std::optional<Crossing> crossing(const Vec3d& a, const Vec3d& b, const std::array<MapPoint, 2>& line) {
-  const double lx = line[1][0] - line[0][0], ly = line[1][1] - line[0][1];
-  const auto side = [&](const Vec3d& p) { return lx * (p.y - line[0][1]) - ly * (p.x - line[0][0]); };
+std::optional<Crossing> crossing(const Vec3d& a, const Vec3d& b, const MapPoint& first, const MapPoint& second) {
+  const double lx = second[0] - first[0], ly = second[1] - first[1];
+  const auto side = [&](const Vec3d& p) { return lx * (p.y - first[1]) - ly * (p.x - first[0]); };
   const double from = side(a), to = side(b);
   if ((from > 0) == (to > 0)) return {};
   const double onWay = from / (from - to);
-  const double x = between(a.x, b.x, onWay) - line[0][0], y = between(a.y, b.y, onWay) - line[0][1];
+  const double x = between(a.x, b.x, onWay) - first[0], y = between(a.y, b.y, onWay) - first[1];
   const double onLine = (x * lx + y * ly) / (lx * lx + ly * ly);
   if (onLine < 0 || onLine > 1) return {};
   return Crossing{onWay, onLine, from > 0};
@@ -41,6 +42,15 @@ std::optional<Crossing> crossing(const Vec3d& a, const Vec3d& b, const std::arra
 
 double RockRecord::runoutM() const {
   return std::hypot(end.x - start.x, end.y - start.y);
+}
+
+double RockRecord::energyLineDeg() const {
+  return std::atan2(start.z - end.z, runoutM()) * 180 / std::numbers::pi;
+}
+
+std::uint32_t RunResult::wholeRock(std::uint32_t rock) const {
+  while (rocks[rock].brokenFrom >= 0) rock = static_cast<std::uint32_t>(rocks[rock].brokenFrom);
+  return rock;
 }
 
 RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS) {
@@ -106,13 +116,19 @@ void RockWatch::sample(std::uint32_t rock, const RockMoment& moment) {
 void RockWatch::passCollectors(std::uint32_t rock, const RockMoment& before, const RockMoment& now) {
   const auto& collectors = scene_.description.collectors;
   for (std::uint32_t i = 0; i < collectors.size(); ++i) {
-    const auto& line = collectors[i].line;
-    const auto passed = crossing(before.place, now.place, line);
-    if (!passed) continue;
-    const double t = passed->onWay, lineLength = std::hypot(line[1][0] - line[0][0], line[1][1] - line[0][1]);
-    result_.crossings.push_back({i, rock, passed->toTheRight ? 1 : -1, between(before.timeS, now.timeS, t),
-                                 passed->onLine * lineLength, between(before.heightM, now.heightM, t),
-                                 between(before.speed, now.speed, t), between(before.energyJ, now.energyJ, t)});
+    double startM = 0;  // of the line's part, along the parts before it
+    for (const Polyline& line : collectors[i].lines)
+      for (std::size_t end = 1; end < line.size(); ++end) {
+        const MapPoint &first = line[end - 1], &second = line[end];
+        const double lengthM = std::hypot(second[0] - first[0], second[1] - first[1]);
+        if (const auto passed = crossing(before.place, now.place, first, second)) {
+          const double t = passed->onWay;
+          result_.crossings.push_back({i, rock, passed->toTheRight ? 1 : -1, between(before.timeS, now.timeS, t),
+                                       startM + passed->onLine * lengthM, between(before.heightM, now.heightM, t),
+                                       between(before.speed, now.speed, t), between(before.energyJ, now.energyJ, t)});
+        }
+        startM += lengthM;
+      }
   }
 }
 

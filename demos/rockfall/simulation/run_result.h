@@ -37,6 +37,9 @@ struct RockRecord {
 
   /// Horizontal distance in a straight line, metres.
   double runoutM() const;
+  /// Fahrboeschung: the slope of the straight line from release to end, degrees below the horizontal; 0 for a rock that
+  /// has not moved.
+  double energyLineDeg() const;
 };
 
 struct ImpactRecord {
@@ -83,6 +86,9 @@ struct RunResult {
   /// potential energy (from the ground's lowest point) plus kinetic energy. No effect adds energy, so a rise is an
   /// error.
   double releasedEnergyJ = 0, energyRiseJ = 0;
+  /// The rock that was released and that this one is, or is a piece of.
+  std::uint32_t wholeRock(std::uint32_t rock) const;
+
   std::string stateHash;  ///< over all poses and velocities, once a simulated second
 };
 

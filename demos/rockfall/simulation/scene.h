@@ -21,9 +21,9 @@ struct Scene {
   std::string hash;
 };
 
-/// Prepares a scene. Fails as `terrainOf`, `worldOriginOf`, `makeGround` and `stockRocks` do. Also fails for a release
-/// box beyond the ground and for rasters of more than 64 million cells. A raster format that needs GDAL fails in a
-/// build without it.
+/// Prepares a scene. Fails as `terrainOf`, `readMaps`, `worldOriginOf`, `makeGround` and `stockRocks` do. Also fails
+/// for a release box beyond the ground and for rasters of more than 64 million cells. A raster format that needs GDAL
+/// fails in a build without it.
 Result<Scene> prepareScene(Case description, TreeCache& cache, const builder::ProgressCallback& progress = {});
 
 /// The same on ground that is there already, in the map's coordinates, in place of the case's terrain, whose material,

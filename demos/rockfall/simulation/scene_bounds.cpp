@@ -52,8 +52,15 @@ std::vector<MaterialId> materialsOf(const Ground& ground) {
 }
 
 double highestGround(const Release& release, const Ground& ground) {
-  const auto& [a, b] = release.boxM;
   double highest = ground.lower().z;
+  if (!release.places.empty()) {
+    scenes::Random random(0);
+    for (int draw = 0; draw < kLattice * kLattice; ++draw)
+      if (const MapPoint point = drawPlace(release, random); ground.covers(point))
+        highest = std::max(highest, ground.heightAt(point));
+    return highest;
+  }
+  const auto& [a, b] = release.boxM;
   forEachPoint({a, {a[0], b[1]}, b, {b[0], a[1]}}, ground,
                [&](const MapPoint& point) { highest = std::max(highest, ground.heightAt(point)); });
   return highest;

@@ -35,9 +35,20 @@ struct Mover {
   void move(Polygon& polygon) const {
     for (MapPoint& corner : polygon) move(corner);
   }
+  void move(Zone& zone) const {
+    move(zone.area.outline);
+    for (Polygon& hole : zone.area.holes) move(hole);
+    move(zone.lower);
+    move(zone.upper);
+    if (zone.grid) move(zone.grid->cornerM);
+  }
   void operator()(TreesOptions& trees) const {
     if (auto* stand = std::get_if<StandOfTrees>(&trees.stems)) return move(stand->polygon);
-    for (Stem& stem : std::get<std::vector<Stem>>(trees.stems)) move(stem.placeM);
+    if (auto* stems = std::get_if<std::vector<Stem>>(&trees.stems))
+      for (Stem& stem : *stems) move(stem.placeM);
+  }
+  void operator()(BarrierOptions& barrier) const {
+    for (Polyline& line : barrier.lines) move(line);
   }
   void operator()(auto& effect) const {
     if constexpr (requires { effect.polygon; }) move(effect.polygon);
@@ -62,15 +73,14 @@ Result<MapPoint> worldOriginOf(const bullet::TerrainGrid& grid) {
 
 void moveToWorld(Case& description, const MapPoint& origin) {
   const Mover mover{origin};
-  for (Zone& zone : description.terrain.zones) {
-    mover.move(zone.polygon);
-    zone = makeZone(zone.material, zone.polygon);
-  }
+  for (Zone& zone : description.terrain.zones) mover.move(zone);
   mover.move(description.terrain.grid.cornerM);
-  for (RockGroup& group : description.rocks)
+  for (RockGroup& group : description.rocks) {
     for (MapPoint& corner : group.release.boxM) mover.move(corner);
+    group.release.places.moveBy({-origin[0], -origin[1]});
+  }
   for (Collector& collector : description.collectors)
-    for (MapPoint& end : collector.line) mover.move(end);
+    for (Polyline& line : collector.lines) mover.move(line);
   for (EffectOptions& effect : description.effects) std::visit(mover, effect);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "rockfall/terrain/raster.h"
 
@@ -14,10 +15,16 @@ bool hasGdal();
 /// metres. Fails with one sentence that names the file.
 Result<Raster> readByGdal(const std::filesystem::path& path);
 
-/// Writes a GeoTIFF, completely or not at all. It has floats where all values are exact floats, else doubles.
-Status writeGeoTiff(const std::filesystem::path& path, const Raster& raster);
+/// The meaning of a raster's values, for those who open its file.
+struct BandText {
+  std::string description, unit;  ///< "greatest kinetic energy", "J"; the unit empty where there is none
+};
 
-/// Reads a terrain from a file: `.asc` with our own reader, all other formats with GDAL.
+/// Writes a GeoTIFF, completely or not at all. It has floats where all values are exact floats, else doubles.
+Status writeGeoTiff(const std::filesystem::path& path, const Raster& raster, const BandText& text = {});
+
+/// Reads a raster from a file: `.asc` with our own reader and the projection of a `.prj` beside it, all other formats
+/// with GDAL.
 Result<Raster> readRaster(const std::filesystem::path& path);
 
 }  // namespace cairn::rockfall

@@ -7,6 +7,7 @@
 #include "rockfall/terrain/geo_raster.h"
 #include "rockfall/terrain/height_traps.h"
 #include "rockfall/terrain/mesh_raster.h"
+#include "rockfall/terrain/projection.h"
 
 namespace cairn::rockfall {
 
@@ -45,10 +46,24 @@ struct Source {
   }
 };
 
+/// What the case says of the projection, where the file says nothing else.
+Status addProjection(const std::string& crs, MapTerrain& terrain) {
+  auto named = projectionNamed(crs);
+  if (!named) return Error{"/terrain/crs: \"" + crs + "\" " + named.error().message};
+  if (!terrain.projection.empty() && !isSameProjection(terrain.projection, named.value()))
+    return Error{"/terrain/crs: the terrain's file says that it is in " + nameOfProjection(terrain.projection) +
+                 ", not in \"" + crs + "\": leave one of them out"};
+  terrain.projection = std::move(named).value();
+  return {};
+}
+
 }  // namespace
 
 Result<MapTerrain> terrainOf(const Case& scene) {
-  return std::visit(Source{scene}, scene.terrain.source);
+  auto terrain = std::visit(Source{scene}, scene.terrain.source);
+  if (!terrain || !scene.terrain.crs) return terrain;
+  if (const Status added = addProjection(*scene.terrain.crs, terrain.value()); !added) return added.error();
+  return terrain;
 }
 
 }  // namespace cairn::rockfall

@@ -12,7 +12,7 @@ namespace cairn::rockfall {
 /// The terrain of a case, in the map's coordinates.
 struct MapTerrain {
   bullet::TerrainGrid grid;
-  std::string projection;  ///< of the raster it came from, as WKT; empty where it is not known
+  std::string projection;  ///< of the raster it came from or the case's, as WKT; empty where it is not known
 };
 
 /// Generates the terrain of a case, or reads its raster or mesh. File names are relative to the case's folder. Fails in

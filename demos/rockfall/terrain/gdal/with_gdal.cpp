@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cpl_conv.h>
-#include <cpl_error.h>
 #include <cpl_string.h>
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
+#include <span>
 
 #include "cairn/core/atomic_file.h"
+#include "rockfall/terrain/gdal/quiet.h"
+#include "rockfall/terrain/gdal/spatial_reference.h"
 #include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
@@ -20,40 +17,6 @@ namespace cairn::rockfall {
 namespace {
 
 constexpr double kSquare = 1e-6;  // largest relative difference of a cell's sides
-
-struct Close {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, Close>;
-
-// Suppresses GDAL's output while it exists; the message becomes part of our sentence.
-class Quiet {
- public:
-  Quiet() {
-    static const bool isRegistered = (GDALAllRegister(), true);
-    static_cast<void>(isRegistered);
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~Quiet() { CPLPopErrorHandler(); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
-  static std::string said() {
-    std::string text = CPLGetLastErrorMsg();
-    std::ranges::replace(text, '\n', ' ');
-    return text.empty() ? "no reason given" : text;
-  }
-};
-
-Status checkUnits(const OGRSpatialReference* reference) {
-  if (!reference) return {};
-  if (reference->IsGeographic())
-    return Error{"is in degrees: project it to metres first, for example by gdalwarp -t_srs EPSG:25832"};
-  if (reference->IsProjected() && std::abs(reference->GetLinearUnits() - 1) > 1e-9)
-    return Error{"is in a unit of " + std::to_string(reference->GetLinearUnits()) + " m: project it to metres first"};
-  return {};
-}
 
 // The positions of rows and columns; `way` is +1 where rows go north.
 struct GeoFrame {
@@ -112,7 +75,7 @@ bool areFloats(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double v) { return std::isnan(v) || double(static_cast<float>(v)) == v; });
 }
 
-Status writeTo(const std::filesystem::path& path, const Raster& raster) {
+Status writeTo(const std::filesystem::path& path, const Raster& raster, const BandText& text) {
   GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   if (!driver) return Error{"this GDAL knows no GeoTIFF"};
   CPLStringList options;
@@ -127,6 +90,8 @@ Status writeTo(const std::filesystem::path& path, const Raster& raster) {
   bool isFine = dataset->SetGeoTransform(t.data()) == CE_None &&
                 band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN()) == CE_None;
   if (!raster.projection.empty()) isFine = isFine && dataset->SetProjection(raster.projection.c_str()) == CE_None;
+  if (!text.description.empty()) band.SetDescription(text.description.c_str());
+  if (!text.unit.empty()) isFine = isFine && band.SetUnitType(text.unit.c_str()) == CE_None;
   for (int line = 0; isFine && line < rows; ++line) {
     std::vector<double> values(raster.columns);
     std::copy_n(&raster.values[std::size_t(rows - 1 - line) * raster.columns], raster.columns, values.begin());
@@ -158,10 +123,10 @@ Result<Raster> readByGdal(const std::filesystem::path& path) {
   return raster;
 }
 
-Status writeGeoTiff(const std::filesystem::path& path, const Raster& raster) {
+Status writeGeoTiff(const std::filesystem::path& path, const Raster& raster, const BandText& text) {
   const Quiet quiet;
   const Status status = writeFileAtomically(
-      path, [&](const std::filesystem::path& temporary) -> Status { return writeTo(temporary, raster); });
+      path, [&](const std::filesystem::path& temporary) -> Status { return writeTo(temporary, raster, text); });
   if (!status) return Error{path.string() + ": cannot be written as GeoTIFF: " + status.error().message};
   return {};
 }

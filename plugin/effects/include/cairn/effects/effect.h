@@ -151,6 +151,7 @@ enum class Turn : std::uint8_t {
   water,
   forestDrag,
   trees,
+  barrier,
   groundDrag,
   gyroscopic,
   continuousCollision,

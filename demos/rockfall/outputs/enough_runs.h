@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rockfall/outputs/collector_statistics.h"
+
+namespace cairn::rockfall {
+
+/// Whether the runs are enough to tell a 95 % quantile.
+struct QuantileCheck {
+  std::string quantity, unit;  ///< "energy at road", "kJ"
+  double quantile = 0;
+  Interval bounds;
+  std::uint64_t runs = 0;  ///< about so many would do; not more than there are: they are enough
+
+  bool isEnough(std::uint64_t had) const { return bounds.high && runs <= had; }
+};
+
+/// The run-out of all rocks, and the energy of those at each collector that some reached.
+std::vector<QuantileCheck> checkQuantiles(const Sample& runoutM, const std::vector<CollectorFigures>& collectors,
+                                          std::uint64_t runs);
+
+/// A line for each check.
+std::string enoughText(const std::vector<QuantileCheck>& checks, std::uint64_t runs);
+
+}  // namespace cairn::rockfall
