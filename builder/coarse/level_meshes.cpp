@@ -75,7 +75,8 @@ class Maker {
     for (std::size_t i = wanted.size(); i-- > 0;) {
       std::optional<LevelMesh> level = simplifyTo(wanted[i]);
       if (isCancelled_) return Error{std::string(kCancelled)};
-      if (level)
+      // Each shell keeps four triangles: many shells may leave nothing to save.
+      if (level && saves(level->triangles.size()))
         levels[i] = *std::move(level);
       else if (i + 1 < levels.size())
         levels[i] = levels[i + 1];
@@ -86,11 +87,15 @@ class Maker {
   }
 
  private:
+  bool saves(std::uint64_t triangles) const {
+    return static_cast<double>(triangles) <= kMinSaving * static_cast<double>(mesh_.triangles.size());
+  }
+
   std::vector<std::uint32_t> triangleCounts(std::span<const std::uint32_t> spheres) const {
     std::vector<std::uint32_t> counts;
     for (const std::uint32_t count : spheres) {
       const std::uint64_t triangles = std::uint64_t{kTrianglesPerSphere} * count;
-      if (static_cast<double>(triangles) > kMinSaving * static_cast<double>(mesh_.triangles.size())) break;
+      if (!saves(triangles)) break;
       counts.push_back(static_cast<std::uint32_t>(triangles));
     }
     return counts;

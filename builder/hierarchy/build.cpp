@@ -110,7 +110,7 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
   return data;
 }
 
-/// How many spheres the levels below the root have, those that end above included.
+/// How many spheres each level below the root has.
 std::vector<std::uint32_t> spheresOfLevels(const std::vector<NodeData>& nodes) {
   std::vector<std::uint32_t> level(nodes.size(), 0), count;
   for (std::size_t i = 1; i < nodes.size(); ++i) {

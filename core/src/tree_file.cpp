@@ -202,6 +202,9 @@ Result<SphereTree> decodeAligned(Bytes bytes) {
   if (!file::VerifyTreeBuffer(verifier)) return damaged("broken structure");
   const file::Tree& tree = *file::GetTree(raw);
   if (checksumOf(bytes) != tree.checksum()) return damaged("wrong checksum");
+  // Tables may share their vectors: a small file could unpack to any number of meshes.
+  if (tree.level_meshes() != nullptr && tree.level_meshes()->size() > kMaxDepth)
+    return damaged("too many level meshes");
   return SphereTree::create(unpack(tree));
 }
 

@@ -118,7 +118,7 @@ void declareScene(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option(
          "--max-contact-error", raw.lists.maxContactErrors,
          "contacts of trees are measured on the coarsest level mesh this near to the mesh, as a fraction of its "
-         "size; the tree has such meshes with `cairn build --level-meshes` (default 0.005; 0: the mesh itself)")
+         "size; the tree has such meshes with `cairn build --level-meshes` (default 0: the mesh itself)")
       ->check(eachItem(refuseNoFraction));
   app.add_option("--spheres-level", options.heap.shape.sphereLevel, "tree level the shape 'spheres' is made of")
       ->check(CLI::Range(0U, kMaxDepth))

@@ -45,6 +45,7 @@ class ConvexCollider final : public Collider, private ConvexBody {
   std::uint32_t appendCoarse(std::vector<Contact>& contacts) override;
   float size(const btCollisionShape& shape) const override;
   std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
+  float meshError() const override { return tree_.contactMeshError(); }
   NodePair leavesOf(const Contact& contact) const override;
 
  private:

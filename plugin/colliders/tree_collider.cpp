@@ -32,7 +32,7 @@ void TreeCollider::shrinkToFit() {
 void TreeCollider::place(const PairPlacement& placement) {
   const SphereTreeShape& shape = *asSphereTree(placement.otherShape);
   a_ = placement.tree;
-  b_ = placedTree(shape, placement.other);
+  b_ = placedTree(shape, placement.other, placement.smallerSize);
   margins_ = placement.treeMargin + static_cast<float>(shape.getMargin());
   maxSeparation_ = placement.maxSeparation;
   contactDistance_ = placement.contactDistance();

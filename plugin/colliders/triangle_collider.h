@@ -35,6 +35,7 @@ class TriangleCollider final : public Collider {
   std::uint32_t appendRootContacts(std::vector<Contact>& contacts) override;
   /// Gives the contacts of two meshes, where the triangles are those of one solid and do not change.
   std::optional<float> appendOfMesh(const MeshQuery& question, std::vector<Contact>& contacts) override;
+  float meshError() const override { return placement_.tree.contactMeshError(); }
   NodePair leavesOf(const Contact& contact) const override;
   float size(const btCollisionShape& shape) const override;
 

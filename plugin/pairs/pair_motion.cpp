@@ -56,7 +56,8 @@ PairPlacement PairMotion::place(const PairSides& sides, const PairSizes& sizes) 
   PairPlacement placement;
   placement.treeShape = shape;
   placement.treeBody = btTransform(sides.tree.getWorldTransform().getBasis());
-  placement.tree = placedTree(*shape, placement.treeBody);
+  placement.tree = placedTree(*shape, placement.treeBody, sizes.smaller);
+  placement.smallerSize = sizes.smaller;
   placement.treeMargin = static_cast<float>(shape->getMargin());
   placement.otherShape = &sides.otherShape();
   placement.other = sides.other.getWorldTransform();

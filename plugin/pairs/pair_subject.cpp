@@ -30,14 +30,14 @@ void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& othe
   treeScale_ = tree.scale();
   treeMargin_ = tree.getMargin();
   treeFrame_ = tree.bodyFrame();
-  treeContactLevel_ = tree.contactLevel();
+  treeContactError_ = tree.maxContactError();
   otherShape_ = &other;
   if (const SphereTreeShape* const otherTree = asSphereTree(&other)) {
     otherTree_ = otherTree->sharedTree();
     otherScale_ = otherTree->scale();
     otherMargin_ = otherTree->getMargin();
     otherFrame_ = otherTree->bodyFrame();
-    otherContactLevel_ = otherTree->contactLevel();
+    otherContactError_ = otherTree->maxContactError();
   }
   if (const btStaticPlaneShape* const plane = asPlane(other)) {
     planeNormal_ = plane->getPlaneNormal();
@@ -48,7 +48,7 @@ void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& othe
 
 bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other) const {
   if (tree_.get() != &tree.tree() || treeScale_ != tree.scale() || treeMargin_ != tree.getMargin() ||
-      treeFrame_ != tree.bodyFrame() || treeContactLevel_ != tree.contactLevel() || otherShape_ != &other)
+      treeFrame_ != tree.bodyFrame() || treeContactError_ != tree.maxContactError() || otherShape_ != &other)
     return false;
   if (const btStaticPlaneShape* const plane = asPlane(other))
     return !otherTree_ && planeNormal_ == plane->getPlaneNormal() && planeConstant_ == plane->getPlaneConstant();
@@ -56,7 +56,7 @@ bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other)
   if (!otherTree) return !otherTree_ && fieldFingerprint_ == fieldFingerprint(other);
   return otherTree_.get() == &otherTree->tree() && otherScale_ == otherTree->scale() &&
          otherMargin_ == otherTree->getMargin() && otherFrame_ == otherTree->bodyFrame() &&
-         otherContactLevel_ == otherTree->contactLevel();
+         otherContactError_ == otherTree->maxContactError();
 }
 
 float PairSubject::rootErrors() const {

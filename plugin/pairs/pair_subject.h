@@ -29,7 +29,7 @@ class PairSubject {
   std::shared_ptr<const SphereTree> tree_, otherTree_;  // the second is null if the other shape is no tree
   btScalar treeScale_ = 0, otherScale_ = 0, treeMargin_ = 0, otherMargin_ = 0;  // the other's only if it is a tree
   BodyFrame treeFrame_{}, otherFrame_{};
-  std::uint32_t treeContactLevel_ = 0, otherContactLevel_ = 0;
+  btScalar treeContactError_ = 0, otherContactError_ = 0;
   const btCollisionShape* otherShape_ = nullptr;  // compared, never read: it may be gone
   btVector3 planeNormal_{0, 0, 0};                // of a plane: another plane may have the same address
   btScalar planeConstant_ = 0;

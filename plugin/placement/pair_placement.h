@@ -16,6 +16,7 @@ struct PairPlacement {
   const SphereTreeShape* treeShape = nullptr;
   btTransform treeBody;  ///< of the tree's body (or compound child): its rotation, no translation
   PlacedTree tree;
+  float smallerSize = 0;                         ///< of the smaller body
   float treeMargin = 0;                          ///< grows the tree's surface
   const btCollisionShape* otherShape = nullptr;  ///< of the kind that the collider was made for
   btTransform other;                             ///< pose of the other body, its origin relative to the pair frame's

@@ -17,7 +17,7 @@ namespace cairn::bullet {
 class PlacedTree {
  public:
   PlacedTree() = default;
-  /// The tree must outlive this object. `contactLevel`: see `SphereTreeShape::contactLevel`.
+  /// The tree must outlive this object. `contactLevel`: see `SphereTreeShape::contactLevel`; 0: the source.
   PlacedTree(const SphereTree& tree, const Pose& pose, std::uint32_t contactLevel = 0);
 
   const SphereTree& tree() const { return *tree_; }

@@ -16,9 +16,9 @@ inline Pose treePose(const SphereTreeShape& shape, const btTransform& body) {
   return {toMat3d(fromTree.getBasis()), toVec3d(fromTree.getOrigin()), double(shape.scale())};
 }
 
-/// The shape's tree at the pose of its body.
-inline PlacedTree placedTree(const SphereTreeShape& shape, const btTransform& body) {
-  return {shape.tree(), treePose(shape, body), shape.contactLevel()};
+/// The shape's tree at the pose of its body, in a pair whose smaller body has this size.
+inline PlacedTree placedTree(const SphereTreeShape& shape, const btTransform& body, float smallerSize) {
+  return {shape.tree(), treePose(shape, body), shape.contactLevel(btScalar(smallerSize))};
 }
 
 }  // namespace cairn::bullet

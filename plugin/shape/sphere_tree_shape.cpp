@@ -72,12 +72,8 @@ Status checkSize(float diagonal, btScalar scale) {
                ": give a mesh and a scale that make it at least 1e-21 and at most 1e19"};
 }
 
-// The coarsest level whose mesh is this near to the source, in mesh units; 0 if there is none.
-std::uint32_t levelWithin(const SphereTree& tree, float distance) {
-  for (std::uint32_t level = 1; level <= tree.levelMeshCount(); ++level)
-    if (tree.levelMesh(level).distance <= distance) return level;
-  return 0;
-}
+// A level mesh serves where its distance is at most this part of the body's thickness: both sides of a wall move.
+constexpr float kMaxErrorOfThickness = 0.25F;
 
 }  // namespace
 
@@ -97,7 +93,6 @@ SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFra
       frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   applyScale(scale);
-  contactLevel_ = levelWithin(*tree_, static_cast<float>(kDefaultMaxContactError) * extremes_->diagonal());
 }
 
 SphereTreeShape::~SphereTreeShape() = default;
@@ -125,8 +120,17 @@ Status SphereTreeShape::setMaxContactError(btScalar fraction) {
   if (!(fraction >= 0))
     return Error{"contacts of a sphere-tree shape cannot err by at most " + exactly(fraction) +
                  " of its size: give 0 for the source mesh, or a fraction such as 0.01"};
-  contactLevel_ = levelWithin(*tree_, static_cast<float>(fraction) * extremes_->diagonal());
+  maxContactError_ = fraction;
   return {};
+}
+
+std::uint32_t SphereTreeShape::contactLevel(btScalar smallerSize) const {
+  if (maxContactError_ == 0) return 0;
+  const auto allowed = static_cast<float>(maxContactError_ * smallerSize / scale_);
+  const float most = std::min(allowed, kMaxErrorOfThickness * tree_->surface().thickness);
+  for (std::uint32_t level = 1; level <= tree_->levelMeshCount(); ++level)
+    if (tree_->levelMesh(level).distance <= most) return level;
+  return 0;
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {

@@ -9,6 +9,7 @@
 
 #include "bullet_world.h"
 #include "test_trees.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::level_mesh_test {
 namespace {
@@ -50,14 +51,25 @@ std::shared_ptr<SphereTreeShape> shapeFor(double maxContactError) {
 }
 
 TEST(LevelMesh, TheCoarsestOneThatIsNearEnoughIsTaken) {
-  const double size = double(treeShape(ballTree())->size());
-  EXPECT_EQ(shapeFor(0)->contactLevel(), 0U);
-  EXPECT_EQ(shapeFor(0.99 * boundOf(kMiddle) / size)->contactLevel(), 0U);
-  EXPECT_EQ(shapeFor(1.01 * boundOf(kMiddle) / size)->contactLevel(), 2U);
-  EXPECT_EQ(shapeFor(1.01 * boundOf(kCoarse) / size)->contactLevel(), 1U);
-  EXPECT_EQ(shapeFor(std::numeric_limits<double>::infinity())->contactLevel(), 1U);
-  const bool isWithin = boundOf(kMiddle) <= float(bullet::kDefaultMaxContactError) * float(size);
-  EXPECT_EQ(treeShape(ballTree())->contactLevel(), isWithin ? 2U : 0U);
+  const btScalar size = treeShape(ballTree())->size();
+  const auto levelFor = [&](double error, btScalar smaller) { return shapeFor(error)->contactLevel(smaller); };
+  const double middle = double(boundOf(kMiddle)) / double(size), coarse = double(boundOf(kCoarse)) / double(size);
+  EXPECT_EQ(levelFor(0, size), 0U);
+  EXPECT_EQ(levelFor(0.99 * middle, size), 0U);
+  EXPECT_EQ(levelFor(1.01 * middle, size), 2U);
+  EXPECT_EQ(levelFor(1.01 * coarse, size), 1U);
+  EXPECT_EQ(levelFor(1.01 * coarse, size / 100), 0U) << "the error is a part of the smaller body";
+  EXPECT_EQ(levelFor(std::numeric_limits<double>::infinity(), size), 1U);
+  EXPECT_EQ(treeShape(ballTree())->contactLevel(size), 0U) << "at first, the source";
+}
+
+TEST(LevelMesh, OfAShellIsNotUsedWhereItIsFartherThanTheWallAllows) {
+  SphereTreeData data = plainTree(bowl(1, 0.96, 24))->data();
+  data.levelMeshes = {levelOf(kMiddle, 0.03F)};
+  const std::shared_ptr<SphereTreeShape> shape =
+      treeShape(std::make_shared<const SphereTree>(SphereTree::create(std::move(data)).value()));
+  ASSERT_TRUE(shape->setMaxContactError(1).ok());
+  EXPECT_EQ(shape->contactLevel(shape->size()), 0U);
 }
 
 TEST(LevelMesh, WhatIsNoErrorIsRefused) {
@@ -66,7 +78,7 @@ TEST(LevelMesh, WhatIsNoErrorIsRefused) {
     const Status status = shape->setMaxContactError(btScalar(wrong));
     ASSERT_FALSE(status.ok());
     EXPECT_NE(status.error().message.find("give 0 for the source mesh"), std::string::npos);
-    EXPECT_EQ(shape->contactLevel(), 1U) << "as before";
+    EXPECT_EQ(shape->maxContactError(), btScalar(1)) << "as before";
   }
 }
 
@@ -109,6 +121,30 @@ TEST(LevelMesh, ContactsAreAsFarOffAsTheirErrorSays) {
     EXPECT_GE(seen.error, meshes * (1 - 1e-5)) << subdivisions << ": both meshes' distances are told";
     EXPECT_LT(seen.features, static_cast<int>(3 * ball(kRadius, subdivisions).triangles.size()) / 2);
   }
+}
+
+TEST(LevelMesh, AConvexShapeAndASolidMeshAreToldItsErrorToo) {
+  for (const bool isMesh : {false, true}) {
+    const std::shared_ptr<SphereTreeShape> shape = shapeFor(1);
+    BulletWorld<> world;
+    const std::shared_ptr<btCollisionShape> box = std::make_shared<btBoxShape>(btVector3(3, 3, 3));
+    world.add(isMesh ? bvhMesh(cuboid({6, 6, 6}, 2)) : box, 0, btVector3(0, 0, -3));
+    put(world, shape, btQuaternion(0.1, 0.2, 0.3, 0.9), btVector3(0, 0, btScalar(0.98)));
+    world.world.performDiscreteCollisionDetection();
+    EXPECT_GE(world.dispatcher.lastStep().worstErrorFraction * double(shape->size()),
+              double(boundOf(kCoarse)) * (1 - 1e-5))
+        << (isMesh ? "mesh" : "box");
+  }
+}
+
+TEST(LevelMesh, ASmallBodyRestsOnALargeOneAsOnItsSource) {
+  const std::shared_ptr<SphereTreeShape> large = treeShape(ballTree(), 100);
+  ASSERT_TRUE(large->setMaxContactError(btScalar(0.009)).ok());
+  BulletWorld<> world;
+  world.add(large, 0, btVector3(0, 0, 0));
+  world.add(treeShape(ballTree(), btScalar(0.1)), 1, btVector3(0, 0, btScalar(100.09)));
+  world.world.performDiscreteCollisionDetection();
+  EXPECT_GT(world.dispatcher.lastStep().contacts, 0U);
 }
 
 TEST(LevelMesh, AnotherErrorCountsFromTheNextStepOn) {

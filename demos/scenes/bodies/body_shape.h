@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cairn/bullet/sphere_tree_shape.h"
 #include "cairn/core/result.h"
 #include "scenes/bodies/model.h"
 
@@ -50,7 +49,7 @@ struct ShapeOptions {
   /// Level of the tree from which the shape `spheres` takes its spheres; leaves above it are included.
   std::uint32_t sphereLevel = 2;
   /// See `SphereTreeShape::setMaxContactError`; for trees.
-  double maxContactError = double(bullet::kDefaultMaxContactError);
+  double maxContactError = 0;
 };
 
 /// A shape in the model's body frame, with everything it refers to. One object serves any number of bodies.

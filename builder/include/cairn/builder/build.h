@@ -62,7 +62,7 @@ struct BuildOptions {
   std::optional<Balance> balance;
   /// Whether to make a coarser mesh for each level too, see level_meshes.h. No value: for meshes of more than
   /// `kDenseTriangles`, on which contacts would be slow; none where they cannot be made.
-  std::optional<bool> levelMeshes;
+  std::optional<bool> levelMeshes = std::nullopt;
   /// How the spheres of a region share its surface. Other values than `standOff` are allowed only for methods that fit
   /// spheres region by region, and not with the optimiser `cairn`, which moves the seams itself.
   SurfaceDivision division = SurfaceDivision::standOff;

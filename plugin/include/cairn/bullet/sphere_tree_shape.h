@@ -39,8 +39,8 @@ enum class CastTarget : std::uint8_t {
 /// features of the source mesh.
 enum class ContactPart : std::uint8_t {
   vertex = kMaxDepth + 1,  ///< the index is that of `SphereTree::vertices()`, or of the level mesh that is used
-  face,                    ///< the index is that of `SphereTree::triangles()`
-  edge,                    ///< the index is that of `SphereTree::surface().features.edges()`
+  face,                    ///< the same of triangles
+  edge,                    ///< the same of `TreeSurface::features.edges()`
 };
 
 class ExtremePoints;
@@ -51,11 +51,6 @@ class UnservedWatch;
 /// Surfaces closer than this fraction of the smaller body's size are reported although they do not touch. The solver
 /// then lets them close the separation and no more, so that resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
-
-/// How far contacts may be off because a coarser mesh is asked, as a fraction of the size. It is two and a half
-/// speculative distances: seen from where bodies fill the screen, a few pixels. Heaps of a mesh of 120,000 triangles
-/// then take a fortieth of the time.
-inline constexpr btScalar kDefaultMaxContactError = btScalar(0.005);
 
 /// Scale factors that differ by no more than this fraction are uniform: some units in the last place of a float, as an
 /// engine gets them by decomposing and composing matrices.
@@ -117,14 +112,17 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
   /// Sets the target for all bodies with this shape; triangles at first. Do not call while another thread casts. Cost
   /// of `spheres`: linear in the tree, and 16 bytes a node.
   void setCastTarget(CastTarget target);
-  /// Sets how far contacts may be off, as a fraction of the size. Contacts with trees, convex shapes and solid meshes
-  /// are measured on the coarsest level mesh whose certified distance to the source is no more, else on the source. At
-  /// first `kDefaultMaxContactError`; 0 always means the source. Trees of dense meshes have level meshes, others with
-  /// `cairn build --level-meshes`. `StepStatistics` counts the distance as an error. Fails for a fraction that is
-  /// negative or NaN. Do not call during a step.
+  /// Sets how far contacts may be off, as a fraction of the smaller body's size. A pair's contacts with a tree, a
+  /// convex shape or a solid mesh are measured on the coarsest level mesh whose certified distance to the source is no
+  /// more. 0 at first: on the source. At 0.5 % a heap of a mesh of 120,000 triangles takes a fortieth of the time.
+  /// `StepStatistics` counts the distance as an error. Trees of dense meshes have level meshes, others with
+  /// `cairn build --level-meshes`. Fails for a fraction that is negative or NaN. Do not call during a step.
   Status setMaxContactError(btScalar fraction);
-  /// The level whose mesh contacts are measured on; 0 for the source mesh.
-  std::uint32_t contactLevel() const { return contactLevel_; }
+  /// The fraction set; 0 for the source.
+  btScalar maxContactError() const { return maxContactError_; }
+  /// The level whose mesh is used in a pair whose smaller body has this size (world length); 0 for the source. A level
+  /// mesh whose error could pass a thin wall's middle is never used.
+  std::uint32_t contactLevel(btScalar smallerSize) const;
   /// Finds the leaf for a `point` of a source triangle (body frame). The leaf's ball holds the point, and its region
   /// has a piece of the triangle. Of several leaves, the nearest centre wins; none gives an empty result. Cost: one
   /// descent.
@@ -190,7 +188,8 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
   std::unique_ptr<const LeafBalls> leafBalls_;  // null unless casts hit spheres
   std::unique_ptr<UnservedWatch> unserved_;
   BodyFrame frame_;
-  std::uint32_t compoundLevel_ = kDefaultCompoundLevel, contactLevel_ = 0;
+  std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
+  btScalar maxContactError_ = 0;
   btScalar scale_ = 1;
   btScalar size_ = 0;
   btScalar angularMotionDisc_ = 0;
