@@ -14,7 +14,8 @@ namespace cairn::bullet::platform {
 /// bodies by both, and C libraries differ in the last bit: musl's (Emscripten) in 3 of 1000 sines.
 ///
 /// Method, numbers and the table of 4/pi: Arm Optimized Routines, sincosf.h, Copyright (c) 2018, Arm Limited, MIT
-/// License. The GNU C library 2.28 and later has the same. Error: 0.56 units in the last place.
+/// License. The GNU C library 2.28 and later has the same. Of all floats, 12 sines and 22 cosines differ from that
+/// library's on a processor with fused products. Error: 0.56 units in the last place.
 
 /// A remainder between -pi/4 and pi/4, and how many quarter turns were taken away.
 struct Reduced {

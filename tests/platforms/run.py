@@ -3,9 +3,10 @@
 """Builds core, plugin and effects for other platforms, runs their tests there and compares bits; prints one table.
 
 examples:
-  ./cairn.sh platforms                        all of them: hours on two cores
+  ./cairn.sh platforms                        all of them: hours
   ./cairn.sh platforms wasm                   one
   ./cairn.sh platforms wasm arm64 --bits      trees and heap only: minutes
+  ./cairn.sh platforms arm64 --rooms core     the tests of core alone
   ./cairn.sh platforms windows --tests 'Ray'  tests whose names match
 """
 import argparse
@@ -26,7 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROCK = ROOT / "tests/data/rock.cairn"
 # The tree of a ball that is generated without the builder, as this machine's own build writes it.
 GENERATED_SHA256 = "4230e6d9b2c411da57cb4bf1028e4d466b6128e55752530665d81a5971a6d4c9"
-TESTS = ("core_tests", "plugin_tests", "effects_tests")
+ROOMS = ("core", "plugin", "effects")
 COLUMNS = ("platform", "builds", "tests run", "tests passed", "left out", "tree bytes equal", "heap hash equal")
 
 
@@ -72,18 +73,18 @@ def compare_trees(platform):
     return result
 
 
-def run_tests(platform, only):
+def run_tests(platform, rooms, only):
     tests = {"run": 0, "passed": 0, "skipped": 0, "left_out": 0, "failed": []}
-    for name in TESTS:
-        def progress(done, of, name=name):
-            say(f"{platform.name}: {name}: {done} of {of}")
-        results, said, left_out = programs.run_tests(program(platform, name), platform, progress, only)
+    for room in rooms:
+        def progress(done, of, room=room):
+            say(f"{platform.name}: {room}: {done} of {of}")
+        results, said, left_out = programs.run_tests(program(platform, f"{room}_tests"), platform, progress, only)
         counts = list(results.values())
         tests["passed"] += counts.count("ok")
         tests["skipped"] += counts.count("skipped")
         tests["run"] += len(counts) - counts.count("skipped")
         tests["left_out"] += left_out
-        tests["failed"] += [{"test": f"{name.removesuffix('_tests')}.{test}", "said": said.get(test, "")[-2000:]}
+        tests["failed"] += [{"test": f"{room}.{test}", "said": said.get(test, "")[-2000:]}
                             for test, result in sorted(results.items()) if result == "failed"]
     return tests
 
@@ -94,7 +95,7 @@ def measure(platform, options):
     log = ROOT / "build" / f"platforms-{platform.name}.log"
     log.parent.mkdir(exist_ok=True)
     say(f"{platform.name}: building into build/{platform.preset}")
-    row["builds"] = build(platform, ["golden_hash", *(() if options.bits else TESTS)], log)
+    row["builds"] = build(platform, ["golden_hash", *(() if options.bits else [f"{room}_tests" for room in options.rooms])], log)
     if not row["builds"]:
         say(f"{platform.name}: did not build, see {log.relative_to(ROOT)}")
         return row
@@ -103,7 +104,7 @@ def measure(platform, options):
     heap = run(platform)
     row["heap"] = {"hash": heap.stdout.strip(), "equal": heap.returncode == 0}
     if not options.bits:
-        row["tests"] = run_tests(platform, options.tests)
+        row["tests"] = run_tests(platform, options.rooms, options.tests)
     row["left_out_because"] = {pattern: reason for pattern, reason in platform.left_out}
     row["wall_s"] = round(time.monotonic() - began, 1)
     return row
@@ -137,6 +138,7 @@ def arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(PLATFORMS)} (default: all)")
     parser.add_argument("--bits", action="store_true", help="only build and compare bits, without the tests")
+    parser.add_argument("--rooms", nargs="+", choices=ROOMS, default=ROOMS, help="whose tests are built and run (default: all)")
     parser.add_argument("--tests", metavar="PATTERN", help="only tests whose names match this regular expression")
     parser.add_argument("--json", metavar="FILE", help="write everything measured, with what failing tests said")
     parser.add_argument("--packages", action="store_true", help="print the groups of packages that are needed, and end")
