@@ -130,7 +130,7 @@ void checkUsage(const ExportCommand& command) {
                                "is for grains: liggghts, yade, chrono, clump");
   const std::string extension = std::filesystem::path(command.output).extension().string();
   for (const ExportFormat& other : exportFormats())
-    if (!extension.empty() && extension == other.extension && command.format != other.name)
+    if (!extension.empty() && extension == other.extension && extension != format.extension)
       throw CLI::ValidationError("--output", fmt::format("ends in {}, but --to is {}", extension, command.format));
 }
 

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: Zlib
 #include "cairn/core/region_separation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+#include "cairn/core/bit_cast.h"
 #include "every_target.h"
 #include "random_tree.h"
 
