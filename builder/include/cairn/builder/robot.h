@@ -30,11 +30,11 @@ struct RobotBudget {
 
 /// Options of `fitRobot`.
 struct RobotOptions {
-  RobotBudget budget;
-  Objective objective = Objective::outer;
+  RobotBudget budget;                                     ///< how many spheres
+  Objective objective = Objective::outer;                 ///< what spheres are good at
   bool primitives = false;                                ///< boxes and cylinders become spheres too
   std::map<std::string, std::filesystem::path> packages;  ///< folders of ROS packages
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;                                 ///< of all random choices
 };
 
 /// What the certificate of a part is about.
@@ -53,8 +53,8 @@ struct RobotSolid {
   std::string name;      ///< of the file or the shape, for reports
   TriangleMesh solid;    ///< what spheres are fitted to and certified against
   TriangleMesh surface;  ///< what the URDF names: the mesh as read; of a cylinder the prism inside it
-  SolidSource source = SolidSource::original;
-  std::string changes;     ///< what a repair changed
+  SolidSource source = SolidSource::original;  ///< what `solid` was made of
+  std::string changes;                         ///< what a repair changed
   double offOriginal = 0;  ///< no point of the solid's surface is farther from the surface named; metres
 };
 
@@ -73,7 +73,7 @@ struct RobotPart {
 
 /// A robot with its spheres.
 struct FittedRobot {
-  std::vector<RobotSolid> solids;
+  std::vector<RobotSolid> solids;             ///< each once, however many parts share it
   std::vector<std::vector<RobotPart>> links;  ///< parts of each link of the model, in the order of its collisions
 
   /// Spheres of a link: those of all its parts.
@@ -95,7 +95,7 @@ Result<FittedRobot> fitRobot(const RobotModel& model, const std::filesystem::pat
 /// Options of `checkSelfCollision`.
 struct SelfCollisionOptions {
   std::uint32_t poses = 200;  ///< joint positions that are tried: the default one, then uniformly distributed ones
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;     ///< of the joint positions
 };
 
 /// Two links in the poses tried.
@@ -109,8 +109,8 @@ struct LinkPairCount {
 
 /// Links against each other.
 struct SelfCollisions {
-  std::uint32_t poses = 0;
-  std::uint32_t pairsTried = 0;
+  std::uint32_t poses = 0;                                        ///< joint positions tried
+  std::uint32_t pairsTried = 0;                                   ///< pairs of links tried in each
   std::vector<std::pair<std::uint32_t, std::uint32_t>> adjacent;  ///< parent and child, which were not tried
   std::vector<LinkPairCount> touching;  ///< pairs that touch in some pose, by spheres or surfaces
 
@@ -126,9 +126,9 @@ Result<SelfCollisions> checkSelfCollision(const RobotModel& model, const FittedR
 
 /// What the writers write about.
 struct RobotOutput {
-  const RobotModel& model;
-  const FittedRobot& fitted;
-  const SelfCollisions& collisions;
+  const RobotModel& model;              ///< must outlive this
+  const FittedRobot& fitted;            ///< likewise
+  const SelfCollisions& collisions;     ///< likewise
   std::string urdf;                     ///< name of the URDF written, for formats that refer to it
   std::vector<std::string> toolFrames;  ///< links at which tools are; empty: all links without children
 };

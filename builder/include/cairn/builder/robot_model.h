@@ -34,9 +34,9 @@ enum class CollisionKind : std::uint8_t { mesh, box, cylinder, sphere };
 
 /// One `<collision>` of a link.
 struct CollisionShape {
-  CollisionKind kind = CollisionKind::mesh;
-  RigidPose origin;  ///< from the shape's frame to the link's
-  std::string mesh;  ///< the file as the URDF names it; of meshes only
+  CollisionKind kind = CollisionKind::mesh;  ///< its geometry
+  RigidPose origin;                          ///< from the shape's frame to the link's
+  std::string mesh;                          ///< the file as the URDF names it; of meshes only
   /// Scale of a mesh (no factor is 0, some may be negative); edges of a box; radius and length of a cylinder, whose
   /// axis is z; radius of a sphere. Metres.
   Vec3d size{1, 1, 1};
@@ -51,10 +51,10 @@ struct LinkInertia {
 
 /// A link, with its shapes in the order of the file.
 struct RobotLink {
-  std::string name;
-  std::vector<CollisionShape> collisions;
-  std::optional<LinkInertia> inertia;
-  std::optional<std::uint32_t> joint;  ///< the joint it hangs on; nothing: the root
+  std::string name;                        ///< as the URDF names it
+  std::vector<CollisionShape> collisions;  ///< in the order of the file
+  std::optional<LinkInertia> inertia;      ///< nothing where the URDF has none
+  std::optional<std::uint32_t> joint;      ///< the joint it hangs on; nothing: the root
 };
 
 /// The types of URDF joints.
@@ -63,19 +63,20 @@ enum class JointType : std::uint8_t { fixed, revolute, continuous, prismatic, pl
 /// A joint whose position follows another's: `multiplier * position + offset`.
 struct JointMimic {
   std::uint32_t joint = 0;  ///< the index of the one followed
-  double multiplier = 1, offset = 0;
+  double multiplier = 1;    ///< of the followed position
+  double offset = 0;        ///< radians or metres, added to it
 };
 
 /// A joint. Positions are radians or metres.
 struct RobotJoint {
-  std::string name;
-  JointType type = JointType::fixed;
+  std::string name;                     ///< as the URDF names it
+  JointType type = JointType::fixed;    ///< how it moves
   std::uint32_t parent = 0, child = 0;  ///< links
   RigidPose origin;                     ///< from the child's frame at position 0 to the parent's
   Vec3d axis{1, 0, 0};                  ///< unit vector, child's frame
   double lower = 0, upper = 0;          ///< range; of `continuous` joints one turn
   double damping = 0, friction = 0;     ///< as the URDF gives them
-  std::optional<JointMimic> mimic;
+  std::optional<JointMimic> mimic;      ///< the joint it follows, if it follows one
 
   /// True when the joint has a position of its own: not fixed, planar or floating, and follows no other.
   bool isActive() const;
@@ -83,10 +84,10 @@ struct RobotJoint {
 
 /// A robot as its URDF describes it: a tree of links.
 struct RobotModel {
-  std::string name;
-  std::string file;  ///< name of the file without folder, for messages
-  std::vector<RobotLink> links;
-  std::vector<RobotJoint> joints;
+  std::string name;                         ///< as the URDF names it
+  std::string file;                         ///< name of the file without folder, for messages
+  std::vector<RobotLink> links;             ///< in the order of the file
+  std::vector<RobotJoint> joints;           ///< in the order of the file
   std::uint32_t root = 0;                   ///< a link
   std::vector<std::uint32_t> parentsFirst;  ///< all links, each after its parent
   std::string text;                         ///< the document

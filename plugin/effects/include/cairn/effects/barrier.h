@@ -25,11 +25,13 @@ class CAIRN_EFFECTS_EXPORT Barrier final : public Effect, ForceHook {
  public:
   /// A place on the map, world frame, m.
   struct Point {
-    btScalar x, y;
+    btScalar x;  ///< east
+    btScalar y;  ///< north
   };
   /// From one post to the next.
   struct Segment {
-    Point from, to;
+    Point from;  ///< one post
+    Point to;    ///< the next
   };
   /// How high the net is, and what it can take.
   struct Options {
