@@ -93,6 +93,7 @@ const std::map<std::string, json>& ofNoStrength() {
               "density_kg_per_m3": 1500, "drag_coefficient": 0}]})",
           R"({"effect": "ground_drag", "deceleration_m_per_s2": 0})",
           R"({"effect": "fragmentation", "energy_j_per_kg": 1e9, "max_generations": 1})",
+          R"({"effect": "barrier", "line_m": [[4, -5], [4, 5]], "height_m": 3, "capacity_j": 0})",
           R"({"effect": "events", "dust_impulse_n_s": 1e12})"}) {
       json effect = json::parse(text);
       const auto name = effect["effect"].get<std::string>();
