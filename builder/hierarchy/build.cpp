@@ -121,17 +121,13 @@ std::vector<std::uint32_t> spheresOfLevels(const std::vector<NodeData>& nodes) {
   return count;
 }
 
-Status addLevelMeshes(const TriangleMesh& mesh, const BuildOptions& options, SphereTreeData& data,
-                      const ProgressCallback& report) {
-  if (!options.levelMeshes.value_or(mesh.triangles.size() > kDenseTriangles)) return {};
+Status addLevelMeshes(const TriangleMesh& mesh, SphereTreeData& data, const ProgressCallback& report) {
   const auto progress = [&](std::string_view stage, double done) {
     return report(stage, kBeforeMeshes + (1 - kBeforeMeshes) * done);
   };
   auto meshes = makeLevelMeshes(mesh, data.origin, spheresOfLevels(data.nodes), progress);
-  if (meshes)
-    data.levelMeshes = std::move(meshes).value();
-  else if (options.levelMeshes || meshes.error().message == kCancelled)
-    return meshes.error();
+  if (!meshes) return meshes.error();
+  data.levelMeshes = std::move(meshes).value();
   return {};
 }
 
@@ -145,7 +141,8 @@ Result<SphereTree> buildTree(const TriangleMesh& mesh, const BuildOptions& optio
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
   std::optional<SphereTreeData> data = arena.execute([&] { return buildData(mesh, options, report); });
   if (!data) return Error{std::string(kCancelled)};
-  if (Status s = addLevelMeshes(mesh, options, *data, report); !s) return s.error();
+  if (options.levelMeshes)
+    if (Status s = addLevelMeshes(mesh, *data, report); !s) return s.error();
   Result<SphereTree> tree = SphereTree::create(*std::move(data));
   if (tree && !report("done", 1)) return Error{std::string(kCancelled)};
   return tree;

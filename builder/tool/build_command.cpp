@@ -198,9 +198,8 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("--samples", command->options.samples, "Surface pieces the spheres are fitted to, about")
       ->check(CLI::Range(100U, 1000000U))
       ->capture_default_str();
-  sub->add_flag("--level-meshes,!--no-level-meshes", command->options.levelMeshes,
-                "Also make a coarser closed mesh for each level, with a certified distance to the mesh both ways; made "
-                "for meshes of more than 8000 triangles unless told otherwise");
+  sub->add_flag("--level-meshes", command->options.levelMeshes,
+                "Also make a coarser closed mesh for each level, with a certified distance to the mesh both ways");
   addSeedOption(*sub, command->options.seed, "Same mesh, options and seed: same bytes");
   addThreadsOption(*sub, command->options.threads);
   sub->add_option("--json", command->json, "Write the report as JSON too; - is standard output");

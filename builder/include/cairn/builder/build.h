@@ -60,16 +60,11 @@ struct BuildOptions {
   /// The rule by which spheres are dropped; no value: none are dropped. Allowed only for methods that fit spheres
   /// region by region (`fitsRegions`).
   std::optional<Balance> balance;
-  /// Whether to make a coarser mesh for each level too, see level_meshes.h. No value: for meshes of more than
-  /// `kDenseTriangles`, on which contacts would be slow; none where they cannot be made.
-  std::optional<bool> levelMeshes = std::nullopt;
+  bool levelMeshes = false;  ///< also make a coarser mesh for each level, see level_meshes.h
   /// How the spheres of a region share its surface. Other values than `standOff` are allowed only for methods that fit
   /// spheres region by region, and not with the optimiser `cairn`, which moves the seams itself.
   SurfaceDivision division = SurfaceDivision::standOff;
 };
-
-/// Contacts on a mesh of more triangles take several times as long as on one of 1500, which games use.
-inline constexpr std::size_t kDenseTriangles = 8000;
 
 /// Builds a sphere-tree of a closed mesh with certified errors. Every level covers the whole surface, by construction.
 /// Every point of the surface also lies in all ancestors of the node that covers it. The balls have enough room to

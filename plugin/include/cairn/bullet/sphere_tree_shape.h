@@ -115,7 +115,7 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
   /// Sets how far contacts may be off, as a fraction of the smaller body's size. A pair's contacts with a tree, a
   /// convex shape or a solid mesh are measured on the coarsest level mesh whose certified distance to the source is no
   /// more. 0 at first: on the source. At 0.5 % a heap of a mesh of 120,000 triangles takes a fortieth of the time.
-  /// `StepStatistics` counts the distance as an error. Trees of dense meshes have level meshes, others with
+  /// `StepStatistics` counts the distance as an error. Level meshes come from
   /// `cairn build --level-meshes`. Fails for a fraction that is negative or NaN. Do not call during a step.
   Status setMaxContactError(btScalar fraction);
   /// The fraction set; 0 for the source.
