@@ -18,7 +18,7 @@
 
 #include "coarse/fan_crossings.h"
 #include "coarse/triangle_fan.h"
-#include "import/from_surface_mesh.h"
+#include "import/surface_mesh.h"
 
 namespace cairn::builder {
 namespace {
@@ -39,15 +39,6 @@ constexpr double kLengthShare = 1e-4;
 
 Vec3d toVec(const Point& p) {
   return {p.x(), p.y(), p.z()};
-}
-
-Surface surfaceOf(const TriangleMesh& mesh) {
-  Surface surface;
-  std::vector<Vertex> names;
-  for (const Vec3d& v : mesh.vertices) names.push_back(surface.add_vertex({v.x, v.y, v.z}));
-  for (const Triangle& t : mesh.triangles)
-    if (surface.add_face(names[t[0]], names[t[1]], names[t[2]]) == Surface::null_face()) return {};
-  return surface;
 }
 
 std::array<Vertex, 3> verticesOf(const Surface& surface, Halfedge h) {
@@ -120,7 +111,7 @@ struct CollapseByDistance::Impl {
 };
 
 CollapseByDistance::Impl::Impl(const TriangleMesh& start, const TriangleMesh& source, const SurfaceDistance& distance)
-    : distanceToSource(distance), surface(surfaceOf(start)), pointsOf(surface.number_of_faces()) {
+    : distanceToSource(distance), surface(surfaceFrom<Point>(start)), pointsOf(surface.number_of_faces()) {
   if (!surface.is_empty()) spreadPoints(start, source);
 }
 

@@ -13,6 +13,7 @@
 #include "cairn/builder/simplify.h"
 #include "coarse/collapse_by_distance.h"
 #include "coarse/mesh_distance.h"
+#include "surface/outward_rounding.h"
 
 namespace cairn::builder {
 namespace {
@@ -30,11 +31,6 @@ constexpr double kResolution = 1e-5;
 /// A mesh that cuts through itself is simplified further, by so much each time, and so often.
 constexpr double kFurther = 0.97;
 constexpr int kMaxTries = 8;
-
-float roundUp(double v) {
-  const auto f = static_cast<float>(v);
-  return double(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
 
 /// Adding the origin to a vertex rounds by half a unit in the last place of either, for each of three axes.
 double roundingOf(const Bounds& bounds, const Vec3d& origin) {

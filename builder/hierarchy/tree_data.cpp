@@ -10,6 +10,7 @@
 #include "regions/region_normals.h"
 #include "regions/support_points.h"
 #include "surface/mass_properties.h"
+#include "surface/outward_rounding.h"
 
 namespace cairn::builder {
 
@@ -21,16 +22,6 @@ struct NodeParts {
   std::vector<Vec3> supportPoints, faceNormals;
   std::vector<std::uint32_t> triangles;  // of a leaf
 };
-
-float roundUp(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) < v ? std::nextafter(f, INFINITY) : f;
-}
-
-float roundDown(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) > v ? std::nextafter(f, -INFINITY) : f;
-}
 
 class Writer {
  public:

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "import/from_surface_mesh.h"
 #include "import/one_line.h"
+#include "import/surface_mesh.h"
 
 namespace cairn::builder {
 namespace {

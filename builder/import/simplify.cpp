@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "cairn/builder/import.h"
-#include "import/from_surface_mesh.h"
 #include "import/one_line.h"
+#include "import/surface_mesh.h"
 
 namespace cairn::builder {
 namespace {
@@ -25,16 +25,6 @@ namespace {
 namespace sms = CGAL::Surface_mesh_simplification;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-
-/// Returns an empty surface when a vertex is pinched, which a halfedge structure cannot represent.
-Surface surfaceOf(const TriangleMesh& mesh) {
-  Surface surface;
-  std::vector<Surface::Vertex_index> names;
-  for (const Vec3d& v : mesh.vertices) names.push_back(surface.add_vertex({v.x, v.y, v.z}));
-  for (const Triangle& t : mesh.triangles)
-    if (surface.add_face(names[t[0]], names[t[1]], names[t[2]]) == Surface::null_face()) return {};
-  return surface;
-}
 
 /// Called before every collapse. It ends the collapses at a number of edges, or when the user cancels.
 class Stop {
@@ -74,7 +64,7 @@ bool collapse(Surface& surface, std::uint32_t triangles, const ProgressCallback&
 
 Result<TriangleMesh> simplify(const TriangleMesh& mesh, std::uint32_t triangles, const ProgressCallback& progress) try {
   if (mesh.triangles.size() <= triangles) return mesh;
-  Surface surface = surfaceOf(mesh);
+  Surface surface = surfaceFrom<Kernel::Point_3>(mesh);
   if (surface.is_empty())
     return Error{"the mesh has a vertex where two surfaces only touch, which cannot be simplified; separate it"};
   if (!collapse(surface, triangles, progress)) return Error{std::string(kCancelled)};

@@ -117,8 +117,7 @@ std::optional<float> ConvexCollider::appendOfMesh(const MeshQuery& question, std
   if (!answer) return {};
   for (const FeatureContact& found : answer->contacts) {
     const ContactId id = featureIdsOf(found);
-    contacts.push_back(contactOf(found, {id.treePart, id.treeIndex, static_cast<int>(found.featureB), otherIndex_},
-                                 tree_.contactMeshError()));
+    contacts.push_back(contactOf(found, {id.treePart, id.treeIndex, static_cast<int>(found.featureB), otherIndex_}));
   }
   return answer->minSeparation;
 }

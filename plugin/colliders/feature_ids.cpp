@@ -43,14 +43,14 @@ ContactId featureIdsOf(const FeatureContact& contact) {
   return {parts.ofA, index(parts.ofA, contact.featureA), parts.ofB, index(parts.ofB, contact.featureB)};
 }
 
-Contact contactOf(const FeatureContact& found, const ContactId& id, float meshError) {
+Contact contactOf(const FeatureContact& found, const ContactId& id) {
   Contact contact;
   contact.position = found.position;
   contact.normal = found.normal;
   contact.separation = found.separation;
   contact.id = id;
   contact.isExact = true;
-  contact.exactError = meshError + std::max(0.0F, -found.separation);
+  contact.exactError = std::max(0.0F, -found.separation);
   return contact;
 }
 

@@ -9,8 +9,7 @@ namespace cairn::bullet {
 /// The contact ids of two touching features of sphere-trees' meshes: see `ContactPart`; -1 where there is no feature.
 ContactId featureIdsOf(const FeatureContact& contact);
 
-/// Converts a contact of the kernel to a contact of the pair with this id. `meshError`: certified distance between the
-/// meshes that were asked and the sources, world length.
-Contact contactOf(const FeatureContact& found, const ContactId& id, float meshError);
+/// Converts a contact of the kernel to a contact of the pair with this id.
+Contact contactOf(const FeatureContact& found, const ContactId& id);
 
 }  // namespace cairn::bullet

@@ -77,8 +77,7 @@ std::optional<float> MeshGround::append(const MeshQuery& question, const PairPla
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(surfaces, limits, memory_, question.placement, question.budget);
   if (!answer) return {};
-  for (const FeatureContact& found : answer->contacts)
-    contacts.push_back(contactOf(found, idOf(near, found), placement.tree.contactMeshError()));
+  for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, idOf(near, found)));
   return answer->minSeparation;
 }
 

@@ -254,8 +254,7 @@ std::optional<float> TreeCollider::appendOfKernel(const MeshQuery& question, std
   const std::optional<ContactKernel::Answer> answer =
       question.kernel.run(SurfacePair::of(a_, b_), limits, kernelMemory_, question.placement, question.budget);
   if (!answer) return {};
-  for (const FeatureContact& found : answer->contacts)
-    contacts.push_back(contactOf(found, featureIdsOf(found), meshError()));
+  for (const FeatureContact& found : answer->contacts) contacts.push_back(contactOf(found, featureIdsOf(found)));
   return answer->minSeparation;
 }
 

@@ -20,7 +20,7 @@ void remember(TreePair& pair, const Contact& chosen, const AnswerPolicy& policy)
 
 double errorFractionOf(TreePair& pair, const Contact& chosen) {
   const float ofPair = pair.traversal().pairError(chosen.pair);
-  const float error = chosen.isExact ? std::min(chosen.exactError, ofPair + pair.collider->meshError()) : ofPair;
+  const float error = chosen.isExact ? std::min(chosen.exactError, ofPair) + pair.collider->meshError() : ofPair;
   return double(error) / double(pair.sizes.smaller);
 }
 

@@ -66,6 +66,7 @@ inline double nearCosine(double square) {
 inline float sineFrom(float angle, int quarters) {
   const auto bits = bitCast<std::uint32_t>(angle);
   const std::uint32_t top = bits >> 20 & 0x7ff;  // of the size, enough to choose the way
+  // The upper twelve bits, without the sign, of pi / 4, of 2^-12, of 120 radians and of infinity.
   constexpr std::uint32_t kEighth = 0x3f4, kTiny = 0x398, kLarge = 0x42f, kInfinite = 0x7f8;
   if (top >= kInfinite) return std::numeric_limits<float>::quiet_NaN();
   Reduced reduced{double(angle), 0};

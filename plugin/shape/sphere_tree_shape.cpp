@@ -72,9 +72,6 @@ Status checkSize(float diagonal, btScalar scale) {
                ": give a mesh and a scale that make it at least 1e-21 and at most 1e19"};
 }
 
-// A level mesh serves where its distance is at most this part of the body's thickness: both sides of a wall move.
-constexpr float kMaxErrorOfThickness = 0.25F;
-
 }  // namespace
 
 Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr<const SphereTree> tree,

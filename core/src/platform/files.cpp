@@ -27,7 +27,7 @@ bool flushToDisk(std::FILE* file) {
 }
 
 bool mayWrite(const std::filesystem::path& path) {
-  constexpr int kToWrite = 2;
+  constexpr int kToWrite = 2;  // the run-time library has no name for it
   return _waccess(path.c_str(), kToWrite) == 0;
 }
 

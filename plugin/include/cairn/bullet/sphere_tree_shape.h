@@ -36,11 +36,12 @@ enum class CastTarget : std::uint8_t {
 
 /// The meaning of a contact point's index on a tree, given by its part. A part below `vertex` is a leaf's level, and
 /// the index is its `NodeId`. With `Finest::triangles`, contacts against a tree, a convex shape or a solid mesh name
-/// features of the source mesh.
+/// features of the source mesh. Where a coarser mesh is used (`SphereTreeShape::contactLevel`), the same lists are
+/// those of `SphereTree::levelView`.
 enum class ContactPart : std::uint8_t {
-  vertex = kMaxDepth + 1,  ///< the index is that of `SphereTree::vertices()`, or of the level mesh that is used
-  face,                    ///< the same of triangles
-  edge,                    ///< the same of `TreeSurface::features.edges()`
+  vertex = kMaxDepth + 1,  ///< the index is that of `SphereTree::vertices()`
+  face,                    ///< the index is that of `SphereTree::triangles()`
+  edge,                    ///< the index is that of `SphereTree::surface().features.edges()`
 };
 
 class ExtremePoints;
@@ -51,6 +52,11 @@ class UnservedWatch;
 /// Surfaces closer than this fraction of the smaller body's size are reported although they do not touch. The solver
 /// then lets them close the separation and no more, so that resting contacts do not flicker (measured with scheme S).
 inline constexpr btScalar kSpeculativeFraction = btScalar(0.002);
+
+/// A level mesh serves contacts only where its distance to the source is at most this part of the body's thickness
+/// (`TreeSurface::thickness`). Both sides of a wall may be that far off; together they stay within half of it, to which
+/// contacts are trusted. `LevelMesh.OfAShellIsNotUsedWhereItIsFartherThanTheWallAllows` fails with 1.
+inline constexpr float kMaxErrorOfThickness = 0.25F;
 
 /// Scale factors that differ by no more than this fraction are uniform: some units in the last place of a float, as an
 /// engine gets them by decomposing and composing matrices.

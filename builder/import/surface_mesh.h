@@ -32,4 +32,17 @@ TriangleMesh meshFrom(const CGAL::Surface_mesh<Point>& surface) {
   return mesh;
 }
 
+/// Converts a mesh to a CGAL surface with the same numbers of vertices and faces. Empty when a vertex is pinched, which
+/// a halfedge structure cannot represent. Linear.
+template <class Point>
+CGAL::Surface_mesh<Point> surfaceFrom(const TriangleMesh& mesh) {
+  using Surface = CGAL::Surface_mesh<Point>;
+  Surface surface;
+  std::vector<typename Surface::Vertex_index> names;
+  for (const Vec3d& v : mesh.vertices) names.push_back(surface.add_vertex(Point(v.x, v.y, v.z)));
+  for (const Triangle& t : mesh.triangles)
+    if (surface.add_face(names[t[0]], names[t[1]], names[t[2]]) == Surface::null_face()) return {};
+  return surface;
+}
+
 }  // namespace cairn::builder
