@@ -2,6 +2,7 @@
 #include "cairn/core/tree_file.h"
 
 #include <cstring>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -241,7 +242,9 @@ Result<SphereTree> decodeTree(std::span<const std::byte> bytes) {
   return decodeAligned(aligned);
 }
 
-Result<SphereTree> loadTree(const std::filesystem::path& path) {
+namespace {
+
+Result<SphereTree> load(const std::filesystem::path& path) {
   Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
   Result<SphereTree> tree = decodeTree(bytes.value());
@@ -249,8 +252,28 @@ Result<SphereTree> loadTree(const std::filesystem::path& path) {
   return tree;
 }
 
-Status saveTree(const SphereTree& tree, const std::filesystem::path& path) {
+Status save(const SphereTree& tree, const std::filesystem::path& path) {
   return writeFileAtomically(path, encodeTree(tree));
 }
+
+}  // namespace
+
+Result<SphereTree> loadTree(const char* path) {
+  return load(path);
+}
+
+Status saveTree(const SphereTree& tree, const char* path) {
+  return save(tree, path);
+}
+
+#ifdef _WIN32
+Result<SphereTree> loadTree(const wchar_t* path) {
+  return load(path);
+}
+
+Status saveTree(const SphereTree& tree, const wchar_t* path) {
+  return save(tree, path);
+}
+#endif
 
 }  // namespace cairn

@@ -2,8 +2,8 @@
 #include "dispatch/non_finite_pairs.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "cairn/core/log.h"
 #include "pairs/pair_cull.h"
 
 namespace cairn::bullet {
@@ -13,13 +13,13 @@ void NonFinitePairs::count() {
   warn();
 }
 
-// On standard error, because Bullet's interface cannot return it.
+// In the log, because Bullet's interface cannot return it.
 void NonFinitePairs::warn() {
   if (hasWarned_.exchange(true)) return;
-  std::fprintf(
-      stderr,
+  logMessage(
       "a body's place, speed or force is NaN or infinite: its sphere-tree pairs have no contacts until it is finite "
-      "again (said once; StepStatistics::nonFinitePairs counts such pairs)\n");
+      "again "
+      "(said once; StepStatistics::nonFinitePairs counts such pairs)");
 }
 
 void NonFinitePairs::forget(TreePair& pair) {

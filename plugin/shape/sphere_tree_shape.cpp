@@ -7,11 +7,11 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "cairn/core/log.h"
 #include "placement/bullet_math.h"
 #include "queries/leaf_balls.h"
 #include "queries/region_balls.h"
@@ -141,12 +141,12 @@ Status SphereTreeShape::setScale(const btVector3& scaling) {
 }
 
 void SphereTreeShape::setLocalScaling(const btVector3& scaling) {
-  if (Status status = setScale(scaling); !status) std::fprintf(stderr, "%s\n", status.error().message.c_str());
+  if (Status status = setScale(scaling); !status) logMessage(status.error().message.c_str());
 }
 
 void SphereTreeShape::setMargin(btScalar margin) {
   if (Status status = checkMargin(margin, size_); !status) {
-    std::fprintf(stderr, "%s\n", status.error().message.c_str());
+    logMessage(status.error().message.c_str());
     return;
   }
   btConcaveShape::setMargin(margin);

@@ -2,7 +2,8 @@
 #include "shape/unserved.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "cairn/core/log.h"
 
 namespace cairn::bullet {
 
@@ -19,11 +20,9 @@ constexpr int kMaxPatience = 1 << 16;
 void tellOnce() {
   static std::atomic<bool> hasTold{false};
   if (hasTold.exchange(true)) return;
-  std::fprintf(
-      stderr,
-      "cairn: a body with a sphere-tree moves in a world that knows none, and falls through most of what it "
-      "meets: make the world's dispatcher a cairn::bullet::Dispatcher<>, or call cairn::bullet::install(world) "
-      "(said once)\n");
+  logMessage(
+      "a body with a sphere-tree moves in a world that knows none, and falls through most of what it meets: make the "
+      "world's dispatcher a cairn::bullet::Dispatcher<>, or call cairn::bullet::install(world) (said once)");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cairn/core/log.h"
 #include "placement/bullet_math.h"
 #include "terrain/terrain_cast.h"
 #include "terrain/terrain_lattice.h"
@@ -123,13 +124,16 @@ void TerrainShape::calculateLocalInertia(btScalar /*mass*/, btVector3& inertia) 
 
 void TerrainShape::setLocalScaling(const btVector3& scaling) {
   if (scaling == btVector3(1, 1, 1)) return;
-  std::fprintf(stderr, "a terrain cannot be scaled by (%g, %g, %g): scale the cell and the heights of its grid\n",
-               double(scaling.x()), double(scaling.y()), double(scaling.z()));
+  char message[160];
+  std::snprintf(message, sizeof(message),
+                "a terrain cannot be scaled by (%g, %g, %g): scale the cell and the heights of its grid",
+                double(scaling.x()), double(scaling.y()), double(scaling.z()));
+  logMessage(message);
 }
 
 // Writes no chunk, because importers count chunks that they cannot read.
 void TerrainShape::serializeSingleShape(btSerializer* /*serializer*/) const {
-  std::fprintf(stderr, "a terrain's heights are not written to .bullet files: make it again from its grid\n");
+  logMessage("a terrain's heights are not written to .bullet files: make it again from its grid");
 }
 
 const char* TerrainShape::getName() const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,11 +15,8 @@ struct Error {
   std::string message;  ///< for a user, without a final line break
 };
 
-/// Prints the sentence on standard error and ends the program by `std::abort`, in every build type.
-[[noreturn]] inline void dieUnchecked(const char* what, const char* message) {
-  std::fprintf(stderr, "cairn: %s%s\n", what, message);
-  std::abort();
-}
+/// Logs the sentence (`setLog`) and ends the program by `std::abort`, in every build type.
+[[noreturn]] CAIRN_CORE_EXPORT void dieUnchecked(const char* what, const char* message);
 
 /// A value, or the reason there is none. Used wherever data comes from outside; inside, preconditions are asserted.
 template <class T>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -31,7 +30,8 @@ struct CAIRN_CORE_EXPORT Box {
   float separationTo(const Box& other) const {
     float separation = -std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis)
-      separation = std::max({separation, other.lower[axis] - upper[axis], lower[axis] - other.upper[axis]});
+      for (const float apart : {other.lower[axis] - upper[axis], lower[axis] - other.upper[axis]})
+        if (separation < apart) separation = apart;
     return separation;
   }
 };

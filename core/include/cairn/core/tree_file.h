@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -23,9 +22,32 @@ CAIRN_CORE_EXPORT std::vector<std::byte> encodeTree(const SphereTree& tree);
 CAIRN_CORE_EXPORT Result<SphereTree> decodeTree(std::span<const std::byte> bytes);
 
 /// Reads a `.cairn` file; the error names the file.
-CAIRN_CORE_EXPORT Result<SphereTree> loadTree(const std::filesystem::path& path);
+CAIRN_CORE_EXPORT Result<SphereTree> loadTree(const char* path);
 
 /// Writes a `.cairn` file completely or not at all.
-CAIRN_CORE_EXPORT Status saveTree(const SphereTree& tree, const std::filesystem::path& path);
+CAIRN_CORE_EXPORT Status saveTree(const SphereTree& tree, const char* path);
+
+#ifdef _WIN32
+/// The same for the names that Windows gives to files.
+CAIRN_CORE_EXPORT Result<SphereTree> loadTree(const wchar_t* path);
+CAIRN_CORE_EXPORT Status saveTree(const SphereTree& tree, const wchar_t* path);
+#endif
+
+/// A `std::string` or a `std::filesystem::path`. The header of the latter is half as large as Bullet's.
+template <class Path>
+concept PathLike = requires(const Path& path) {
+  path.c_str();
+};
+
+/// Reads a `.cairn` file; the error names the file.
+template <PathLike Path>
+Result<SphereTree> loadTree(const Path& path) {
+  return loadTree(path.c_str());
+}
+/// Writes a `.cairn` file completely or not at all.
+template <PathLike Path>
+Status saveTree(const SphereTree& tree, const Path& path) {
+  return saveTree(tree, path.c_str());
+}
 
 }  // namespace cairn

@@ -8,13 +8,16 @@
 #include "cairn/bullet/step.h"
 #include "cairn/core/export.h"
 #include "cairn/core/result.h"
-#include "cairn/core/scheduler.h"
 #include "cairn/core/viewer.h"
 
 class btCollisionDispatcher;
 class btCollisionWorld;
 class btOverlappingPairCache;
 struct btDispatcherInfo;
+
+namespace cairn {
+class Priority;
+}
 
 namespace cairn::bullet {
 

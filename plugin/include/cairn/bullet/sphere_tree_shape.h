@@ -137,11 +137,11 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
   /// Spheres stay spheres only under uniform scale. A scale that is not uniform, or that `create` would refuse, fails
   /// and leaves the shape unchanged.
   Status setScale(const btVector3& scaling);
-  /// Calls `setScale` and prints a failure on standard error, because Bullet's interface cannot return it. A compound
+  /// Calls `setScale` and logs a failure (`cairn::setLog`), because Bullet's interface cannot return it. A compound
   /// hands an uneven scale on to its children; it then moves its trees and does not resize them.
   void setLocalScaling(const btVector3& scaling) override;
   /// Refuses a margin that is negative, NaN or more than 2^23 times the size. The unit in the last place of so large a
-  /// float exceeds the whole mesh. A refusal is printed on standard error and leaves the shape unchanged.
+  /// float exceeds the whole mesh. A refusal is logged and leaves the shape unchanged.
   void setMargin(btScalar margin) override;
   /// The scale as Bullet asks for it: three times the same number.
   const btVector3& getLocalScaling() const override { return localScaling_; }

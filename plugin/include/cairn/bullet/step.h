@@ -63,8 +63,8 @@ struct StepStatistics {
   /// once, in full, and not counted.
   std::uint32_t pairs = 0;
   /// Pairs with a non-finite body: its place, speed or force is NaN or infinite. They get no contacts, so that they
-  /// harm no other pair. Pairs of queries since the last step count too. The first such pair is reported on standard
-  /// error.
+  /// harm no other pair. Pairs of queries since the last step count too. The first such pair is reported in the
+  /// log.
   std::uint32_t nonFinitePairs = 0;
   std::uint32_t unresolvedPairs = 0;  ///< those of `pairs` that got no budget, or stopped half-way
   std::uint32_t contacts = 0;         ///< points these pairs handed to the solver

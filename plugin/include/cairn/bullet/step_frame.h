@@ -3,8 +3,6 @@
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
-#include <algorithm>
-
 #include "cairn/core/export.h"
 
 namespace cairn::bullet {
@@ -20,7 +18,7 @@ inline int stepsOf(const btDiscreteDynamicsWorld& world, btScalar timeStep, int 
   };
   if (maxSubSteps == 0) return btFuzzyZero(timeStep) ? 0 : 1;
   const btScalar time = Reader::localTime(world) + timeStep;
-  return time >= fixedTimeStep ? std::min(static_cast<int>(time / fixedTimeStep), maxSubSteps) : 0;
+  return time >= fixedTimeStep ? btMin(static_cast<int>(time / fixedTimeStep), maxSubSteps) : 0;
 }
 
 /// `world.stepSimulation` with one budget for all its steps together:

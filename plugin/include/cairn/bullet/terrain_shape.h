@@ -90,13 +90,13 @@ class CAIRN_BULLET_EXPORT TerrainShape final : public btConcaveShape {
   void getAabb(const btTransform& t, btVector3& aabbMin, btVector3& aabbMax) const override;
   /// Gives zero: a surface has no mass.
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
-  /// Refuses any scale except 1, with a message on standard error: scale the grid instead.
+  /// Refuses any scale except 1, with a message in the log: scale the grid instead.
   void setLocalScaling(const btVector3& scaling) override;
   /// The scale of the grid along its axes.
   const btVector3& getLocalScaling() const override { return scaling_; }
   /// The name of this kind of shape, as everywhere in Bullet.
   const char* getName() const override;
-  /// Refuses, with a message on standard error, because a `.bullet` file holds no heights. An importer finds neither
+  /// Refuses, with a message in the log, because a `.bullet` file holds no heights. An importer finds neither
   /// shape nor body. Create the terrain again from its grid.
   void serializeSingleShape(btSerializer* serializer) const override;
 
