@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct WalledHeap {
   std::vector<btRigidBody*> bodies;
   btScalar peakSpeed = 0;
 
+  static std::shared_ptr<const SphereTree> round() { return plainTree(ball(0.3, 6)); }
+  static std::shared_ptr<const SphereTree> square() { return plainTree(cuboid({0.5, 0.4, 0.3}, 3)); }
+
   explicit WalledHeap(std::optional<std::int64_t> operations, bullet::Unresolved policy = bullet::Unresolved::guard) {
     if (!w.dispatcher.setBudget({operations, {}})) throw std::runtime_error("the budget was refused");
     w.dispatcher.setUnresolved(policy);
@@ -22,12 +26,11 @@ struct WalledHeap {
     // Walls, so that a heap stays a heap.
     for (const btVector3& n : {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 1, 0), btVector3(0, -1, 0)})
       w.add(std::make_shared<btStaticPlaneShape>(n, btScalar(-1)), 0, btVector3(0, 0, 0));
-    const auto round = plainTree(ball(0.3, 6));
-    const auto square = plainTree(cuboid({0.5, 0.4, 0.3}, 3));
+    const auto roundTree = round(), squareTree = square();
     for (int i = 0; i < 24; ++i) {
       const btVector3 place(btScalar(i % 2) - btScalar(0.5), btScalar(i / 2 % 2) - btScalar(0.45),
                             btScalar(0.4) + btScalar(0.7) * btScalar(i / 4));
-      bodies.push_back(&w.add(treeShape(i % 3 ? round : square), 1, place));
+      bodies.push_back(&w.add(treeShape(i % 3 ? roundTree : squareTree), 1, place));
     }
   }
 
