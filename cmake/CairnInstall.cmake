@@ -24,6 +24,7 @@ endfunction()
 cairn_install_library(cairn_core ${PROJECT_SOURCE_DIR}/core/include)
 cairn_install_library(cairn_bullet ${PROJECT_SOURCE_DIR}/plugin/include)
 cairn_install_library(cairn_effects ${PROJECT_SOURCE_DIR}/plugin/effects/include)
+cairn_install_library(cairn_c ${PROJECT_SOURCE_DIR}/plugin/c/include)
 install(EXPORT cairn NAMESPACE cairn:: FILE cairnTargets.cmake DESTINATION ${cairn_package_dir} COMPONENT plugin)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/install/cairnConfig.cmake.in cairn${cairn_suffix}Config.cmake
@@ -36,9 +37,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cairn${cairn_suffix}Config.cmake
 set(cairn_pc_definitions "")
 if(BUILD_SHARED_LIBS)
   set(cairn_pc_definitions " -DCAIRN_SHARED")
+  set(cairn_pc_runtime "")
+else()
+  set(cairn_pc_runtime " -lstdc++ -lm")  # a C compiler does not link them by itself
 endif()
 file(RELATIVE_PATH cairn_prefix_from_pc /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
-foreach(package cairn cairn-effects)
+foreach(package cairn cairn-effects cairn-c)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/install/${package}.pc.in ${package}${cairn_suffix}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}${cairn_suffix}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
           COMPONENT plugin)

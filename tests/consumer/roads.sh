@@ -31,4 +31,16 @@ for header in bullet/dispatcher.h bullet/sphere_tree_shape.h bullet/install.h bu
   grep -q 'error.*Cairn needs C++20: compile with -std=c++20' "$scratch/log" || fail "$header says as C++17: $(cat "$scratch/log")"
   (($(grep -c ' error: ' "$scratch/log") <= 2)) || fail "$header says more than a sentence as C++17: $(cat "$scratch/log")"
 done
+# A game in plain C.
+read -ra c_flags <<< "$(pkg-config --cflags --libs "cairn-c$suffix")"
+cc -std=c99 -O1 -Wall -Wextra -Wpedantic -Werror "$here/game.c" "${c_flags[@]}" -o "$scratch/c_game" > "$scratch/log" 2>&1 ||
+  fail "a game in C does not build: $(cat "$scratch/log")"
+heights=$("$scratch/c_game" "$tree") || fail "a game in C does not run"
+[[ $(awk '$1 > 0 && $1 < 10' <<< "$heights" | wc -l) == 10 ]] || fail "rocks of a game in C end at $heights"
+
+# A game that includes everything reads at most two thirds more lines than one that includes Bullet alone.
+lines() { printf '#include <%s>\n' btBulletDynamicsCommon.h "$@" | "$compiler" -std=c++20 -E -P -x c++ - "${flags[@]}" | grep -c .; }
+alone=$(lines cstddef) game=$(lines cairn/bullet/dispatcher.h) all=$(lines cairn/bullet.h)
+echo "lines of headers: Bullet $alone, with the dispatcher $game, with all of cairn/bullet.h $all"
+((3 * all <= 5 * alone && 20 * game <= 31 * alone)) || fail "headers have grown: $alone, $game, $all"
 "$compiler" -std=c++2b -fsyntax-only "$here/rocks_tree.cpp" "${flags[@]}" || fail "not taken as C++23"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Zlib
 # Cairn built in the game's own project, as a game has it beside its sources or fetches it: add_subdirectory, FetchContent
 # from a clone, as static and as shared libraries. The game is snippets/game.cpp with effects. Minutes.
-# Usage: sources.sh COMPILER [WAY...]   WAY: subdirectory, fetched, shared (which wants the lists in tests/consumer/exported); the first two unless named
+# Usage: sources.sh COMPILER [WAY...]   WAY: subdirectory, fetched, shared; all of them unless named
 set -euo pipefail
 compiler=$1
 shift
@@ -11,7 +11,7 @@ root=$(cd "$here/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "sources: $*" >&2; exit 1; }
-(($#)) || set -- subdirectory fetched
+(($#)) || set -- subdirectory fetched shared
 launcher=()
 command -v ccache > /dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 
@@ -33,12 +33,12 @@ FetchContent_MakeAvailable(cairn)" ;;
     -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DBUILD_SHARED_LIBS=$shared > "$scratch/log" 2>&1 ||
     fail "$way is not configured: $(cat "$scratch/log")"
   ! ninja -C "$game/build" -t targets all | grep -qE '(^|/)(cairn_builder|plugin_tests|rockfall)' || fail "$way: the game builds more than it wants"
-  cmake --build "$game/build" --target game > "$scratch/log" 2>&1 || fail "$way is not built: $(tail -30 "$scratch/log")"
+  cmake --build "$game/build" --target game cairn_c > "$scratch/log" 2>&1 || fail "$way is not built: $(tail -30 "$scratch/log")"
   (cd "$game" && build/game) || fail "$way does not run"
   if [[ $shared == ON ]]; then
-    for library in core bullet effects; do
+    for library in core bullet effects c; do
       nm -DC --defined-only "$(find "$game/build" -name "libcairn_$library.so")" | awk '$2 ~ /[TBDRV]/ { $1 = $2 = ""; print substr($0, 3) }' |
-        sed 's/(.*//' | grep '^cairn::' | sort -u > "$scratch/$library"
+        sed 's/(.*//' | grep -E "^cairn(::|[A-Z])" | sort -u > "$scratch/$library"
       diff "$here/exported/$library.txt" "$scratch/$library" || fail "libcairn_$library shows other symbols than tests/consumer/exported/$library.txt"
     done
   fi

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "cairn/core/tree_file.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace {
 
-using cairn::wasm::Pose;
-using cairn::wasm::Simulation;
+using cairn::simulation::Pose;
+using cairn::simulation::Simulation;
 using Shape = std::shared_ptr<cairn::bullet::SphereTreeShape>;
 
 // Numbers from -1 to 1: Knuth's MMIX generator, of which JavaScript can do the same with integers of any length.

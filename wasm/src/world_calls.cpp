@@ -6,13 +6,14 @@
 #include <limits>
 
 #include "calls.h"
-#include "contact_list.h"
 #include "exported.h"
-#include "simulation.h"
+#include "simulation/contact_list.h"
+#include "simulation/simulation.h"
 
 namespace {
 
 using namespace cairn::wasm;
+using namespace cairn::simulation;
 using WorldHandle = std::unique_ptr<Simulation>;
 using ShapeHandle = std::shared_ptr<cairn::bullet::SphereTreeShape>;
 
@@ -136,12 +137,18 @@ CAIRN_WASM(const double*) cairn_world_statistics(WorldHandle* world) {
                 s.meanErrorFraction, s.worstSeenError, s.meanSeenError});
 }
 
+/// Twelve numbers each: point, normal (world), depth, error (m), a, b, impulse (N s), 1 where meshes were measured.
 CAIRN_WASM(const float*) cairn_world_contacts(const WorldHandle* world) {
-  static std::vector<float> contacts;  // keeps its memory from step to step
-  contacts.clear();
+  static std::vector<Contact> contacts;  // these keep their memory from step to step
+  static std::vector<float> numbers;
   listContacts(**world, contacts);
-  answer().count = contacts.size();
-  return contacts.data();
+  numbers.clear();
+  for (const Contact& c : contacts)
+    numbers.insert(numbers.end(), {float(c.point.x()), float(c.point.y()), float(c.point.z()), float(c.normal.x()),
+                                   float(c.normal.y()), float(c.normal.z()), c.depth, c.error, float(c.a), float(c.b),
+                                   c.impulse, c.isExact ? 1.0F : 0.0F});
+  answer().count = numbers.size();
+  return numbers.data();
 }
 
 /// Seven numbers a body: where the mesh's frame is, and its rotation x, y, z, w. NaN for removed bodies.

@@ -8,7 +8,13 @@
 #include <cairn_needs_cxx_20>
 #endif
 
-// CAIRN_SHARED: the libraries are shared ones. Everything else of them is hidden.
+// CAIRN_SHARED: the libraries are shared ones. Everything else of them is hidden; CAIRN_HIDDEN hides a class inside a
+// class that is shown.
+#ifdef _WIN32
+#define CAIRN_HIDDEN
+#else
+#define CAIRN_HIDDEN __attribute__((visibility("hidden")))
+#endif
 #if defined(_WIN32) && defined(CAIRN_SHARED)
 #define CAIRN_EXPORTED __declspec(dllexport)
 #define CAIRN_IMPORTED __declspec(dllimport)

@@ -82,7 +82,7 @@ class CAIRN_BULLET_EXPORT NarrowPhase {
   /// Call this after that pass.
   void endStep();
 
-  class Impl;
+  class CAIRN_HIDDEN Impl;
 
  private:
   friend Result<NarrowPhase> install(btCollisionWorld& world);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Zlib
-#include "contact_list.h"
+#include "simulation/contact_list.h"
 
 #include <algorithm>
 
-namespace cairn::wasm {
+namespace cairn::simulation {
 
 namespace {
 
@@ -39,27 +39,33 @@ struct Sides {
   }
 };
 
-void append(const Sides& sides, const btManifoldPoint& point, std::vector<float>& list) {
-  const btVector3 &at = point.getPositionWorldOnB(), &normal = point.m_normalWorldOnB;
+Contact contactOf(const Sides& sides, const btManifoldPoint& point) {
   const btScalar size = sides.smallerSize();
-  const double error = errorOf(sides.treeA, point.m_partId0, point.m_index0, size) +
-                       errorOf(sides.treeB, point.m_partId1, point.m_index1, size);
-  const bool exact = isExact(sides.treeA, point.m_partId0) && isExact(sides.treeB, point.m_partId1);
-  for (int i = 0; i < 3; ++i) list.push_back(at[i]);
-  for (int i = 0; i < 3; ++i) list.push_back(normal[i]);
-  list.insert(list.end(), {float(-point.getDistance()), float(error), float(sides.a->getUserIndex()),
-                           float(sides.b->getUserIndex()), float(point.m_appliedImpulse), exact ? 1.0F : 0.0F});
+  Contact contact;
+  contact.point = point.getPositionWorldOnB();
+  contact.normal = point.m_normalWorldOnB;
+  contact.depth = float(-point.getDistance());
+  contact.error = float(errorOf(sides.treeA, point.m_partId0, point.m_index0, size) +
+                        errorOf(sides.treeB, point.m_partId1, point.m_index1, size));
+  contact.impulse = float(point.m_appliedImpulse);
+  contact.a = sides.a->getUserIndex();
+  contact.b = sides.b->getUserIndex();
+  contact.isExact = isExact(sides.treeA, point.m_partId0) && isExact(sides.treeB, point.m_partId1);
+  return contact;
 }
 
 }  // namespace
 
-void listContacts(const Simulation& simulation, std::vector<float>& list) {
-  auto& manifolds = const_cast<btCollisionDispatcher&>(simulation.manifolds());  // Bullet's reader is not const
+void listContacts(const Simulation& simulation, std::vector<Contact>& contacts) {
+  // Bullet's reader is not const.
+  auto& manifolds = const_cast<bullet::Dispatcher<>&>(simulation.narrowPhase());
+  contacts.clear();
   for (int i = 0; i < manifolds.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *manifolds.getManifoldByIndexInternal(i);
     const Sides sides(manifold);
-    for (int j = 0; j < manifold.getNumContacts(); ++j) append(sides, manifold.getContactPoint(j), list);
+    for (int j = 0; j < manifold.getNumContacts(); ++j)
+      contacts.push_back(contactOf(sides, manifold.getContactPoint(j)));
   }
 }
 
-}  // namespace cairn::wasm
+}  // namespace cairn::simulation

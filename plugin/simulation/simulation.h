@@ -10,9 +10,9 @@
 
 #include "cairn/bullet/dispatcher.h"
 #include "cairn/core/result.h"
-#include "objects.h"
+#include "simulation/objects.h"
 
-namespace cairn::wasm {
+namespace cairn::simulation {
 
 /// A Bullet world of sphere-trees between planes and boxes, which owns all that is in it. Bodies have numbers from 0
 /// on; the number of a removed body is given to the next one. Units are metres, kilograms and seconds.
@@ -30,6 +30,9 @@ class Simulation {
   Status setSolverIterations(int iterations);
   /// Budget, policies and statistics of the narrow phase.
   bullet::Dispatcher<>& narrowPhase() { return dispatcher_; }
+  const bullet::Dispatcher<>& narrowPhase() const { return dispatcher_; }
+  /// The world that all this is in.
+  btDiscreteDynamicsWorld& world() { return world_; }
 
   /// Adds the half-space of points whose product with `normal` is below `offset`.
   Status addPlane(const btVector3& normal, btScalar offset, const Material& material);
@@ -53,9 +56,10 @@ class Simulation {
   /// One step of the world's time step.
   void step();
 
+  /// The body of a number. Fails where there is none.
+  Result<const Body*> body(int number) const;
   /// By number; those of removed bodies have no rigid body.
   const std::vector<Body>& bodies() const { return bodies_; }
-  const btCollisionDispatcher& manifolds() const { return dispatcher_; }
   /// Sixteen hexadecimal digits over places, rotations and velocities of everything, in the order it was added.
   std::string stateHash() const;
 
@@ -81,4 +85,4 @@ class Simulation {
 /// others.
 inline constexpr btScalar kStrongestPull = 200;
 
-}  // namespace cairn::wasm
+}  // namespace cairn::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "cairn/core/state_hash.h"
 
-namespace cairn::wasm {
+namespace cairn::simulation {
 
 namespace {
 
@@ -141,11 +141,17 @@ Result<int> Simulation::addBody(std::shared_ptr<bullet::SphereTreeShape> shape, 
   return number;
 }
 
-Result<Body*> Simulation::bodyOf(int number) {
+Result<const Body*> Simulation::body(int number) const {
   const auto index = static_cast<std::size_t>(number);
   if (number < 0 || index >= bodies_.size() || !bodies_[index].rigid)
-    return Error{"there is no body " + std::to_string(number) + "; give a number that addBody returned"};
+    return Error{"there is no body " + std::to_string(number) + "; give a number that was returned when one was added"};
   return &bodies_[index];
+}
+
+Result<Body*> Simulation::bodyOf(int number) {
+  const Result<const Body*> found = body(number);
+  if (!found) return found.error();
+  return &bodies_[static_cast<std::size_t>(number)];
 }
 
 // Bullet leaves bodies asleep whose support is taken away.
@@ -239,4 +245,4 @@ std::string Simulation::stateHash() const {
   return hash.hex();
 }
 
-}  // namespace cairn::wasm
+}  // namespace cairn::simulation

@@ -7,7 +7,7 @@
 
 #include "cairn/bullet/sphere_tree_shape.h"
 
-namespace cairn::wasm {
+namespace cairn::simulation {
 
 /// Where something is: of a body, where its mesh's own frame is.
 struct Pose {
@@ -36,4 +36,4 @@ struct Obstacle {
   std::unique_ptr<btRigidBody> rigid;
 };
 
-}  // namespace cairn::wasm
+}  // namespace cairn::simulation
