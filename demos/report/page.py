@@ -11,6 +11,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 import conclusions
+import glance
 import tables
 
 MOST_ROWS = 60  # of a table on the page; the whole of it is there to be saved
@@ -62,6 +63,17 @@ def experiment_of(part, data):
             "csv_name": csv.name, "table": tables.from_rows(rows, f"{len(rows)} rows", MOST_ROWS)}
 
 
+def glance_of(rows, data):
+    """The figure and the sentences of the first screen; nothing where the table lacks what they are made of."""
+    model, picture = rows[0]["model"], data / "what-accuracy-costs.svg"
+    try:
+        points = glance.points_of(rows, model, "heap")
+        glance.draw(points, picture)
+    except (glance.Unusable, OSError) as failure:
+        return {"why": str(failure)}
+    return {"uri": data_uri(picture), "title": glance.title_of(points), "sentences": glance.sentences_of(points, model, "heap")}
+
+
 def gallery_of(done, data):
     """Contact sheets: by model, its sets of spheres and its trees, method by method."""
     sheets = {}
@@ -98,7 +110,9 @@ def content_of(run, data):
     for part in run["parts"]:
         if part["kind"] == "experiment" and (found := made(part, lambda: experiment_of(part, data))):
             experiments[part["name"]] = found
-    shown = {name: made(parts.get(name), make) for name, make in (
+    accuracy = experiments.get("error-against-time")
+    shown = {"glance": glance_of(accuracy["rows"], data) if accuracy and accuracy["rows"] else None}
+    shown |= {name: made(parts.get(name), make) for name, make in (
         ("textbook", lambda: tables.textbook(read_json(data / "textbook.json"))),
         ("heap", lambda: tables.heap(read_json(data / "heap.json"))),
         ("builder", lambda: tables.builder(data / "builder.txt")))}

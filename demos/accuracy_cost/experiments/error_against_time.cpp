@@ -91,7 +91,8 @@ Result<std::vector<Contender>> contendersOf(Trees& trees, const ContestExtent& e
   if (!finest) return finest.error();
   const Budgets budgets = extent.isFine ? Budgets{{}, 32000, 16000, 8000, 4000, 2000, 1000, 500}
                                         : Budgets{{}, 16000, 8000, 4000, 2000, 1000};
-  const Budgets triangleBudgets = extent.isFine ? Budgets{{}, 64000, 32000, 16000, 8000} : Budgets{{}, 32000, 8000};
+  const Budgets triangleBudgets =
+      extent.isFine ? Budgets{{}, 64000, 32000, 16000, 8000, 4000, 2000} : Budgets{{}, 32000, 16000, 8000, 4000};
   const std::string depthName = fmt::format("{} levels", extent.depth);
   addTrees(list,
            {.series = "tree of " + depthName + " by budget",
