@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bullet_world.h"
+#include "cairn/core/scheduler.h"
 #include "contacts/relative_placement.h"
 #include "counting_new.h"
 #include "installed_dispatchers.h"

@@ -7,6 +7,7 @@
 
 #include "bullet_world.h"
 #include "cairn/bullet/install.h"
+#include "cairn/core/priority.h"
 
 namespace cairn::test {
 

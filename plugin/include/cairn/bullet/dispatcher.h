@@ -50,8 +50,11 @@ class Dispatcher : public Base {
   void setUnresolved(Unresolved policy) { narrowPhase_.setUnresolved(policy); }
   /// See `NarrowPhase::setFinest`.
   void setFinest(Finest finest) { narrowPhase_.setFinest(finest); }
-  /// From the next step on; see `NarrowPhase::setPriority`. Precondition: not null.
-  void setPriority(std::unique_ptr<Priority> priority) { narrowPhase_.setPriority(std::move(priority)); }
+  /// From the next step on; see `NarrowPhase::setPriority`. `Policy` is a `Priority`. Precondition: not null.
+  template <class Policy>
+  void setPriority(std::unique_ptr<Policy> priority) {
+    narrowPhase_.setPriority(std::move(priority));
+  }
   /// See `NarrowPhase::setViewer`.
   Status setViewer(const std::optional<Viewer>& viewer) { return narrowPhase_.setViewer(viewer); }
   /// See `NarrowPhase::lastStep`.
