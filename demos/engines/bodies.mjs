@@ -99,7 +99,7 @@ const kMakers = { ring, bowl, hook, link, knot };
 export const kBodies = Object.keys(kMakers);
 
 /// Turns triangles outward, moves the centre of mass to the origin and scales the bounding box's diagonal to one metre.
-function standard(name, { vertices, indices }, mass) {
+export function standard(name, { vertices, indices }, mass) {
   if (signedVolume({ vertices, indices }) < 0) for (let at = 0; at < indices.length; at += 3) [indices[at], indices[at + 1]] = [indices[at + 1], indices[at]];
   const { center } = massProperties({ name, vertices, indices, mass });
   const low = [0, 1, 2].map((c) => vertices.reduce((least, value, at) => (at % 3 === c ? Math.min(least, value) : least), Infinity));
