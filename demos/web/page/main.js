@@ -18,6 +18,7 @@ import { Stage } from './stage.js';
 import { quantile, StripChart } from './strip_chart.js';
 
 const kSeed = 1;
+const kTold = 100; // ms between two changes of numbers and charts
 
 class Page {
   constructor(loaded) {
@@ -46,7 +47,6 @@ class Page {
     part('greatest').textContent = `${100 * kGreatestShown} % of a body or more`;
     listenToKeys(part('picture'), this.stage_, this.hand_);
     this.asleep_ = 0;
-    this.frames_ = 0;
     this.waiting_ = null;
   }
 
@@ -176,7 +176,8 @@ class Page {
       this.drawings_?.push(drawn);
     }
     this.intervals_?.push(now);
-    if (this.frames_++ % 6 === 0) {
+    if (!(now - this.lastTold_ < kTold)) {
+      this.lastTold_ = now;
       this.showNumbers();
       this.timeChart_.draw();
       this.workChart_.draw();

@@ -4,7 +4,8 @@
 import { themeColor } from './colors.js';
 
 const kShown = 240; // steps: four seconds
-const kRoom = 1.15; // above the greatest value
+const kRoom = 1.2; // above the greatest value
+const kFitting = 0.97; // the share of the steps that fit on the scale; a few that stand out are cut
 
 /// A round number at or above a value: 1, 2 or 5 times a power of ten.
 export function roundUp(value) {
@@ -54,9 +55,9 @@ export class StripChart {
     const context = this.canvas_.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    const seen = [...this.values('filled'), ...this.values('line'), this.limit ?? 0, this.least_];
-    const top = roundUp(kRoom * seen.reduce((most, value) => Math.max(most, value), 0));
-    const at = (value) => height - 1 - ((height - 14) * value) / top;
+    const most = Math.max(quantile(this.values('filled'), kFitting), quantile(this.values('line'), kFitting));
+    const top = roundUp(kRoom * Math.max(most, this.limit ?? 0, this.least_));
+    const at = (value) => height - 1 - ((height - 14) * Math.min(value, top)) / top;
     this.drawScale(context, width, top, at);
     this.drawFilled(context, width, at);
     this.drawLine(context, width, at);
