@@ -13,7 +13,8 @@ const kStill = [[0, 0, 0], [0, 0, 0, 1], [1, 1, 1]];
 async function start() {
   const { default: create } = await import('@babylonjs/havok');
   if (typeof process === 'undefined' || !process.versions?.node) return create();
-  const { readFile } = await import('node:fs/promises');
+  const files = 'node:fs/promises'; // a variable, so that no bundler looks for it
+  const { readFile } = await import(/* @vite-ignore */ files);
   const file = import.meta.resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm');
   return create({ wasmBinary: await readFile(new URL(file)) });
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What was seen, kept for a minute, as a file, and back.
+
+const kMostFrames = 3600; // a minute of them
+const kMostBodies = 5000;
+const kFormat = 'cairn-run';
+const kTimeStep = 1 / 60;
+
+export class Recorder {
+  /// models: names of models; bodies: the index of each one's model.
+  constructor(engine, models, bodies) {
+    Object.assign(this, { engine, models, bodies });
+    this.steps = [];
+    this.frames = [];
+  }
+
+  add(step, poses) {
+    this.steps.push(step);
+    this.frames.push(poses);
+    if (this.steps.length > kMostFrames) {
+      this.steps.shift();
+      this.frames.shift();
+    }
+  }
+
+  run() {
+    const { engine, models, bodies, steps, frames } = this;
+    return { kind: 'bodies', engine, models, bodies, times: steps.map((step) => (step - steps[0]) * kTimeStep), frames: [...frames] };
+  }
+}
+
+function base64Of(bytes) {
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 0x8000) text += String.fromCharCode(...bytes.subarray(at, at + 0x8000));
+  return btoa(text);
+}
+
+/// The text of a file of a run.
+export function textOf({ engine, models, bodies, times, frames }) {
+  const poses = new Float32Array(frames.length * 7 * bodies.length);
+  frames.forEach((frame, index) => poses.set(frame, index * 7 * bodies.length));
+  return JSON.stringify({ format: kFormat, version: 1, engine, models, bodies, times, poses: base64Of(new Uint8Array(poses.buffer)) });
+}
+
+const refuse = (what) => {
+  throw new Error(`This file is no run of this page: ${what}. Save a run here, or open trajectories of rockfall merge.`);
+};
+
+function checkHeader({ format, version, engine, models, bodies, times, poses }, known) {
+  if (format !== kFormat) refuse('it does not say so');
+  if (version !== 1) refuse(`its version is ${version}, not 1`);
+  if (typeof engine !== 'string' || typeof poses !== 'string') refuse('engine or poses are missing');
+  for (const list of [models, bodies, times]) if (!Array.isArray(list) || list.length === 0) refuse('models, bodies or times are missing');
+  for (const name of models) if (!known.includes(name)) refuse(`the model ${String(name).slice(0, 40)} is not on this page`);
+  if (bodies.length > kMostBodies) refuse(`it has more than ${kMostBodies} bodies`);
+  for (const model of bodies) if (!Number.isInteger(model) || model < 0 || model >= models.length) refuse('a body has no model');
+  times.forEach((time, k) => (Number.isFinite(time) && time >= 0 && (k === 0 || time > times[k - 1])) || refuse('its times do not rise'));
+}
+
+/// Reads a run; `known` names the models of the page. Throws one sentence.
+export function runOf(text, known) {
+  let data;
+  try {
+    data = JSON.parse(text);
+  } catch {
+    refuse('it is not JSON');
+  }
+  if (typeof data !== 'object' || data === null) refuse('it does not say so');
+  checkHeader(data, known);
+  const { engine, models, bodies, times } = data;
+  let bytes;
+  try {
+    bytes = Uint8Array.from(atob(data.poses), (c) => c.charCodeAt(0));
+  } catch {
+    refuse('its poses are not base64');
+  }
+  if (bytes.length !== times.length * bodies.length * 28) refuse('it is cut short');
+  const poses = new Float32Array(bytes.buffer);
+  if (!poses.every(Number.isFinite)) refuse('a pose is no number');
+  const frames = times.map((_, k) => poses.slice(k * 7 * bodies.length, (k + 1) * 7 * bodies.length));
+  return { kind: 'bodies', engine: engine.slice(0, 80), models, bodies, times, frames };
+}
