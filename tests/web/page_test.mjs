@@ -110,6 +110,20 @@ async function checkEngines(browser, address) {
   await page.context().close();
 }
 
+/// An engine that does not come is said to be missing, and the next one is there all the same.
+async function checkMissingEngine(browser, address) {
+  const page = await openPage(browser, `${address}${kSmall}`);
+  await page.context().route(/jolt-physics/, (route) => route.abort());
+  await page.selectOption('#engine', 'jolt');
+  await page.waitForSelector('#refusal:not([hidden])');
+  assert.ok((await page.textContent('#refusal')).length > 10);
+  await page.selectOption('#engine', 'rapier-parts');
+  await until(page, () => window.cairnWeb.state().engine.name === 'Rapier' && window.cairnWeb.state().step > 20);
+  assert.equal(await page.isVisible('#refusal'), false);
+  assert.ok(page.faults.every((fault) => fault.includes('jolt') || fault.includes('ERR_FAILED')), page.faults.join());
+  await page.context().close();
+}
+
 /// The body and place where a pointer would take a body.
 async function bodyToTake(page) {
   return page.evaluate(() => {
@@ -296,7 +310,7 @@ async function checkPlainServer(browser) {
 const server = await serve(built);
 const browser = await launch(packages);
 try {
-  for (const check of [checkRest, checkBudget, checkEngines, checkHand, checkReplay, checkTabs, checkDesktop, checkPhone, checkPlainServer]) {
+  for (const check of [checkRest, checkBudget, checkEngines, checkMissingEngine, checkHand, checkReplay, checkTabs, checkDesktop, checkPhone, checkPlainServer]) {
     if (wanted.length > 0 && !wanted.includes(check.name)) continue;
     const start = performance.now();
     await check(browser, server.address);

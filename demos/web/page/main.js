@@ -161,8 +161,8 @@ class Page {
     part('work-now').value = last.operations === null ? '' : `${countText(last.operations)} operations`;
     const name = this.engine_?.name;
     part('time-facts').textContent = told
-      ? `Filled: collision detection (narrow phase), 99 % below ${most('filled')}. Line: the whole step, 99 % below ${most('line')}.`
-      : `${name} does not tell its collision detection apart. Filled: the whole step, 99 % below ${most('filled')}.`;
+      ? `Filled: collision detection (narrow phase), 99\u00a0% below ${most('filled')}. Line: the whole step, 99\u00a0% below ${most('line')}.`
+      : `${name} does not tell its collision detection apart. Filled: the whole step, 99\u00a0% below ${most('filled')}.`;
     this.showStatus();
   }
 
