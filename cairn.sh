@@ -77,6 +77,11 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh docs serve [PORT] build it and show it on http://localhost:8000 (or PORT) until Ctrl-C
   ./cairn.sh docs check [PAGE...] words, sentences and numbers of each page, and what breaks the limits
                              (tools/check_documents.py --help)
+  ./cairn.sh wasm            build the npm package cairn-collision, core, plugin and Bullet as WebAssembly (out/wasm/cairn-collision)
+  ./cairn.sh wasm test       the same, and test it under Node: bits of the native library, with and without vectors
+  ./cairn.sh wasm ratio [TREE [BODIES [STEPS [ROUNDS]]]] time a heap natively and by the package, and print the ratio
+  ./cairn.sh showdown [OPTIONS] Cairn, Rapier, Jolt and Havok on the same scenes in Node, judged by one exact check: tables and a
+                             figure in out/showdown (--help lists the options; hours)
   ./cairn.sh web [--build | --test | --measure] [--port N]
                              build the page that compares Cairn with Rapier, Jolt and Havok in a browser (out/web/page, for any web
                              server) and show it on http://localhost:8080 until Ctrl-C; --build only builds it, --test opens it in
@@ -459,6 +464,60 @@ docs() {
   esac
 }
 
+# The npm package. Trees of the golden heap, for its tests, are written by the program whose heap they test.
+wasm_package() {
+  local package=out/wasm/cairn-collision
+  need build core plugin wasm platforms
+  say "Building WebAssembly, with and without vectors"
+  configure_and_build wasm-plain --target cairn_module
+  configure_and_build wasm --target cairn_module "$@"
+  rm -rf "$package"
+  mkdir -p "$package"
+  cp wasm/js/* wasm/LICENSE build/wasm/bin/cairn.wasm "$package"
+  cp build/wasm-plain/bin/cairn.wasm "$package/cairn-plain.wasm"
+  say "The package is in $package"
+}
+
+wasm() {
+  case ${1:-} in
+    '') wasm_package ;;
+    test)
+      wasm_package golden_hash
+      mkdir -p out/wasm/golden
+      node --no-experimental-fetch build/wasm/bin/golden_hash.js --trees out/wasm/golden/round.cairn out/wasm/golden/square.cairn
+      say "Testing the package"
+      node --test tests/wasm/
+      ;;
+    ratio)
+      need "${everything[@]}"
+      wasm_package
+      configure_and_build release --target heap_time > /dev/null
+      shift
+      (($#)) || set -- tests/data/rock.cairn
+      node wasm/ratio/ratio.mjs build/release/bin/heap_time out/wasm/cairn-collision "$@"
+      ;;
+    *)
+      echo "cairn.sh: wasm knows 'test' and 'ratio', not '$1'." >&2
+      return 2
+      ;;
+  esac
+}
+
+showdown() {
+  local mesh
+  case " $* " in *' --help '*) node demos/showdown/showdown.mjs --help; return ;; esac
+  need "${everything[@]}" web
+  {
+    wasm_package
+    configure_and_build release --target cairn make_rock showdown_judge
+    mkdir -p out/showdown
+    fetch_mesh out/showdown
+    node_packages demos/engines
+    ln -sfn "$PWD/out/wasm/cairn-collision" demos/engines/node_modules/cairn-collision
+  } >&2
+  node demos/showdown/showdown.mjs --bunny "$mesh" --json out/showdown/showdown.json --figure out/showdown/showdown.svg "$@"
+}
+
 # Packages of a folder as its package-lock.json pins them by checksum; their scripts are not run.
 node_packages() {
   [[ $1/node_modules/.package-lock.json -nt $1/package-lock.json ]] && return
@@ -555,6 +614,8 @@ case $command in
   docs) docs "$@" ;;
   threads) threads "$@" ;;
   platforms) platforms "$@" ;;
+  wasm) wasm "$@" ;;
+  showdown) showdown "$@" ;;
   web) web "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
