@@ -568,7 +568,7 @@ web() {
   case $what in
     build) say "Built in $SECONDS s: serve out/web/page with any web server" ;;
     test)
-      node --test tests/engines/ tests/web/files_test.mjs
+      node --test tests/engines/engines_test.mjs tests/engines/mass_test.mjs tests/web/files_test.mjs
       node tests/web/page_test.mjs out/web/page demos/web out/web/pictures
       ;;
     measure) node tests/web/measure.mjs out/web/page demos/web ;;

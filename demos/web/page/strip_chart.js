@@ -58,17 +58,15 @@ export class StripChart {
     const most = Math.max(quantile(this.values('filled'), kFitting), quantile(this.values('line'), kFitting));
     const top = roundUp(kRoom * Math.max(most, this.limit ?? 0, this.least_));
     const at = (value) => height - 1 - ((height - 14) * Math.min(value, top)) / top;
-    this.drawScale(context, width, top, at);
+    this.drawRules(context, width, top, at);
     this.drawFilled(context, width, at);
     this.drawLine(context, width, at);
     this.drawLimit(context, width, at);
+    this.drawScale(context, width, top, at);
   }
 
-  drawScale(context, width, top, at) {
+  drawRules(context, width, top, at) {
     context.strokeStyle = themeColor('line');
-    context.fillStyle = themeColor('soft');
-    context.font = `11px ${getComputedStyle(document.body).fontFamily}`;
-    context.textAlign = 'right';
     context.lineWidth = 1;
     for (const value of [top / 2, top]) {
       const y = Math.round(at(value)) + 0.5;
@@ -76,7 +74,17 @@ export class StripChart {
       context.moveTo(0, y);
       context.lineTo(width, y);
       context.stroke();
-      context.fillText(this.text_(value), width - 2, y - 3);
+    }
+  }
+
+  /// Words of the scale, with a seam so that they can be read on bars.
+  drawScale(context, width, top, at) {
+    Object.assign(context, { textAlign: 'right', lineWidth: 4, lineJoin: 'round', strokeStyle: themeColor('seam'), fillStyle: themeColor('soft') });
+    context.font = `11px ${getComputedStyle(document.body).fontFamily}`;
+    for (const value of [top / 2, top]) {
+      const place = [this.text_(value), width - 2, Math.round(at(value)) - 3];
+      context.strokeText(...place);
+      context.fillText(...place);
     }
   }
 
