@@ -77,6 +77,15 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh docs serve [PORT] build it and show it on http://localhost:8000 (or PORT) until Ctrl-C
   ./cairn.sh docs check [PAGE...] words, sentences and numbers of each page, and what breaks the limits
                              (tools/check_documents.py --help)
+  ./cairn.sh wasm            build the npm package cairn-collision, core, plugin and Bullet as WebAssembly (out/wasm/cairn-collision)
+  ./cairn.sh wasm test       the same, and test it under Node: bits of the native library, with and without vectors
+  ./cairn.sh wasm ratio [TREE [BODIES [STEPS [ROUNDS]]]] time a heap natively and by the package, and print the ratio
+  ./cairn.sh showdown [OPTIONS] Cairn, Rapier, Jolt and Havok on the same scenes in Node, judged by one exact check: tables and a
+                             figure in out/showdown (--help lists the options; hours)
+  ./cairn.sh web [--build | --test | --measure] [--port N]
+                             build the page that compares Cairn with Rapier, Jolt and Havok in a browser (out/web/page, for any web
+                             server) and show it on http://localhost:8080 until Ctrl-C; --build only builds it, --test opens it in
+                             Chromium, --measure prints what 300 bodies cost there
   ./cairn.sh format          format the sources
   ./cairn.sh lint            check formatting, include arrows and the documents
 
@@ -455,6 +464,121 @@ docs() {
   esac
 }
 
+# The npm package. Trees of the golden heap, for its tests, are written by the program whose heap they test.
+wasm_package() {
+  local package=out/wasm/cairn-collision
+  need build core plugin wasm platforms
+  say "Building WebAssembly, with and without vectors"
+  configure_and_build wasm-plain --target cairn_module
+  configure_and_build wasm --target cairn_module "$@"
+  rm -rf "$package"
+  mkdir -p "$package"
+  cp wasm/js/* wasm/LICENSE build/wasm/bin/cairn.wasm "$package"
+  cp build/wasm-plain/bin/cairn.wasm "$package/cairn-plain.wasm"
+  say "The package is in $package"
+}
+
+wasm() {
+  case ${1:-} in
+    '') wasm_package ;;
+    test)
+      wasm_package golden_hash
+      mkdir -p out/wasm/golden
+      node --no-experimental-fetch build/wasm/bin/golden_hash.js --trees out/wasm/golden/round.cairn out/wasm/golden/square.cairn
+      say "Testing the package"
+      node --test tests/wasm/bits.test.mjs tests/wasm/api.test.mjs
+      ;;
+    ratio)
+      need "${everything[@]}"
+      wasm_package
+      configure_and_build release --target heap_time > /dev/null
+      shift
+      (($#)) || set -- tests/data/rock.cairn
+      node wasm/ratio/ratio.mjs build/release/bin/heap_time out/wasm/cairn-collision "$@"
+      ;;
+    *)
+      echo "cairn.sh: wasm knows 'test' and 'ratio', not '$1'." >&2
+      return 2
+      ;;
+  esac
+}
+
+showdown() {
+  local mesh
+  case " $* " in *' --help '*) node demos/showdown/showdown.mjs --help; return ;; esac
+  need "${everything[@]}" web
+  {
+    wasm_package
+    configure_and_build release --target cairn make_rock showdown_judge
+    mkdir -p out/showdown
+    fetch_mesh out/showdown
+    node_packages demos/engines
+    ln -sfn "$PWD/out/wasm/cairn-collision" demos/engines/node_modules/cairn-collision
+  } >&2
+  node demos/showdown/showdown.mjs --bunny "$mesh" --json out/showdown/showdown.json --figure out/showdown/showdown.svg "$@"
+}
+
+# Packages of a folder as its package-lock.json pins them by checksum; their scripts are not run.
+node_packages() {
+  [[ $1/node_modules/.package-lock.json -nt $1/package-lock.json ]] && return
+  (cd "$1" && npm ci --ignore-scripts --no-audit --no-fund --prefer-offline)
+}
+
+# Rocks down a slope, for the page's replay.
+web_rocks() {
+  [[ -s $1 ]] && return
+  local bin=build/release/bin out=out/web/rocks
+  "$bin/rockfall" run demos/rockfall/examples/stepped_slope.json --runs 0:1 -o "$out/runs"
+  "$bin/rockfall" merge "$out/runs" -o "$out/merged" > /dev/null
+  cp "$out/merged/trajectories.vtk" "$1"
+}
+
+build_web() {
+  local models=out/web/public/models tests=OFF mesh
+  mkdir -p "$models"
+  say "Building the programs that make the models"
+  grep -qs '^CAIRN_TESTS:BOOL=ON' build/release/CMakeCache.txt && tests=ON
+  cmake --preset release -DCAIRN_TESTS=$tests > /dev/null
+  cmake --build --preset release --target cairn make_rock rockfall
+  [[ -n ${CAIRN_PACKAGE:-} ]] || wasm
+  say "Fetching packages"
+  node_packages demos/engines
+  node_packages demos/web
+  say "Making models: meshes, sphere-trees, convex parts for the others"
+  fetch_mesh out/web
+  web_rocks "$models/rocks.vtk"
+  node demos/web/build_models.mjs build/release/bin/cairn "$models" "$mesh"
+  say "Building the page"
+  (cd demos/web && npx vite build --logLevel warn)
+  node demos/web/page_size.mjs out/web/page
+}
+
+web() {
+  local what=serve port=8080
+  while (($#)); do
+    case $1 in
+      --build | --test | --measure) what=${1#--} ;;
+      --port) port=${2:?a port is missing after --port}; shift ;;
+      *) echo "cairn.sh: web knows --build, --test, --measure and --port N, not '$1'." >&2; return 2 ;;
+    esac
+    shift
+  done
+  need "${everything[@]}" web
+  build_web
+  case $what in
+    build) say "Built in $SECONDS s: serve out/web/page with any web server" ;;
+    test)
+      node --test tests/engines/engines_test.mjs tests/engines/mass_test.mjs tests/web/files_test.mjs
+      node tests/web/page_test.mjs out/web/page demos/web out/web/pictures
+      ;;
+    measure) node tests/web/measure.mjs out/web/page demos/web ;;
+    serve)
+      say "http://localhost:$port (Ctrl-C ends it)"
+      (cd demos/web && npx vite preview --port "$port" --strictPort)
+      ;;
+  esac
+}
+
 format() {
   need lint
   sources | xargs clang-format -i
@@ -490,6 +614,9 @@ case $command in
   docs) docs "$@" ;;
   threads) threads "$@" ;;
   platforms) platforms "$@" ;;
+  wasm) wasm "$@" ;;
+  showdown) showdown "$@" ;;
+  web) web "$@" ;;
   format) format "$@" ;;
   lint) lint "$@" ;;
   help | -h | --help) usage ;;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 #include "cairn/core/tree_file.h"
@@ -69,13 +70,15 @@ void print(const char* name, const std::vector<double>& times, const char* end) 
 
 void run(Simulation& heap, int steps) {
   std::vector<double> step, narrowPhase;
+  const std::clock_t beganOnCpu = std::clock();
   for (int i = 0; i < steps; ++i) {
     const auto began = std::chrono::steady_clock::now();
     heap.step();
     step.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
     narrowPhase.push_back(heap.narrowPhase().lastStep().elapsedMicroseconds / 1000);
   }
-  std::printf("{\"hash\": \"%s\", ", heap.stateHash().c_str());
+  const double cpu = double(std::clock() - beganOnCpu) / CLOCKS_PER_SEC;
+  std::printf("{\"hash\": \"%s\", \"cpuSeconds\": %.6f, ", heap.stateHash().c_str(), cpu);
   print("narrowPhaseMs", narrowPhase, ", ");
   print("stepMs", step, "}\n");
 }

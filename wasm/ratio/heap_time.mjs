@@ -32,10 +32,12 @@ for (let i = 0; i < Number(bodies); ++i) {
 
 const stepMs = [];
 const narrowPhaseMs = [];
+const beganOnCpu = process.cpuUsage();
 for (let i = 0; i < Number(steps); ++i) {
   const began = performance.now();
   world.step();
   stepMs.push(performance.now() - began);
   narrowPhaseMs.push(world.statistics().elapsedMicroseconds / 1000);
 }
-console.log(JSON.stringify({ hash: world.stateHash(), narrowPhaseMs, stepMs }));
+const { user, system } = process.cpuUsage(beganOnCpu);
+console.log(JSON.stringify({ hash: world.stateHash(), cpuSeconds: (user + system) / 1e6, narrowPhaseMs, stepMs }));

@@ -3,6 +3,7 @@
 // All bodies of a scene as three.js draws them: one instanced mesh for each model.
 import { BufferAttribute, BufferGeometry, Color, Group, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
 import { kBodyColors } from './colors.js';
+import { randomFrom } from './scene_plan.js';
 
 const kHeld = new Color('#f08a24');
 const kBright = 0.25; // how far the chosen body goes towards white
@@ -22,7 +23,8 @@ export class BodyCloud {
     this.material_ = new MeshLambertMaterial();
     this.places_ = bodies.map(() => null);
     this.meshes_ = models.map((model, index) => this.meshOf(model, bodies, index));
-    this.colors_ = bodies.map((_, index) => new Color(kBodyColors[index % kBodyColors.length]));
+    const random = randomFrom(7);
+    this.colors_ = bodies.map(() => new Color(kBodyColors[Math.floor(random() * kBodyColors.length)]));
     this.matrix_ = new Matrix4();
     this.colors_.forEach((color, index) => this.paint(index, color));
   }

@@ -10,7 +10,7 @@ const kMost = 8192;
 // Sizes in CSS pixels: of contacts that bear nothing, of those that do, and of pairs that were not resolved.
 const kFree = 4;
 const kLoaded = 8;
-const kOpen = 14;
+const kOpen = 12;
 
 const kVertexShader = `
 attribute vec4 paint;

@@ -12,6 +12,7 @@ let engine = null;
 let engineId = null;
 let shapes = [];
 let world = null;
+let number = 0; // of the scene, as the page counts
 let budget = {};
 let isRunning = false;
 let wantsContacts = true;
@@ -58,7 +59,7 @@ function sendFrame() {
   isFrameOwed = false;
   const poses = world.transforms().slice();
   const contacts = (wantsContacts && world.contacts()?.slice()) || null;
-  const message = { did: 'frame', step: steps, poses, contacts, samples, asleep: world.asleep() };
+  const message = { did: 'frame', number, step: steps, poses, contacts, samples, asleep: world.asleep() };
   samples = [];
   postMessage(message, contacts ? [poses.buffer, contacts.buffer] : [poses.buffer]);
 }
@@ -87,11 +88,12 @@ function run(running) {
 }
 
 const actions = {
-  async scene({ id, scene }) {
+  async scene({ id, scene, number: wanted }) {
     run(false);
+    number = wanted;
     await choose(id);
     fill(scene);
-    postMessage({ did: 'scene', engine: { name: engine.name, version: engine.version }, hasBudget: Boolean(world.setBudget) });
+    postMessage({ did: 'scene', number, engine: { name: engine.name, version: engine.version }, hasBudget: Boolean(world.setBudget) });
     isFrameOwed = true;
     run(scene.isRunning);
   },

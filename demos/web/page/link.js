@@ -6,34 +6,29 @@ export class EngineLink {
   /// `onScene(engine, hasBudget)` when a scene stands, `onFrame(frame)` at most once for each `shown()`, `onFault(message)`.
   constructor({ onScene, onFrame, onFault }) {
     this.worker_ = new Worker(new URL('./engine_worker.js', import.meta.url), { type: 'module' });
-    this.scene_ = 0;
-    this.ready_ = 0;
+    this.scene_ = 0; // number of the scene asked for last
+    this.standing_ = 0; // and of the one that stands
     this.worker_.onmessage = ({ data }) => {
       if (data.did === 'fault') return onFault(data.message);
-      if (data.did === 'scene') {
-        this.ready_ += 1;
-        return this.isCurrent && onScene(data);
-      }
-      return this.isCurrent && onFrame(data);
+      if (data.number !== this.scene_) return undefined; // of a scene that nobody wants any more
+      if (data.did === 'frame') return onFrame(data);
+      this.standing_ = data.number;
+      return onScene(data);
     };
     this.worker_.onerror = (event) => onFault(event.message || 'The engine could not be started; reload the page.');
   }
 
-  /// Whether what arrives belongs to the scene asked for last.
+  /// Whether the scene asked for last stands.
   get isCurrent() {
-    return this.ready_ === this.scene_;
+    return this.standing_ === this.scene_;
   }
 
   start(id, scene) {
     this.scene_ += 1;
-    this.worker_.postMessage({ do: 'scene', id, scene });
+    this.worker_.postMessage({ do: 'scene', id, number: this.scene_, scene });
   }
 
   tell(action, what = {}) {
     this.worker_.postMessage({ do: action, ...what });
-  }
-
-  end() {
-    this.worker_.terminate();
   }
 }

@@ -18,6 +18,7 @@ import { Stage } from './stage.js';
 import { quantile, StripChart } from './strip_chart.js';
 
 const kSeed = 1;
+const kTold = 100; // ms between two changes of numbers and charts
 
 class Page {
   constructor(loaded) {
@@ -46,8 +47,8 @@ class Page {
     part('greatest').textContent = `${100 * kGreatestShown} % of a body or more`;
     listenToKeys(part('picture'), this.stage_, this.hand_);
     this.asleep_ = 0;
-    this.frames_ = 0;
     this.waiting_ = null;
+    this.isDrawing = true; // measurements look at physics alone, too
   }
 
   /// Drops the bodies of the panel's wish into a new world.
@@ -110,6 +111,7 @@ class Page {
 
   setReplaying(isOn) {
     this.bodies_.visible = !isOn;
+    part('legend').hidden = isOn || !this.hasBudget_ || !this.showContacts_.isOn;
     this.contacts_.object.visible = !isOn;
     this.hand_.setCloud(isOn ? null : (this.cloud_ ?? null));
     this.link_.tell('run', { running: !isOn && !this.pause_.isOn });
@@ -159,8 +161,8 @@ class Page {
     part('work-now').value = last.operations === null ? '' : `${countText(last.operations)} operations`;
     const name = this.engine_?.name;
     part('time-facts').textContent = told
-      ? `Filled: collision detection (narrow phase), 99 % below ${most('filled')}. Line: the whole step, 99 % below ${most('line')}.`
-      : `${name} does not tell its collision detection apart. Filled: the whole step, 99 % below ${most('filled')}.`;
+      ? `Filled: collision detection (narrow phase), 99\u00a0% below ${most('filled')}. Line: the whole step, 99\u00a0% below ${most('line')}.`
+      : `${name} does not tell its collision detection apart. Filled: the whole step, 99\u00a0% below ${most('filled')}.`;
     this.showStatus();
   }
 
@@ -171,12 +173,13 @@ class Page {
     if (this.replay_.isOn) this.replay_.show(now);
     else this.showFrame();
     if (this.hand_.update()) this.stage_.change();
-    if (this.stage_.hasChanged) {
+    if (this.stage_.hasChanged && this.isDrawing) {
       const drawn = this.stage_.draw(this.drawings_ !== undefined);
       this.drawings_?.push(drawn);
     }
     this.intervals_?.push(now);
-    if (this.frames_++ % 6 === 0) {
+    if (!(now - this.lastTold_ < kTold)) {
+      this.lastTold_ = now;
       this.showNumbers();
       this.timeChart_.draw();
       this.workChart_.draw();

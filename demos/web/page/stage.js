@@ -2,7 +2,7 @@
 //
 // The picture: light, ground, camera, and when it is drawn.
 import {
-  AmbientLight, BoxGeometry, Color, DirectionalLight, EdgesGeometry, Fog, HemisphereLight, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, PlaneGeometry, Raycaster,
+  BoxGeometry, Color, DirectionalLight, EdgesGeometry, Fog, HemisphereLight, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, PlaneGeometry, Raycaster,
   Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -59,22 +59,21 @@ export class Stage {
   }
 
   addLight() {
-    this.sun_ = new DirectionalLight('#fff4e0', 2.4);
+    this.sun_ = new DirectionalLight('#fff4e0', 2.3);
     this.sun_.castShadow = true;
     this.sun_.shadow.mapSize.set(1024, 1024);
     this.sun_.shadow.bias = -0.002;
     this.sun_.shadow.normalBias = 0.02;
-    this.sky_ = new HemisphereLight('#ffffff', '#8d8375', 1.5);
-    this.scene_.add(this.sun_, this.sun_.target, this.sky_, new AmbientLight('#ffffff', 0.25));
+    this.scene_.add(this.sun_, this.sun_.target, new HemisphereLight('#ffffff', '#6f675c', 1.35));
   }
 
   addGround() {
-    this.ground_ = new Mesh(new PlaneGeometry(600, 600), new MeshLambertMaterial());
-    this.ground_.rotation.x = -Math.PI / 2;
-    this.ground_.position.y = -0.002;
-    this.ground_.receiveShadow = true;
+    const plane = new PlaneGeometry(1, 1).rotateX(-Math.PI / 2);
+    this.ground_ = new Mesh(plane, new MeshLambertMaterial());
+    this.floor_ = new Mesh(plane, new MeshLambertMaterial());
+    this.ground_.receiveShadow = this.floor_.receiveShadow = true;
     this.glass_ = new LineSegments(new EdgesGeometry(new BoxGeometry(1, 1, 1)), new LineBasicMaterial({ transparent: true, opacity: 0.35 }));
-    this.scene_.add(this.ground_, this.glass_);
+    this.scene_.add(this.ground_, this.floor_, this.glass_);
   }
 
   add(object) {
@@ -101,13 +100,17 @@ export class Stage {
     this.scene_.background = new Color(above);
     this.scene_.fog = new Fog(above, 40, 140);
     this.ground_.material.color.set(ground);
+    this.floor_.material.color.set(themeColor('floor'));
     this.glass_.material.color.set(themeColor('ink'));
     this.change();
   }
 
   /// Frames a pit: its glass, its shadows, and the whole of it from a corner.
   showPit({ half }) {
-    this.glass_.visible = true;
+    this.glass_.visible = this.floor_.visible = true;
+    this.floor_.scale.set(2 * half, 1, 2 * half);
+    this.ground_.scale.set(600, 1, 600);
+    this.ground_.position.set(0, -0.02, 0);
     this.glass_.scale.set(2 * half, kShownHeight, 2 * half);
     this.glass_.position.y = kShownHeight / 2;
     this.shade(new Vector3(), 2.2 * half + 2);
@@ -118,10 +121,11 @@ export class Stage {
 
   /// Frames a box in the open, as trajectories have it.
   showBox(low, high) {
-    this.glass_.visible = false;
+    this.glass_.visible = this.floor_.visible = false;
     const middle = low.clone().add(high).multiplyScalar(0.5);
     const radius = 0.5 * low.distanceTo(high);
-    this.ground_.position.y = low.y - 0.5;
+    this.ground_.scale.set(60 * radius, 1, 60 * radius);
+    this.ground_.position.set(middle.x, low.y - 0.5, middle.z);
     this.shade(middle, radius);
     this.fog(6 * radius, 20 * radius);
     this.subject_ = { middle, radius: 0.9 * radius };
@@ -136,7 +140,6 @@ export class Stage {
 
   shade(middle, reach) {
     const { camera } = this.sun_.shadow;
-    this.ground_.position.y = Math.min(this.ground_.position.y, -0.002);
     this.sun_.position.copy(middle).add(new Vector3(0.5, 1.6, 0.7).multiplyScalar(reach));
     this.sun_.target.position.copy(middle);
     Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1, far: 5 * reach });

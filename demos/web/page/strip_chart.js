@@ -4,7 +4,8 @@
 import { themeColor } from './colors.js';
 
 const kShown = 240; // steps: four seconds
-const kRoom = 1.15; // above the greatest value
+const kRoom = 1.2; // above the greatest value
+const kFitting = 0.97; // the share of the steps that fit on the scale; a few that stand out are cut
 
 /// A round number at or above a value: 1, 2 or 5 times a power of ten.
 export function roundUp(value) {
@@ -54,20 +55,18 @@ export class StripChart {
     const context = this.canvas_.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    const seen = [...this.values('filled'), ...this.values('line'), this.limit ?? 0, this.least_];
-    const top = roundUp(kRoom * seen.reduce((most, value) => Math.max(most, value), 0));
-    const at = (value) => height - 1 - ((height - 14) * value) / top;
-    this.drawScale(context, width, top, at);
+    const most = Math.max(quantile(this.values('filled'), kFitting), quantile(this.values('line'), kFitting));
+    const top = roundUp(kRoom * Math.max(most, this.limit ?? 0, this.least_));
+    const at = (value) => height - 1 - ((height - 14) * Math.min(value, top)) / top;
+    this.drawRules(context, width, top, at);
     this.drawFilled(context, width, at);
     this.drawLine(context, width, at);
     this.drawLimit(context, width, at);
+    this.drawScale(context, width, top, at);
   }
 
-  drawScale(context, width, top, at) {
+  drawRules(context, width, top, at) {
     context.strokeStyle = themeColor('line');
-    context.fillStyle = themeColor('soft');
-    context.font = `11px ${getComputedStyle(document.body).fontFamily}`;
-    context.textAlign = 'right';
     context.lineWidth = 1;
     for (const value of [top / 2, top]) {
       const y = Math.round(at(value)) + 0.5;
@@ -75,7 +74,17 @@ export class StripChart {
       context.moveTo(0, y);
       context.lineTo(width, y);
       context.stroke();
-      context.fillText(this.text_(value), width - 2, y - 3);
+    }
+  }
+
+  /// Words of the scale, with a seam so that they can be read on bars.
+  drawScale(context, width, top, at) {
+    Object.assign(context, { textAlign: 'right', lineWidth: 4, lineJoin: 'round', strokeStyle: themeColor('seam'), fillStyle: themeColor('soft') });
+    context.font = `11px ${getComputedStyle(document.body).fontFamily}`;
+    for (const value of [top / 2, top]) {
+      const place = [this.text_(value), width - 2, Math.round(at(value)) - 3];
+      context.strokeText(...place);
+      context.fillText(...place);
     }
   }
 

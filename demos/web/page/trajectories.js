@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Trajectories of rocks, as `rockfall merge` writes them: trajectories.vtk, or trajectories.geojson, which has no times but the last.
+// Trajectories of rocks, as `rockfall merge` writes them: trajectories.vtk, or trajectories.geojson, which has only durations.
 
 const kMostPoints = 2e6;
 const kDefaultSize = 0.5; // m, where the file does not tell how large a rock is
-const kDefaultSpeed = 10; // m/s, where a GeoJSON has no duration
+const kDefaultStep = 0.1; // s between places, where a GeoJSON has no durations
 
 const refuse = (what) => {
   throw new Error(`These are no trajectories that can be shown: ${what}.`);
@@ -19,11 +19,11 @@ function linesOf(feature) {
   return [];
 }
 
-/// Times spread evenly over the rock's duration: rockfall samples at equal steps of time.
-function timesOf(places, duration) {
-  const length = places.reduce((sum, place, k) => (k === 0 ? 0 : sum + Math.hypot(...place.map((c, i) => c - places[k - 1][i]))), 0);
-  const whole = Number.isFinite(duration) && duration > 0 ? duration : Math.max(length / kDefaultSpeed, 0.1);
-  return places.map((_, k) => (whole * k) / (places.length - 1));
+/// The time between two places. rockfall samples all rocks at equal steps until they lie still, and tells how long each took
+/// until it slept; the rock that moved longest of its time tells the step best.
+function stepOf(found) {
+  const steps = found.flatMap(({ places, duration }) => (duration > 0 ? [duration / (places.length - 1)] : []));
+  return steps.length > 0 ? Math.min(...steps) : kDefaultStep;
 }
 
 export function tracksOfGeoJson(text) {
@@ -34,17 +34,18 @@ export function tracksOfGeoJson(text) {
     refuse('the file is not JSON');
   }
   const features = Array.isArray(data?.features) ? data.features : refuse('the file has no list of features');
-  const tracks = [];
+  const found = [];
   for (const feature of features) {
     for (const line of linesOf(feature)) {
       if (!Array.isArray(line) || !line.every(isPlace)) refuse('a line has a place that is no number');
       if (line.length < 2) continue;
       const places = line.map(([x, y, z = 0]) => [x, y, z]);
-      const { time_s: duration, sieve_m: size, ending } = feature.properties ?? {};
-      tracks.push({ places, times: timesOf(places, duration), size: size > 0 ? size : kDefaultSize, ending: String(ending ?? '').slice(0, 40) });
+      const { time_s: duration, sieve_m: size } = feature.properties ?? {};
+      found.push({ places, duration, size: size > 0 ? size : kDefaultSize });
     }
   }
-  return checked(tracks);
+  const step = stepOf(found);
+  return checked(found.map(({ places, size }) => ({ places, size, times: places.map((_, k) => k * step) })));
 }
 
 /// The numbers after a heading of legacy VTK, up to the next letter.
@@ -69,7 +70,7 @@ export function tracksOfVtk(text) {
     if (!(lines[at] >= 1) || own.length !== lines[at] || own.some((k) => !(k >= 0 && 3 * k + 2 < points.length && k < times.length))) refuse('a line of the VTK file leads nowhere');
     if (own.length < 2) continue;
     const start = times[own[0]];
-    tracks.push({ places: own.map((k) => points.slice(3 * k, 3 * k + 3)), times: own.map((k) => times[k] - start), size: kDefaultSize, ending: '' });
+    tracks.push({ places: own.map((k) => points.slice(3 * k, 3 * k + 3)), times: own.map((k) => times[k] - start), size: kDefaultSize });
   }
   return checked(tracks);
 }
@@ -80,7 +81,7 @@ function checked(tracks) {
   for (const { times } of tracks) times.forEach((time, k) => (k === 0 || time >= times[k - 1]) || refuse('times of a line do not rise'));
   // Maps lie far from zero; the picture is drawn around the first place, with z of the map as its height.
   const [ox, oy, oz] = tracks[0].places[0];
-  for (const track of tracks) track.places = track.places.map(([x, y, z]) => [x - ox, z - oz, -(y - oy)]);
+  for (const track of tracks) track.places = track.places.map(([x, y, z]) => [x - ox, z - oz, oy - y]);
   return { kind: 'tracks', tracks, duration: Math.max(...tracks.map(({ times }) => times.at(-1))) };
 }
 

@@ -4,11 +4,11 @@
 //   node --test test/
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { makeBody } from '../bodies.mjs';
-import { decompose } from '../hulls.mjs';
-import * as havok from '../havok.mjs';
-import * as jolt from '../jolt.mjs';
-import * as rapier from '../rapier.mjs';
+import { makeBody } from '../../demos/engines/bodies.mjs';
+import { decompose } from '../../demos/engines/hulls.mjs';
+import * as havok from '../../demos/engines/havok.mjs';
+import * as jolt from '../../demos/engines/jolt.mjs';
+import * as rapier from '../../demos/engines/rapier.mjs';
 
 const kGravity = [0, -9.81, 0];
 const kTimeStep = 1 / 60;

@@ -3,9 +3,9 @@
 // Mass properties against the formulas of a box and a torus.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { kBodies, makeBody } from '../bodies.mjs';
-import { massProperties, principalAxes } from '../mass.mjs';
-import { rotate } from '../vectors.mjs';
+import { kBodies, makeBody } from '../../demos/engines/bodies.mjs';
+import { massProperties, principalAxes } from '../../demos/engines/mass.mjs';
+import { rotate } from '../../demos/engines/vectors.mjs';
 
 const kCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1, (k >> 1) & 1, (k >> 2) & 1]);
 const kFaces = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]];

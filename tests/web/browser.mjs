@@ -3,9 +3,9 @@
 // The built page on a server of its own, in Chromium without a screen.
 import { existsSync } from 'node:fs';
 import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
 import { readFile } from 'node:fs/promises';
-import { extname, join, normalize } from 'node:path';
-import { chromium } from 'playwright-core';
+import { extname, join, normalize, resolve } from 'node:path';
 
 const kSkipped = 77; // the exit code by which ctest knows a skipped test
 const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json' };
@@ -34,7 +34,10 @@ export async function serve(folder, isIsolated = true) {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
-export async function launch() {
+/// A browser, driven by the packages of the page.
+export async function launch(packages) {
+  if (!existsSync(join(packages, 'node_modules/playwright-core'))) skip('the packages of the page are not installed: ./cairn.sh web --build');
+  const { chromium } = createRequire(join(resolve(packages), 'package.json'))('playwright-core');
   const paths = [process.env.CAIRN_CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
   const executablePath = paths.find((path) => path && existsSync(path)) ?? skip('Chromium is not installed (Debian: chromium)');
   const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Figures of runs, and the tables and the picture made of them.
+import { writeFileSync } from 'node:fs';
+import { kContestants } from './contestants.mjs';
+import { kScenes } from './scenes.mjs';
+
+export const quantile = (list, part) => [...list].sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(part * list.length))];
+const median = (list) => quantile(list, 0.5);
+const sum = (list) => list.reduce((total, value) => total + value, 0);
+
+const timesOf = (list) => (list.length ? { median: median(list), p99: quantile(list, 0.99), mean: sum(list) / list.length } : null);
+
+/// What is kept of a run: `measured` as run.mjs prints it, `judged` as the judge does, a frame each.
+export function figuresOf(measured, judged) {
+  const { cpuMs, wallMs, narrowPhaseMs, missedMs, frames, ...rest } = measured;
+  // Engines tell the time that passed. Of a step that lost the processor it is a share of the step all the same.
+  const narrowCpuMs = narrowPhaseMs.map((passed, k) => cpuMs[k] * Math.min(1, passed / wallMs[k]));
+  return {
+    ...rest,
+    stepCpuMs: timesOf(cpuMs),
+    stepWallMs: timesOf(wallMs),
+    narrowPhaseCpuMs: timesOf(narrowCpuMs),
+    missedMs: missedMs.length ? Math.max(...missedMs) : null,
+    judged: judged.map((frame, k) => ({ step: frames[k].step, ...frame })),
+  };
+}
+
+/// Of the runs of several seeds: medians of times, means of what is counted at the end, the worst of depths in any frame.
+export function summaryOf(runs) {
+  const over = (pick, fold) => (runs.some((run) => pick(run) === null) ? null : fold(runs.map(pick)));
+  const worst = (list) => Math.max(...list);
+  const mean = (list) => sum(list) / list.length;
+  const end = (run) => run.judged.at(-1);
+  return {
+    median: over((run) => run.stepCpuMs.median, median),
+    p99: over((run) => run.stepCpuMs.p99, median),
+    mean: over((run) => run.stepCpuMs.mean, median),
+    narrowMedian: over((run) => run.narrowPhaseCpuMs && run.narrowPhaseCpuMs.median, median),
+    narrowP99: over((run) => run.narrowPhaseCpuMs && run.narrowPhaseCpuMs.p99, median),
+    depthMean: over((run) => end(run).depth.mean, mean),
+    depthEnd: over((run) => end(run).depth.max, worst),
+    depthEver: over((run) => Math.max(...run.judged.map((frame) => Math.max(frame.depth.max, frame.pitDepth.max))), worst),
+    gapMean: over((run) => end(run).gap.mean, mean),
+    asleep: over((run) => run.asleep, mean),
+    lost: over((run) => run.lost, sum),
+    apart: over((run) => run.apart, sum),
+  };
+}
+
+const ms = (value) => (value === null ? '-' : value < 9.995 ? value.toFixed(2) : value.toFixed(1));
+const percent = (fraction) => (100 * fraction).toFixed(2);
+const kColumns = [
+  ['step, CPU ms: median', (s) => ms(s.median)],
+  ['99 %', (s) => ms(s.p99)],
+  ['narrow phase, CPU ms: median', (s) => ms(s.narrowMedian)],
+  ['99 %', (s) => ms(s.narrowP99)],
+  ['depth, % of size: mean', (s) => percent(s.depthMean)],
+  ['at the end', (s) => percent(s.depthEnd)],
+  ['ever', (s) => percent(s.depthEver)],
+  ['gap, %', (s) => percent(s.gapMean)],
+  ['asleep', (s) => s.asleep.toFixed(0)],
+  ['lost', (s) => s.lost],
+];
+
+/// Markdown of one scene and number of bodies. `rows` maps contestants to summaries.
+export function tableOf(scene, bodies, seeds, rows) {
+  const columns = kScenes[scene].apart ? [...kColumns, ['apart', (s) => s.apart]] : kColumns;
+  const lines = [
+    `${bodies} bodies, ${kScenes[scene].title}; seeds ${seeds.join(', ')}`,
+    '',
+    `|  | ${columns.map(([title]) => title).join(' | ')} |`,
+    `| --- | ${columns.map(() => '--:').join(' | ')} |`,
+  ];
+  for (const [name, summary] of Object.entries(rows)) {
+    const cells = summary.failed ? [summary.failed, ...columns.slice(1).map(() => '')] : columns.map(([, cell]) => cell(summary));
+    lines.push(`| ${kContestants[name].what} | ${cells.join(' | ')} |`);
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+const kWidth = 420; // of a scene's part
+const kHeight = 320;
+const kMargin = { left: 60, right: 15, top: 30, bottom: 45 };
+const kColors = { cairn: '#1b6f78', rapier: '#b5541c', jolt: '#5a4fa3', havok: '#8a8a1f' };
+
+const decades = ([low, high]) => Array.from({ length: high - low + 1 }, (_, k) => low + k);
+const rangeOf = (values) => [Math.floor(Math.log10(Math.min(...values))), Math.ceil(Math.log10(Math.max(...values)))];
+
+/// One scene: the deepest penetration ever against the 99 % step, both logarithmic. Lower left is better.
+function partOf(title, points, left) {
+  const [xs, ys] = [rangeOf(points.map(({ x }) => x)), rangeOf(points.map(({ y }) => y))];
+  const scale = (value, [low, high], from, to) => from + ((Math.log10(value) - low) / Math.max(high - low, 1)) * (to - from);
+  const px = (x) => left + scale(x, xs, kMargin.left, kWidth - kMargin.right);
+  const py = (y) => scale(y, ys, kHeight - kMargin.bottom, kMargin.top);
+  const text = (x, y, words, anchor = 'middle', size = 11) => `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}" font-size="${size}">${words}</text>`;
+  const lines = [
+    ...decades(xs).map((k) => `<path d="M${px(10 ** k)} ${kMargin.top}V${kHeight - kMargin.bottom}"/>`),
+    ...decades(ys).map((k) => `<path d="M${px(10 ** xs[0])} ${py(10 ** k)}H${px(10 ** xs[1])}"/>`),
+  ];
+  const labels = [
+    text(left + kWidth / 2, 18, title, 'middle', 13),
+    ...decades(xs).map((k) => text(px(10 ** k), kHeight - kMargin.bottom + 15, 10 ** k)),
+    ...decades(ys).map((k) => text(px(10 ** xs[0]) - 6, py(10 ** k) + 4, 10 ** k, 'end')),
+    text(left + kWidth / 2, kHeight - 8, '99 % of steps, CPU ms'),
+    `<text transform="translate(${left + 16} ${kHeight / 2}) rotate(-90)" text-anchor="middle" font-size="11">greatest depth, % of size</text>`,
+  ];
+  const marks = points.map(({ x, y, name, what }) => `<circle cx="${px(x).toFixed(1)}" cy="${py(y).toFixed(1)}" r="4.5" fill="${kColors[kContestants[name].engine]}"/>${text(px(x) + 7, py(y) + 4, what, 'start', 9)}`);
+  return `<g stroke="#ddd" fill="none">${lines.join('')}</g>${labels.join('')}${marks.join('')}`;
+}
+
+/// Draws the summaries of one number of bodies, scene beside scene.
+export function drawFigure(file, scenes) {
+  const parts = Object.entries(scenes).map(([scene, rows], k) => {
+    const points = Object.entries(rows)
+      .filter(([, summary]) => !summary.failed)
+      .map(([name, summary]) => ({ name, what: kContestants[name].what, x: Math.max(summary.p99, 0.01), y: Math.max(100 * summary.depthEver, 0.01) }));
+    return points.length ? partOf(kScenes[scene].title, points, k * kWidth) : '';
+  });
+  const width = kWidth * parts.length;
+  writeFileSync(file, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${kHeight}" font-family="sans-serif"><rect width="${width}" height="${kHeight}" fill="white"/>${parts.join('')}</svg>\n`);
+}
