@@ -16,6 +16,7 @@
 #include "rockfall/outputs/raster_files.h"
 #include "rockfall/outputs/svg.h"
 #include "rockfall/outputs/tables.h"
+#include "rockfall/terrain/dams.h"
 #include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
@@ -226,6 +227,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   auto terrain = terrainOf(description.value());
   if (!terrain) return terrain.error();
   if (const Status maps = readMaps(description.value(), terrain.value()); !maps) return maps.error();
+  if (const Status raised = raiseDams(description.value(), terrain.value()); !raised) return raised.error();
   const auto ground = makeGround(std::move(terrain).value(), description.value().terrain);
   if (!ground) return ground.error();
   Gathered gathered(description.value(), options);
