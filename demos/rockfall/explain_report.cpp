@@ -37,6 +37,7 @@ std::string explainText(const Scene& scene, const Explanation& explanation) {
         outlook.groups.empty() ? "never" : fmt::format("groups {}", fmt::join(outlook.groups, ", "));
     fmt::format_to(out, "  {:<22}  {:<16}  needs {}\n", outlook.name, whom, outlook.reason);
   }
+  for (const SoilNote& soil : explainSoils(description)) fmt::format_to(out, "soil {}: {}\n", soil.path, soil.text);
   for (const EffectOutlook& outlook : outlooks)
     if (outlook.groups.empty())
       fmt::format_to(out, "warning: /effects/{}: \"{}\" can never act: it needs {}\n", outlook.index, outlook.name,
@@ -71,11 +72,15 @@ std::string explainJson(const Scene& scene, const Explanation& explanation) {
     warnings.push_back({{"path", warning.path}, {"warning", warning.text}});
   Ordered maps = Ordered::array();
   for (const MapNote& note : scene.description.notes) maps.push_back({{"path", note.path}, {"found", note.text}});
+  Ordered soils = Ordered::array();
+  for (const SoilNote& soil : explainSoils(scene.description))
+    soils.push_back({{"path", soil.path}, {"soil", soil.text}});
   const Ordered json{{"case", scene.description.name},
                      {"ground_m", {scene.ground->lower().z, scene.ground->upper().z}},
                      {"maps", maps},
                      {"groups", groups},
                      {"effects", effects},
+                     {"soils", soils},
                      {"warnings", warnings}};
   return json.dump(1) + "\n";
 }

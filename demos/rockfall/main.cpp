@@ -84,7 +84,7 @@ Status execute(const MergeCommand& command) {
   for (std::size_t i = 0; i < merged.effects.size(); ++i)
     fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s, took {:.6g} kJ\n", merged.effects[i].name,
                merged.effects[i].acted, merged.effects[i].elapsedUs / 1e6, merged.did[i].energyTakenJ / 1e3);
-  fmt::print("{}", enoughText(merged.quantiles, merged.runs));
+  fmt::print("{}{}", enoughText(merged.quantiles, merged.runs), enoughText(merged.cells));
   fmt::print("merged hash {}\n", merged.hash);
   return {};
 }

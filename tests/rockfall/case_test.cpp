@@ -47,8 +47,8 @@ TEST(Case_Read, KeepsWhatTheFileSays) {
   EXPECT_EQ(scene.terrain.materialAt({10, 0}), 1U);
   const auto* friction = findEffect<FrictionOptions>(scene.effects);
   ASSERT_NE(friction, nullptr);
-  EXPECT_EQ(friction->coefficient.at(1, 0), 0.6) << "in either order";
-  EXPECT_EQ(friction->coefficient.at(0, 0), 0.5);
+  EXPECT_EQ(friction->coefficient.at(1, 0), (Span{0.6, 0.6})) << "in either order";
+  EXPECT_EQ(friction->coefficient.at(0, 0), (Span{0.5, 0.5}));
   EXPECT_EQ(findEffect<WaterOptions>(scene.effects), nullptr);
 }
 

@@ -53,6 +53,41 @@ TEST(LogHistogram_Quantiles, AreAtMostABinAboveTheSamples) {
   EXPECT_EQ(histogram.quantile(1000), histogram.greatest());
 }
 
+TEST(LogHistogram_Bounds, AreThoseOfTheValuesAndABinWiderAtMost) {
+  scenes::Random random(4);
+  for (const int count : {1, 50, 71, 72, 1000}) {
+    std::vector<double> values;
+    LogHistogram histogram;
+    for (int i = 0; i < count; ++i) {
+      values.push_back(std::exp(random.uniform(0, 10)));
+      histogram.add(values.back());
+    }
+    const Interval exact = Sample(values).confidence(950), found = histogram.bounds(confidenceRanks(count, 950));
+    constexpr double kRounding = 1e-12;  // of the bins' edges
+    EXPECT_LE(found.low, exact.low) << count;
+    EXPECT_GE(found.low * LogHistogram::kBinRatio * (1 + kRounding), exact.low) << count;
+    ASSERT_EQ(found.high.has_value(), exact.high.has_value()) << count;
+    if (!exact.high) continue;
+    EXPECT_GE(*found.high, *exact.high) << count;
+    EXPECT_LE(*found.high, *exact.high * LogHistogram::kBinRatio * (1 + kRounding)) << count;
+  }
+}
+
+TEST(LogHistogram_OfAMillionValues, IsNoLargerThanItsRange) {
+  scenes::Random random(5);
+  LogHistogram histogram;
+  double sum = 0;
+  constexpr int kValues = 1000000, kOctaves = 20;
+  for (int i = 0; i < kValues; ++i) {
+    const double value = std::exp2(random.uniform(0, kOctaves));
+    sum += value;
+    histogram.add(value);
+  }
+  EXPECT_EQ(histogram.count(), std::uint64_t(kValues));
+  EXPECT_LE(histogram.bins(), 16U * kOctaves + 1);
+  EXPECT_EQ(histogram.mean(), sum / kValues);
+}
+
 TEST(LogHistogram_Zeros, AreBelowEverything) {
   LogHistogram histogram;
   for (const double value : {0.0, 0.0, 0.0, 1e-300}) histogram.add(value);

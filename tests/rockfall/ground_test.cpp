@@ -235,7 +235,7 @@ TEST_F(RasterCase, GeoTiffIsWrittenWhereAskedForOrRefusedByName) {
   program("explain '" + folder + "/case.json'" + cache);
   program("run '" + folder + "/case.json' --runs 0:2 -o '" + folder + "/runs'" + cache);
   program("merge '" + folder + "/runs' -o '" + folder + "/merged'");
-  for (const char* name : {"reach", "stops", "energy_max_j", "energy_p95_j", "height_max_m", "height_p95_m"}) {
+  for (const char* name : {"reach", "stops", "energy_max_j", "rotation_p50_j", "speed_mean_m_per_s", "height_p95_m"}) {
     const auto ascii = readRaster(file("merged") / (std::string(name) + ".asc"));
     const auto tiff = readRaster(file("merged") / (std::string(name) + ".tif"));
     ASSERT_TRUE(ascii) << ascii.error().message;

@@ -167,6 +167,13 @@ TEST(Run_ASecondOfFall, IsSampledVisitedAndMeasured) {
   // Single precision over ten metres.
   EXPECT_NEAR(result.rocks[0].runoutM(), 10, 1e-4);
   EXPECT_EQ(result.rocks[0].impacts, 0U);
+  // Thrown level at 10 m/s without spin: in the last whole metre it has fallen for a second less what is left of it.
+  const VisitRecord& last = result.cells[9];
+  EXPECT_NEAR(last.maxSpeed, std::hypot(10, kGravity), 0.1);
+  const double ofSpeed = result.rocks[0].massKg * last.maxSpeed * last.maxSpeed / 2;
+  EXPECT_NEAR(last.maxTranslationJ, ofSpeed, 1e-6 * ofSpeed);
+  EXPECT_NEAR(last.maxEnergyJ, ofSpeed, 1e-6 * ofSpeed);
+  EXPECT_LT(last.maxRotationJ, 1e-6 * ofSpeed);
 }
 
 TEST(Run_AFallOntoTheGround, IsAnImpactWithItsEnergies) {

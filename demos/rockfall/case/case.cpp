@@ -82,6 +82,8 @@ Status addToHash(ContentHash& hash, const Case& scene, const NamedFile& named) {
 std::vector<const MapSource*> mapsOf(const Case& scene) {
   std::vector<const MapSource*> maps;
   for (const MappedZones& zones : scene.terrain.mapped) maps.push_back(&zones.map);
+  for (const Dam& dam : scene.terrain.dams)
+    if (dam.map) maps.push_back(&*dam.map);
   for (const RockGroup& group : scene.rocks)
     if (group.release.map) maps.push_back(&*group.release.map);
   for (const Collector& collector : scene.collectors)

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "rockfall/case/effect_readers.h"
+#include "rockfall/case/soil_classes.h"
 
 namespace cairn::rockfall {
 namespace {
@@ -27,6 +28,19 @@ std::vector<Entry> readByMaterial(Object& object, const Materials& materials, co
   return entries;
 }
 
+void readValueOrSoil(Object& pair, PairTable::Entry& entry) {
+  const auto value = pair.find("value"), soil = pair.find("soil");
+  if (value.has_value() == soil.has_value()) {
+    pair.refuse("exactly one of \"value\" and \"soil\" must be given");
+  } else if (value) {
+    entry.value = readSpan(*value, kShare);
+  } else {
+    const SoilClass& known = readSoil(*soil);
+    entry.value = known.restitution;
+    entry.soil = known.name;
+  }
+}
+
 }  // namespace
 
 EffectOptions readFriction(Object& object, const Materials& materials) {
@@ -47,9 +61,12 @@ EffectOptions readRestitution(Object& object, const Materials& materials) {
         readPairTable(object, materials, "default_half_speed_m_per_s", "half_speed_m_per_s", between(0, 1000));
     return options;
   }
-  options.value = readPairTable(object, materials, "default", "value", kShare);
-  if (options.law == RestitutionLaw::pfeiffer)
-    options.halfSpeedMPerS = object.numberOr("half_speed_m_per_s", kSpeed, options.halfSpeedMPerS);
+  if (options.law == RestitutionLaw::constant) {
+    options.value = readPairTable(object, materials, "default", "value", kShare);
+    return options;
+  }
+  options.value = readPairTable(object, materials, "default", kShare, readValueOrSoil);
+  options.halfSpeedMPerS = object.numberOr("half_speed_m_per_s", kSpeed, options.halfSpeedMPerS);
   return options;
 }
 

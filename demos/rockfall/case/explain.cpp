@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "rockfall/case/soil_classes.h"
+
 namespace cairn::rockfall {
 namespace {
 
@@ -36,8 +38,10 @@ class Outlooks {
   /// The materials that a rock of the group can touch: the ground's and those of all rocks but the rock itself.
   std::vector<MaterialId> partnersOf(std::uint32_t group) const {
     std::vector<MaterialId> partners = bounds_.groundMaterials;
+    if (!scene_.rocks[group].meetsRocks) return partners;
     for (std::uint32_t other = 0; other < groupCount(); ++other)
-      if (other != group || scene_.rocks[group].count > 1) partners.push_back(scene_.rocks[other].material);
+      if (scene_.rocks[other].meetsRocks && (other != group || scene_.rocks[group].count > 1))
+        partners.push_back(scene_.rocks[other].material);
     return partners;
   }
   template <class Suits>
@@ -64,7 +68,7 @@ class Outlooks {
     all(some, fmt::format("a listed material that the ground has, with {}", what));
   }
 
-  static constexpr auto kAboveZero = [](double value) { return value > 0; };
+  static constexpr auto kAboveZero = [](const Span& value) { return value.high > 0; };
 
   void judge(const FrictionOptions& o) {
     pairsThat(o.coefficient, kAboveZero, "coefficients above 0 of materials that can meet");
@@ -82,7 +86,7 @@ class Outlooks {
   }
   void judge(const TangentialRestitutionOptions& o) {
     pairsThat(
-        o.coefficient, [](double value) { return value < 1; }, "values below 1 of materials that can meet");
+        o.coefficient, [](const Span& value) { return value.low < 1; }, "values below 1 of materials that can meet");
   }
   void judge(const SlipFrictionOptions& o) {
     groupsThat(
@@ -177,6 +181,22 @@ class Outlooks {
 };
 
 }  // namespace
+
+std::vector<SoilNote> explainSoils(const Case& scene) {
+  std::vector<SoilNote> notes;
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+    const auto* restitution = std::get_if<RestitutionOptions>(&scene.effects[i]);
+    if (restitution == nullptr) continue;
+    const auto& entries = restitution->value.entries;
+    for (std::size_t pair = 0; pair < entries.size(); ++pair)
+      for (const SoilClass& soil : soilClasses())
+        if (soil.name == entries[pair].soil)
+          notes.push_back({fmt::format("/effects/{}/pairs/{}", i, pair),
+                           fmt::format("{} is {}: {:g} to {:g}, drawn by each run ({})", soil.name, soil.description,
+                                       soil.restitution.low, soil.restitution.high, kSoilSource)});
+  }
+  return notes;
+}
 
 std::vector<EffectOutlook> explainEffects(const Case& scene, const SceneBounds& bounds) {
   Outlooks outlooks(scene, bounds);

@@ -42,4 +42,10 @@ struct EffectOutlook {
 /// but an effect that can never act does not.
 std::vector<EffectOutlook> explainEffects(const Case& scene, const SceneBounds& bounds);
 
+/// Which published class of soil a pair of materials has, and what it stands for.
+struct SoilNote {
+  std::string path, text;
+};
+std::vector<SoilNote> explainSoils(const Case& scene);
+
 }  // namespace cairn::rockfall

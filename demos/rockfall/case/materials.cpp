@@ -12,21 +12,9 @@ constexpr std::size_t kMaxMaterials = 256, kMaxPairs = 10000;
 
 }  // namespace
 
-double PairTable::at(MaterialId a, MaterialId b) const {
+Span PairTable::at(MaterialId a, MaterialId b) const {
   const auto entry = std::ranges::find(entries, pairOf(a, b), &Entry::pair);
   return entry == entries.end() ? otherwise : entry->value;
-}
-
-double PairTable::least() const {
-  double least = otherwise;
-  for (const Entry& entry : entries) least = std::min(least, entry.value);
-  return least;
-}
-
-double PairTable::greatest() const {
-  double greatest = otherwise;
-  for (const Entry& entry : entries) greatest = std::max(greatest, entry.value);
-  return greatest;
 }
 
 Materials readMaterials(const Value& value) {
@@ -58,20 +46,40 @@ MaterialPair readPair(const Value& value, const Materials& materials) {
   return pairOf(first, readMaterial(names[1], materials));
 }
 
-PairTable readPairTable(Object& object, const Materials& materials, std::string_view otherwiseKey,
-                        std::string_view valueKey, const Range& range) {
+Span readSpan(const Value& value, const Range& range) {
+  if (!value.isArray()) {
+    const double number = value.number(range);
+    return {number, number};
+  }
+  const auto ends = value.items(2, 2);
+  if (ends.size() != 2) return {};
+  const Span span{ends[0].number(range), ends[1].number(range)};
+  if (span.high < span.low) value.refuse("the smaller value comes first");
+  return span;
+}
+
+PairTable readPairTable(Object& object, const Materials& materials, std::string_view otherwiseKey, const Range& range,
+                        const std::function<void(Object&, PairTable::Entry&)>& readEntry) {
   PairTable table;
-  table.otherwise = object.at(otherwiseKey).number(range);
+  table.otherwise = readSpan(object.at(otherwiseKey), range);
   const auto pairs = object.find("pairs");
   if (!pairs) return table;
   for (const Value& item : pairs->items(0, kMaxPairs)) {
-    Object entry(item);
-    const MaterialPair pair = readPair(entry.at("materials"), materials);
-    if (std::ranges::find(table.entries, pair, &PairTable::Entry::pair) != table.entries.end())
+    Object pair(item);
+    PairTable::Entry entry{readPair(pair.at("materials"), materials), {}, {}};
+    if (std::ranges::find(table.entries, entry.pair, &PairTable::Entry::pair) != table.entries.end())
       item.refuse("this pair of materials is listed twice");
-    table.entries.push_back({pair, entry.at(valueKey).number(range)});
+    readEntry(pair, entry);
+    table.entries.push_back(entry);
   }
   return table;
+}
+
+PairTable readPairTable(Object& object, const Materials& materials, std::string_view otherwiseKey,
+                        std::string_view valueKey, const Range& range) {
+  return readPairTable(object, materials, otherwiseKey, range, [&](Object& pair, PairTable::Entry& entry) {
+    entry.value = readSpan(pair.at(valueKey), range);
+  });
 }
 
 }  // namespace cairn::rockfall

@@ -82,7 +82,10 @@ void PlaceSet::moveBy(const MapPoint& by) {
 
 MapPoint PlaceSet::at(double which, double along, double across) const {
   const auto found = std::ranges::upper_bound(upTo_, which * upTo_.back());
-  const auto index = std::min<std::size_t>(static_cast<std::size_t>(found - upTo_.begin()), pieces_.size() - 1);
+  return in(std::min<std::size_t>(static_cast<std::size_t>(found - upTo_.begin()), pieces_.size() - 1), along, across);
+}
+
+MapPoint PlaceSet::in(std::size_t index, double along, double across) const {
   const Piece& piece = pieces_[index];
   // The inverse of the share of a trapezoid below a height, in a form without division by a difference.
   const double low = piece[1][0] - piece[0][0], high = piece[3][0] - piece[2][0];

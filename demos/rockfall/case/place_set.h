@@ -29,6 +29,8 @@ class PlaceSet {
   void moveBy(const MapPoint& by);
   /// The place of three even random numbers from [0, 1). Logarithmic in the pieces. Precondition: not empty.
   MapPoint at(double which, double along, double across) const;
+  /// The place of two even random numbers in one piece.
+  MapPoint in(std::size_t piece, double along, double across) const;
 
  private:
   std::vector<Piece> pieces_;

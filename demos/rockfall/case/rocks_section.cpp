@@ -7,7 +7,7 @@ namespace cairn::rockfall {
 namespace {
 
 constexpr std::size_t kMaxGroups = 100, kMaxSieveSizes = 100;
-constexpr std::uint64_t kMaxRocks = 100000, kMaxVariants = 100;
+constexpr std::uint64_t kMaxVariants = 100;
 
 std::variant<MadeRocks, MeshRocks> readRockSource(Object& group) {
   const auto make = group.find("make"), mesh = group.find("mesh");
@@ -43,6 +43,14 @@ SieveCurve readSieve(const Value& value) {
   return curve;
 }
 
+/// Leaves `vector` where the key is missing.
+void readVector(Object& object, std::string_view key, const Range& range, Vec3d& vector) {
+  const auto value = object.find(key);
+  if (!value) return;
+  if (const auto parts = value->items(3, 3); parts.size() == 3)
+    for (int axis = 0; axis < 3; ++axis) vector[axis] = parts[static_cast<std::size_t>(axis)].number(range);
+}
+
 Release readRelease(const Value& value) {
   Object object(value);
   Release release;
@@ -54,10 +62,10 @@ Release readRelease(const Value& value) {
   else if (const auto corners = box->items(2, 2); corners.size() == 2)
     release.boxM = {readPoint(corners[0]), readPoint(corners[1])};
   release.aboveGroundM = object.at("above_ground_m").number(between(0, 10000));
-  if (const auto velocity = object.find("velocity_m_per_s"))
-    if (const auto parts = velocity->items(3, 3); parts.size() == 3)
-      for (int axis = 0; axis < 3; ++axis)
-        release.velocityMPerS[axis] = parts[static_cast<std::size_t>(axis)].number(between(-300, 300));
+  readVector(object, "velocity_m_per_s", between(-300, 300), release.velocityMPerS);
+  readVector(object, "velocity_spread_m_per_s", between(0, 300), release.velocitySpreadMPerS);
+  if (object.find("orientation_deg"))
+    readVector(object, "orientation_deg", between(-360, 360), release.orientationDeg.emplace());
   release.intervalS = object.numberOr("interval_s", between(0, 3600), 0);
   return release;
 }
@@ -71,16 +79,32 @@ double readDensity(const Value& value) {
   return density;
 }
 
+void readCount(Object& object, RockGroup& group) {
+  const auto count = object.find("count"), perPlace = object.find("count_per_place");
+  if (count.has_value() == perPlace.has_value())
+    object.refuse("exactly one of \"count\" and \"count_per_place\" must be given");
+  else if (count)
+    group.count = static_cast<std::uint32_t>(count->whole(1, kMaxRocks));
+  else
+    group.perPlace = static_cast<std::uint32_t>(perPlace->whole(1, kMaxRocks));
+  // Rocks of many places stand for as many events.
+  group.meetsRocks = !perPlace;
+  if (const auto meets = object.find("meets_rocks")) group.meetsRocks = meets->flag();
+}
+
 RockGroup readGroup(const Value& value, const Materials& materials) {
   Object object(value);
   RockGroup group;
-  group.count = static_cast<std::uint32_t>(object.at("count").whole(1, kMaxRocks));
+  readCount(object, group);
   group.source = readRockSource(object);
   group.sieve = readSieve(object.at("sieve_m"));
   if (const auto depth = object.find("tree_depth")) group.treeDepth = static_cast<std::uint32_t>(depth->whole(1, 5));
   group.densityKgPerM3 = readDensity(object.at("density_kg_per_m3"));
   group.material = readMaterial(object.at("material"), materials);
-  group.release = readRelease(object.at("release"));
+  const Value release = object.at("release");
+  group.release = readRelease(release);
+  if (group.perPlace > 0 && !group.release.map)
+    release.refuse("\"count_per_place\" needs the places of a map: give \"vector\" or \"raster\"");
   return group;
 }
 

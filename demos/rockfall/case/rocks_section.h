@@ -50,11 +50,17 @@ struct Release {
   PlaceSet places;                 ///< of the map, once it is read; not empty: in place of the box
   double aboveGroundM = 0;         ///< of the rock's lowest point
   Vec3d velocityMPerS{};
+  Vec3d velocitySpreadMPerS{};  ///< of each component to either side, drawn evenly
+  /// Turns about the map's x, then y, then z. Before them a rock lies flat: its axis of least inertia (the long one)
+  /// along x, that of greatest inertia upright. Nothing: any orientation, all alike likely.
+  std::optional<Vec3d> orientationDeg;
   double intervalS = 0;  ///< between one rock and the next; 0: all at once
 };
 
 struct RockGroup {
-  std::uint32_t count = 1;
+  std::uint32_t count = 1;     ///< of a group with `perPlace`, once the map is read
+  std::uint32_t perPlace = 0;  ///< so many from each point or cell of the release's map; 0: `count` in all
+  bool meetsRocks = true;      ///< false: no other rock is in its way, nor are its own pieces
   std::variant<MadeRocks, MeshRocks> source;
   SieveCurve sieve;
   std::uint32_t treeDepth = 3;  ///< levels below the root
@@ -62,6 +68,9 @@ struct RockGroup {
   MaterialId material = 0;
   Release release;
 };
+
+/// Of one group.
+inline constexpr std::uint64_t kMaxRocks = 100000;
 
 std::vector<RockGroup> readRocks(const Value& value, const Materials& materials);
 

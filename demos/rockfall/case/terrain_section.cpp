@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongest = 1e5;  // metres
 constexpr double kSteepest = 89;  // degrees
-constexpr std::size_t kMaxZones = 1000, kMaxProfileCorners = 10000;
+constexpr std::size_t kMaxZones = 1000, kMaxDams = 100, kMaxProfileCorners = 10000;
 
 GeneratedGrid readGrid(Object& object) {
   return {object.at("width_m").number({0, kLongest, true}), object.numberOr("cell_m", {0.01, 1000}, 1),
@@ -96,6 +96,20 @@ void readZone(const Value& value, std::size_t item, const Materials& materials, 
   terrain.zones.back().item = item;
 }
 
+Dam readDam(const Value& value) {
+  Object object(value);
+  const PlacedLines placed = readLines(object);
+  Dam dam{placed.lines,
+          placed.map,
+          object.at("height_m").number({0, 100, true}),
+          object.numberOr("crest_m", between(0, 100), 0),
+          {}};
+  const Value slopes = object.at("slope_deg");
+  if (const auto sides = slopes.items(2, 2); sides.size() == 2)
+    for (std::size_t side = 0; side < 2; ++side) dam.slopeDeg[side] = sides[side].number(between(10, kSteepest));
+  return dam;
+}
+
 }  // namespace
 
 Zone makeZone(MaterialId material, Area area) {
@@ -139,6 +153,8 @@ TerrainSection readTerrain(const Value& value, const Materials& materials) {
     const std::vector<Value> items = zones->items(0, kMaxZones);
     for (std::size_t i = 0; i < items.size(); ++i) readZone(items[i], i, materials, terrain);
   }
+  if (const auto dams = object.find("dams"))
+    for (const Value& item : dams->items(0, kMaxDams)) terrain.dams.push_back(readDam(item));
   return terrain;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -99,12 +100,21 @@ struct MappedZones {
   std::optional<MaterialId> only;  ///< in place of the table: all that the map holds is of this material
 };
 
+/// A dam, or a wall with steep sides: an embankment along lines whose crest is so high above the ground below it.
+struct Dam {
+  std::vector<Polyline> lines;
+  std::optional<MapSource> map;  ///< of the lines; they are there once it is read
+  double heightM = 0, crestM = 0;
+  std::array<double, 2> slopeDeg{};  ///< of its left and right side, seen along the line
+};
+
 struct TerrainSection {
   TerrainSource source;
   MaterialId material = 0;
   MaterialGrid grid;                ///< before `material`; empty: there is none
   std::vector<Zone> zones;          ///< before `grid`, the last first
   std::vector<MappedZones> mapped;  ///< more zones, not read yet
+  std::vector<Dam> dams;            ///< on the source, one after the other
   std::optional<std::string> crs;   ///< of the coordinates, where the terrain's file does not say it: EPSG:2056
 
   MaterialId materialAt(const MapPoint& point) const;

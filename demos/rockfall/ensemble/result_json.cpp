@@ -69,7 +69,7 @@ template <class Io>
 void transfer(Io& io, auto& r) requires requires {
   r.column;
 }
-{ each(io, r.rock, r.column, r.row, r.maxEnergyJ, r.maxHeightM); }
+{ each(io, r.rock, r.column, r.row, r.maxEnergyJ, r.maxTranslationJ, r.maxRotationJ, r.maxSpeed, r.maxHeightM); }
 template <class Io>
 void transfer(Io& io, auto& r) requires requires {
   r.place, r.heightM;

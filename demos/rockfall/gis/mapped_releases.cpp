@@ -34,9 +34,13 @@ Status addFeature(const MapBounds& bounds, const MapFeature& feature, PlaceSet& 
   return {};
 }
 
-Result<PlaceSet> placesOf(const MapReader& reader, const MapSource& source, std::vector<MapNote>& notes) {
+Result<PlaceSet> placesOf(const MapReader& reader, const MapSource& source, bool isEach, std::vector<MapNote>& notes) {
   const auto layer = reader.layer(source, {Shape::point, Shape::line, Shape::area}, {});
   if (!layer) return layer.error();
+  if (isEach && layer.value().features.front().points.empty())
+    return MapReader::refused(source,
+                              "holds lines or polygons, and \"count_per_place\" needs single places: give points or a "
+                              "raster of cells, or \"count\"");
   PlaceSet places;
   for (const MapFeature& feature : layer.value().features)
     if (const Status added = addFeature(reader.bounds(), feature, places); !added)
@@ -68,7 +72,8 @@ class Mask {
   const Raster& raster_;
 };
 
-Result<PlaceSet> cellsOf(const MapReader& reader, const MapSource& source, std::vector<MapNote>& notes) {
+/// `isEach`: every cell by itself.
+Result<PlaceSet> cellsOf(const MapReader& reader, const MapSource& source, bool isEach, std::vector<MapNote>& notes) {
   const auto raster = reader.raster(source);
   if (!raster) return raster.error();
   const Mask mask(raster.value());
@@ -78,7 +83,7 @@ Result<PlaceSet> cellsOf(const MapReader& reader, const MapSource& source, std::
     for (std::uint32_t column = 0; column < columns; ++column) {
       if (!mask.isSet(column, row)) continue;
       const std::uint32_t first = column;
-      while (column + 1 < columns && mask.isSet(column + 1, row)) ++column;
+      while (!isEach && column + 1 < columns && mask.isSet(column + 1, row)) ++column;
       for (const MapPoint& middle : {mask.middle(first, row), mask.middle(column, row)})
         if (const Status within = checkWithin(reader.bounds(), {&middle, 1}); !within)
           return MapReader::refused(source, "in a cell that is set: " + within.error().message);
@@ -95,11 +100,21 @@ Status readReleases(const MapReader& reader, Case& description) {
   for (RockGroup& group : description.rocks) {
     Release& release = group.release;
     if (!release.map) continue;
-    auto places = release.map->isRaster ? cellsOf(reader, *release.map, description.notes)
-                                        : placesOf(reader, *release.map, description.notes);
+    const bool isEach = group.perPlace > 0;
+    auto places = release.map->isRaster ? cellsOf(reader, *release.map, isEach, description.notes)
+                                        : placesOf(reader, *release.map, isEach, description.notes);
     if (!places) return places.error();
     if (places.value().empty())
       return MapReader::refused(*release.map, "has no size: its lines have no length, or its polygons no area");
+    if (isEach) {
+      const std::uint64_t count = group.perPlace * std::uint64_t(places.value().pieces().size());
+      if (count > kMaxRocks)
+        return MapReader::refused(
+            *release.map, fmt::format("has {} places, so there would be {} rocks, more than {}: take fewer of each, or "
+                                      "a coarser map",
+                                      places.value().pieces().size(), count, kMaxRocks));
+      group.count = static_cast<std::uint32_t>(count);
+    }
     release.places = std::move(places).value();
     release.map.reset();
   }

@@ -26,7 +26,9 @@ Status readLinesOf(const MapReader& reader, std::optional<MapSource>& map, std::
   return {};
 }
 
-Status readCollectorsAndBarriers(const MapReader& reader, Case& description) {
+Status readAllLines(const MapReader& reader, Case& description) {
+  for (Dam& dam : description.terrain.dams)
+    if (const Status read = readLinesOf(reader, dam.map, dam.lines, description.notes); !read) return read;
   for (Collector& collector : description.collectors)
     if (const Status read = readLinesOf(reader, collector.map, collector.lines, description.notes); !read) return read;
   for (EffectOptions& effect : description.effects)
@@ -42,7 +44,7 @@ Status readMaps(Case& description, const MapTerrain& terrain) {
   const MapReader reader(description, terrain);
   if (const Status read = readZones(reader, description); !read) return read;
   if (const Status read = readReleases(reader, description); !read) return read;
-  if (const Status read = readCollectorsAndBarriers(reader, description); !read) return read;
+  if (const Status read = readAllLines(reader, description); !read) return read;
   return readTrees(reader, description);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cairn::rockfall {
 namespace {
@@ -14,18 +15,23 @@ constexpr double kFineEnough = 0.1;
 /// Of so many values one at least lies beyond their 95 % quantile, 39 times in 40: ln 0.025 / ln 0.95.
 constexpr double kLeastValues = 72;
 
+/// About how many runs would tell the quantile, where these runs gave `values` values of it.
+std::uint64_t runsNeeded(double quantile, const Interval& bounds, std::uint64_t values, std::uint64_t runs) {
+  double factor = kLeastValues / static_cast<double>(values);
+  if (bounds.high && quantile > 0) {
+    // Widths fall with the root of the number of runs.
+    const double wider = std::max(*bounds.high - quantile, quantile - bounds.low);
+    const double times = wider / (kFineEnough * quantile);
+    factor = times * times;
+  }
+  return static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(runs)));
+}
+
 QuantileCheck check(std::string quantity, std::string unit, const Sample& sample, double scale, std::uint64_t runs) {
   QuantileCheck check{std::move(quantity), std::move(unit), sample.quantile(950) / scale, sample.confidence(950), 0};
   check.bounds.low /= scale;
   if (check.bounds.high) *check.bounds.high /= scale;
-  double factor = kLeastValues / static_cast<double>(sample.size());
-  if (check.bounds.high && check.quantile > 0) {
-    // Widths fall with the root of the number of runs.
-    const double wider = std::max(*check.bounds.high - check.quantile, check.quantile - check.bounds.low);
-    const double times = wider / (kFineEnough * check.quantile);
-    factor = times * times;
-  }
-  check.runs = static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(runs)));
+  check.runs = runsNeeded(check.quantile, check.bounds, sample.size(), runs);
   return check;
 }
 
@@ -53,6 +59,34 @@ std::string enoughText(const std::vector<QuantileCheck>& checks, std::uint64_t r
                         check.quantile, check.unit, check.bounds.low, high, verdict);
   }
   return text;
+}
+
+CellsCheck checkCells(const MergedRuns& merged) {
+  CellsCheck check;
+  std::map<std::uint64_t, Ranks> ranks;  // by the number of values, which many cells share
+  std::vector<std::uint64_t> needed;
+  for (const auto& [place, cell] : merged.cells) {
+    const LogHistogram& energy = cell.of(Quantity::energy);
+    if (energy.count() == 0) continue;
+    const auto [found, isNew] = ranks.try_emplace(energy.count());
+    if (isNew) found->second = confidenceRanks(energy.count(), 950);
+    const Interval bounds = energy.bounds(found->second);
+    needed.push_back(runsNeeded(energy.quantile(950), bounds, energy.count(), merged.runs));
+    check.enough += bounds.high && needed.back() <= merged.runs;
+  }
+  check.cells = needed.size();
+  if (needed.empty()) return check;
+  const auto mostCells = needed.begin() + static_cast<std::ptrdiff_t>((needed.size() * 9 + 9) / 10 - 1);
+  std::ranges::nth_element(needed, mostCells);
+  check.runs = *mostCells;
+  return check;
+}
+
+std::string enoughText(const CellsCheck& check) {
+  if (check.cells == 0) return {};
+  return fmt::format(
+      "95 % of energy in cells: the runs are enough in {} of {} cells; for nine in ten, about {} runs are\n",
+      check.enough, check.cells, check.runs);
 }
 
 }  // namespace cairn::rockfall

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rockfall/outputs/collector_statistics.h"
+#include "rockfall/outputs/merged.h"
 
 namespace cairn::rockfall {
 
@@ -24,5 +25,16 @@ std::vector<QuantileCheck> checkQuantiles(const Sample& runoutM, const std::vect
 
 /// A line for each check.
 std::string enoughText(const std::vector<QuantileCheck>& checks, std::uint64_t runs);
+
+/// The same of the energy in each cell of the rasters.
+struct CellsCheck {
+  std::uint64_t cells = 0;   ///< that some rock reached
+  std::uint64_t enough = 0;  ///< of them, those whose 95 % quantile the runs tell
+  std::uint64_t runs = 0;    ///< about so many would do for nine cells in ten
+};
+CellsCheck checkCells(const MergedRuns& merged);
+
+/// One line, or nothing without cells.
+std::string enoughText(const CellsCheck& check);
 
 }  // namespace cairn::rockfall

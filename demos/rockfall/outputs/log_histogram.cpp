@@ -44,20 +44,41 @@ double upperEdge(std::int32_t bin) {
   return std::ldexp(kEdges[static_cast<std::size_t>(step) + 1], (bin - step) / kBinsAnOctave - 1);
 }
 
+double lowerEdge(std::int32_t bin) {
+  return bin == kZeroBin ? 0 : upperEdge(bin - 1);
+}
+
 }  // namespace
 
 void LogHistogram::add(double value) {
-  ++bins_[binOf(value)];
+  const std::int32_t number = binOf(value);
+  const auto place = std::ranges::lower_bound(bins_, number, {}, &Bin::number);
+  if (place != bins_.end() && place->number == number)
+    ++place->count;
+  else
+    bins_.insert(place, {number, 1});
   greatest_ = count_ == 0 ? value : std::max(greatest_, value);
+  sum_ += value;
   ++count_;
 }
 
-double LogHistogram::quantile(std::uint32_t thousandths) const {
-  const std::uint64_t rank = std::max<std::uint64_t>(1, (count_ * thousandths + 999) / 1000);
+const LogHistogram::Bin* LogHistogram::binOfRank(std::uint64_t rank) const {
   std::uint64_t below = 0;
-  for (const auto& [bin, count] : bins_)
-    if ((below += count) >= rank) return std::min(upperEdge(bin), greatest_);
-  return 0;
+  for (const Bin& bin : bins_)
+    if ((below += bin.count) >= rank) return &bin;
+  return nullptr;
+}
+
+double LogHistogram::quantile(std::uint32_t thousandths) const {
+  const Bin* bin = binOfRank(std::max<std::uint64_t>(1, (count_ * thousandths + 999) / 1000));
+  return bin != nullptr ? std::min(upperEdge(bin->number), greatest_) : 0;
+}
+
+Interval LogHistogram::bounds(const Ranks& ranks) const {
+  Interval interval;
+  if (const Bin* bin = ranks.low > 0 ? binOfRank(ranks.low) : nullptr) interval.low = lowerEdge(bin->number);
+  if (const Bin* bin = binOfRank(ranks.high)) interval.high = std::min(upperEdge(bin->number), greatest_);
+  return interval;
 }
 
 }  // namespace cairn::rockfall

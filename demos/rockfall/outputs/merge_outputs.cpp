@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "rockfall/outputs/raster_files.h"
 #include "rockfall/outputs/svg.h"
 #include "rockfall/outputs/tables.h"
+#include "rockfall/terrain/dams.h"
 #include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
@@ -25,7 +27,8 @@ using Ordered = nlohmann::ordered_json;
 
 /// Collects all outputs from the runs, one run after the other.
 struct Gathered {
-  explicit Gathered(const Case& description) : tables(description), collectors(description) {
+  Gathered(const Case& description, const MergeOptions& options)
+      : wantsPlaces(options.geopackage || options.geojson), tables(description), collectors(description) {
     merged.collectors.resize(description.collectors.size());
   }
 
@@ -33,7 +36,7 @@ struct Gathered {
     const RunResult& result = file.result;
     merged.add(result, cellM);
     tables.add(result);
-    places.add(result);
+    if (wantsPlaces) places.add(result);
     collectors.add(result);
     for (const RockRecord& rock : result.rocks) runoutM.push_back(rock.runoutM());
     for (std::uint32_t rock = 0; rock < result.trajectories.size(); ++rock)
@@ -54,6 +57,7 @@ struct Gathered {
     }
   }
 
+  bool wantsPlaces;
   MergedRuns merged;
   Tables tables;
   GeoTables places;
@@ -110,8 +114,8 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
   return json.dump(1) + "\n";
 }
 
-/// A file's name and its content.
-using File = std::pair<std::string, std::string>;
+/// A file's name and its content, which is made when it is written: only one is in memory.
+using File = std::pair<std::string, std::function<std::string()>>;
 
 /// What programs for maps read, on request. Its bytes depend on GDAL's version, so the merged hash leaves it out.
 Status writeGeoTables(const MergeOptions& options, const std::string& projection, std::vector<GeoTable> tables) {
@@ -127,24 +131,30 @@ Status writeGeoTables(const MergeOptions& options, const std::string& projection
   return {};
 }
 
+/// The arguments must outlive the files.
 std::vector<File> filesOf(const Case& description, const Ground& ground, const Gathered& gathered,
                           const std::vector<CollectorFigures>& figures) {
   const OutputsSection& outputs = description.outputs;
-  std::vector<File> files{{"runs.csv", gathered.tables.runs()},
-                          {"rocks.csv", gathered.tables.rocks()},
-                          {"effects.csv", gathered.tables.effects()},
-                          {"summary.json", summaryText(description, gathered.merged)}};
-  if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", gathered.tables.impacts());
+  const MergedRuns& merged = gathered.merged;
+  std::vector<File> files{{"runs.csv", [&] { return gathered.tables.runs(); }},
+                          {"rocks.csv", [&] { return gathered.tables.rocks(); }},
+                          {"effects.csv", [&] { return gathered.tables.effects(); }},
+                          {"summary.json", [&] { return summaryText(description, merged); }}};
+  if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", [&] { return gathered.tables.impacts(); });
   if (!description.collectors.empty()) {
-    files.emplace_back("collectors.csv", gathered.tables.crossings());
-    files.emplace_back("collectors_summary.csv", collectorsSummary(figures));
+    files.emplace_back("collectors.csv", [&] { return gathered.tables.crossings(); });
+    files.emplace_back("collectors_summary.csv", [&] { return collectorsSummary(figures); });
   }
-  for (File& raster : asciiRasters(description, ground, gathered.merged)) files.push_back(std::move(raster));
-  if (outputs.trajectoriesEveryS) files.emplace_back("trajectories.vtk", vtkPolydata(gathered.trajectories));
-  files.emplace_back("map.svg", mapFigure(description, ground, gathered.trajectories, gathered.stops));
-  if (outputs.rasterCellM && !gathered.merged.distances.empty())
-    files.emplace_back("profiles.svg", profileFigure(description, gathered.merged, *outputs.rasterCellM));
-  std::ranges::sort(files);
+  for (RasterKind& kind : rasterKinds(description, merged)) {
+    const std::string name = kind.name + ".asc";
+    files.emplace_back(name, [&, kind = std::move(kind)] { return asciiRaster(kind, description, ground, merged); });
+  }
+  if (outputs.trajectoriesEveryS)
+    files.emplace_back("trajectories.vtk", [&] { return vtkPolydata(gathered.trajectories); });
+  files.emplace_back("map.svg", [&] { return mapFigure(description, ground, gathered.trajectories, gathered.stops); });
+  if (outputs.rasterCellM && !merged.distances.empty())
+    files.emplace_back("profiles.svg", [&] { return profileFigure(description, merged, *outputs.rasterCellM); });
+  std::ranges::sort(files, {}, &File::first);
   return files;
 }
 
@@ -158,7 +168,8 @@ std::string hashOfContent(std::string_view content) {
 Result<std::string> write(const std::vector<File>& files, const Parts& parts, const fs::path& folder) {
   Ordered hashes;
   ContentHash all;
-  for (const auto& [name, content] : files) {
+  for (const auto& [name, make] : files) {
+    const std::string content = make();
     if (const Status written = writeFileAtomically(folder / name, std::string_view(content)); !written)
       return written.error();
     hashes[name] = hashOfContent(content);
@@ -216,9 +227,10 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   auto terrain = terrainOf(description.value());
   if (!terrain) return terrain.error();
   if (const Status maps = readMaps(description.value(), terrain.value()); !maps) return maps.error();
+  if (const Status raised = raiseDams(description.value(), terrain.value()); !raised) return raised.error();
   const auto ground = makeGround(std::move(terrain).value(), description.value().terrain);
   if (!ground) return ground.error();
-  Gathered gathered(description.value());
+  Gathered gathered(description.value(), options);
   const Status read = parts.value().forEach([&](const RunFile& file) -> Status {
     gathered.add(file, description.value().outputs.rasterCellM);
     return {};
@@ -237,7 +249,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   auto hash = write(files, parts.value(), options.folder);
   if (!hash) return hash.error();
   if (options.png)
-    for (const auto& [name, content] : files)
+    for (const auto& [name, make] : files)
       if (const fs::path svg = options.folder / name; svg.extension() == ".svg")
         if (const Status drawn = renderSvg(svg, fs::path(svg).replace_extension(".png")); !drawn) return drawn.error();
   const auto lost = gathered.merged.endings[static_cast<std::size_t>(RockEnd::lost)];
@@ -249,6 +261,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
                      gathered.effects,
                      gathered.merged.effects,
                      checkQuantiles(Sample(std::move(gathered.runoutM)), figures, runs),
+                     checkCells(gathered.merged),
                      std::move(hash).value()};
 }
 

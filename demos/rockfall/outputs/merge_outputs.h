@@ -24,6 +24,7 @@ struct MergeReport {
   std::vector<EffectReport> effects;     ///< summed over all runs
   std::vector<EffectRecord> did;         ///< the work of the same effects
   std::vector<QuantileCheck> quantiles;  ///< whether the runs are enough
+  CellsCheck cells;                      ///< the same of the rasters' cells
   std::string hash;                      ///< SHA-256 over all files but what GDAL and rsvg-convert write, hexadecimal
 };
 

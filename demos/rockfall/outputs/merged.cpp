@@ -9,8 +9,9 @@ namespace cairn::rockfall {
 namespace {
 
 void addVisit(CellSummary& cell, const VisitRecord& visit) {
-  cell.energyJ.add(visit.maxEnergyJ);
-  cell.heightM.add(visit.maxHeightM);
+  const std::array<double, kQuantities> values{visit.maxEnergyJ, visit.maxTranslationJ, visit.maxRotationJ,
+                                               visit.maxSpeed, visit.maxHeightM};
+  for (std::size_t i = 0; i < kQuantities; ++i) cell.values[i].add(values[i]);
 }
 
 }  // namespace

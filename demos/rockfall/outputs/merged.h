@@ -13,12 +13,17 @@
 
 namespace cairn::rockfall {
 
+/// What is known of rocks in cells and at distances. SI units.
+enum class Quantity : std::uint8_t { energy, translation, rotation, speed, height };
+inline constexpr std::size_t kQuantities = 5;
+
 /// The rocks that passed through a cell of the map, or a distance from the release: one value for each rock and run.
 struct CellSummary {
-  LogHistogram energyJ, heightM;
+  std::array<LogHistogram, kQuantities> values;
   std::uint64_t stops = 0;
   std::uint64_t arrived = 0;  ///< released rocks that came here, by themselves or by pieces
-  std::uint64_t passages() const { return energyJ.count(); }
+  const LogHistogram& of(Quantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
+  std::uint64_t passages() const { return of(Quantity::energy).count(); }
 };
 
 struct CollectorSummary {

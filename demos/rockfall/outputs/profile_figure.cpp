@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWidth = 900, kPanel = 230, kLeft = 80, kTop = 60, kGap = 46, kRight = 30, kBottom = 56;  // pixels
 
-struct Quantity {
+struct Drawn {
   const char* label;
   double unit;  ///< SI units per unit of the axis
   const LogHistogram& (*of)(const CellSummary&);
@@ -77,8 +77,8 @@ std::vector<std::array<double, 2>> stepsOf(const Panel& panel, const MergedRuns&
   return points;
 }
 
-void drawQuantity(Svg& svg, double top, const Quantity& quantity, const MergedRuns& merged, double cellM,
-                  double farthest, bool isLast) {
+void drawQuantity(Svg& svg, double top, const Drawn& quantity, const MergedRuns& merged, double cellM, double farthest,
+                  bool isLast) {
   double greatest = 0;
   for (const auto& [cell, summary] : merged.distances)
     greatest = std::max(greatest, quantity.of(summary).greatest() / quantity.unit);
@@ -113,10 +113,10 @@ std::string profileFigure(const Case& description, const MergedRuns& merged, dou
   Svg svg(kLeft + kWidth + kRight, kTop + 3 * kPanel + 2 * kGap + kBottom);
   svg.text(kLeft, 24, fmt::format("{}: {} rocks in {} runs", description.name, merged.rocks, merged.runs), 16);
   drawLegend(svg);
-  const Quantity energy{"kinetic energy (kJ)", 1000,
-                        [](const CellSummary& c) -> const LogHistogram& { return c.energyJ; }};
-  const Quantity height{"centre above ground (m)", 1,
-                        [](const CellSummary& c) -> const LogHistogram& { return c.heightM; }};
+  const Drawn energy{"kinetic energy (kJ)", 1000,
+                     [](const CellSummary& c) -> const LogHistogram& { return c.of(Quantity::energy); }};
+  const Drawn height{"centre above ground (m)", 1,
+                     [](const CellSummary& c) -> const LogHistogram& { return c.of(Quantity::height); }};
   drawQuantity(svg, kTop, energy, merged, cellM, farthest, false);
   drawQuantity(svg, kTop + kPanel + kGap, height, merged, cellM, farthest, false);
   drawCount(svg, kTop + 2 * (kPanel + kGap), merged, cellM, farthest);

@@ -36,9 +36,9 @@ double Sample::quantile(std::uint32_t thousandths) const {
 }
 
 // The k-th of n values lies below the quantile of a share p if at least k of them do, and their number is binomial.
-Interval Sample::confidence(std::uint32_t thousandths) const {
+Ranks confidenceRanks(std::uint64_t values, std::uint32_t thousandths) {
   const double share = thousandths / 1000.0;
-  const auto count = static_cast<unsigned>(values_.size());
+  const auto count = static_cast<unsigned>(values);
   const auto upTo = [&](unsigned below) { return gsl_cdf_binomial_P(below, share, count); };
   // Both by bisection: of P(at most k), which rises with k.
   unsigned low = 0, end = count;  // the most k with P(at most k - 1) <= tail
@@ -52,8 +52,13 @@ Interval Sample::confidence(std::uint32_t thousandths) const {
     const unsigned middle = high + (end - high) / 2;
     upTo(middle - 1) >= 1 - kTail ? end = middle : high = middle + 1;
   }
-  Interval interval{low > 0 ? values_[low - 1] : 0, {}};
-  if (high <= count) interval.high = values_[high - 1];
+  return {low, high};
+}
+
+Interval Sample::confidence(std::uint32_t thousandths) const {
+  const Ranks ranks = confidenceRanks(values_.size(), thousandths);
+  Interval interval{ranks.low > 0 ? values_[ranks.low - 1] : 0, {}};
+  if (ranks.high <= values_.size()) interval.high = values_[ranks.high - 1];
   return interval;
 }
 

@@ -13,6 +13,16 @@ struct Interval {
   std::optional<double> high;  ///< nothing: there are too few values to tell
 };
 
+/// Ranks, from 1, of the two values between which a quantile lies, 19 times in 20. No such value: 0, or one more than
+/// there are values.
+struct Ranks {
+  std::uint64_t low = 0, high = 1;
+};
+
+/// Returns the ranks that the binomial distribution gives (Conover 1999, 3.2), whatever the values are distributed
+/// like. It takes the values as independent of each other. Precondition: `count` is positive and below 2^32.
+Ranks confidenceRanks(std::uint64_t count, std::uint32_t thousandths);
+
 /// Measured values of one quantity, in rising order.
 class Sample {
  public:
@@ -23,9 +33,7 @@ class Sample {
   double greatest() const;  ///< 0 without values
   /// Returns the nearest-rank quantile; 0 without values. 0 < `thousandths` <= 1000.
   double quantile(std::uint32_t thousandths) const;
-  /// Returns the confidence interval of the quantile: between the order statistics that the binomial distribution gives
-  /// (Conover 1999, 3.2), whatever the values are distributed like. It takes them as independent of each other.
-  /// Precondition: not empty.
+  /// Returns the confidence interval of the quantile: the values with `confidenceRanks`. Precondition: not empty.
   Interval confidence(std::uint32_t thousandths) const;
 
  private:

@@ -45,13 +45,6 @@ effects::MaterialId material(MaterialId id) {
   return static_cast<effects::MaterialId>(id);
 }
 
-effects::PairTable<btScalar> tableOf(const PairTable& table) {
-  effects::PairTable<btScalar> result(scalar(table.otherwise));
-  for (const PairTable::Entry& entry : table.entries)
-    result.set(material(entry.pair.first), material(entry.pair.second), scalar(entry.value));
-  return result;
-}
-
 effects::Region regionOf(const Polygon& polygon) {
   if (polygon.empty()) return {};
   std::vector<effects::Region::Point> corners;
@@ -91,9 +84,9 @@ class Factory {
   Made operator()(const RollingResistanceOptions& o) const {
     using Lengths = effects::RollingResistance::Lengths;
     const btScalar spinning = scalar(o.spinningLeverM);
-    effects::PairTable<Lengths> lengths({scalar(o.leverM.otherwise), spinning});
+    effects::PairTable<Lengths> lengths({drawn(o.leverM.otherwise), spinning});
     for (const PairTable::Entry& entry : o.leverM.entries)
-      lengths.set(material(entry.pair.first), material(entry.pair.second), {scalar(entry.value), spinning});
+      lengths.set(material(entry.pair.first), material(entry.pair.second), {drawn(entry), spinning});
     return std::make_unique<effects::RollingResistance>(std::move(lengths));
   }
   Made operator()(const RestitutionOptions& o) const {
@@ -183,15 +176,31 @@ class Factory {
   }
 
  private:
+  /// The run's own value of a span; each pair of materials has a stream of random numbers, and the default has one.
+  btScalar drawn(const Span& span, std::uint64_t stream = 0) const {
+    if (span.low == span.high) return scalar(span.low);
+    return scalar(scenes::Random(seed(run_, Variable::parameters), stream).uniform(span.low, span.high));
+  }
+  btScalar drawn(const PairTable::Entry& entry) const {
+    constexpr std::uint64_t kMostMaterials = 65536;
+    return drawn(entry.value, 1 + entry.pair.first * kMostMaterials + entry.pair.second);
+  }
+  effects::PairTable<btScalar> tableOf(const PairTable& table) const {
+    effects::PairTable<btScalar> result(drawn(table.otherwise));
+    for (const PairTable::Entry& entry : table.entries)
+      result.set(material(entry.pair.first), material(entry.pair.second), drawn(entry));
+    return result;
+  }
+
   // By the effect's name and its number among those of its kind, so that the order of the list has no influence.
-  std::uint64_t seed(std::uint64_t run) const {
+  std::uint64_t seed(std::uint64_t run, Variable variable = Variable::effects) const {
     const auto& effects = scene_.description.effects;
     const std::string_view name = nameOf(effects[place_]);
     const auto number = std::count_if(effects.begin(), effects.begin() + static_cast<std::ptrdiff_t>(place_),
                                       [&](const EffectOptions& other) { return nameOf(other) == name; });
     StateHash ofKind;
     ofKind.add(std::as_bytes(std::span(name.data(), name.size())));
-    const std::uint64_t ofRun = seedOf(scene_.description.seed, scene_.description.name, run, Variable::effects);
+    const std::uint64_t ofRun = seedOf(scene_.description.seed, scene_.description.name, run, variable);
     return mixBits(ofRun + ofKind.value()) + static_cast<std::uint64_t>(number);
   }
 

@@ -2,6 +2,8 @@
 #include "rockfall/simulation/release.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "rockfall/simulation/run_seed.h"
 #include "scenes/bodies/model.h"
@@ -29,8 +31,8 @@ class Releaser {
     rock.massKg = rocks.densityKgPerM3 * shape.volume * rock.sieveM * rock.sieveM * rock.sieveM;
     rock.reachM = shape.reach * rock.sieveM;
     rock.timeS = number * rocks.release.intervalS;
-    rock.velocity = scenes::toBullet(rocks.release.velocityMPerS);
-    rock.pose = btTransform(random(Variable::orientation).rotation(), scenes::toBullet(freePlace(rocks.release, rock)));
+    rock.velocity = scenes::toBullet(velocity(rocks.release));
+    rock.pose = btTransform(orientation(rocks.release), scenes::toBullet(placeOf(rocks, number, rock)));
     rocks_.push_back(rock);
   }
 
@@ -41,6 +43,44 @@ class Releaser {
     return scenes::Random(seedOf(scene_.description.seed, scene_.description.name, run_, variable), rocks_.size());
   }
 
+  Vec3d velocity(const Release& release) const {
+    scenes::Random draws = random(Variable::velocity);
+    Vec3d velocity = release.velocityMPerS;
+    for (int axis = 0; axis < 3; ++axis)
+      velocity[axis] += draws.uniform(-release.velocitySpreadMPerS[axis], release.velocitySpreadMPerS[axis]);
+    return velocity;
+  }
+
+  btQuaternion orientation(const Release& release) const {
+    if (!release.orientationDeg) return random(Variable::orientation).rotation();
+    btQuaternion turn = btQuaternion::getIdentity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const double half = (*release.orientationDeg)[axis] * std::numbers::pi / 360;
+      btVector3 along(0, 0, 0);
+      along[axis] = static_cast<btScalar>(std::sin(half));
+      turn = btQuaternion(along.x(), along.y(), along.z(), static_cast<btScalar>(std::cos(half))) * turn;
+    }
+    return turn.normalize();
+  }
+
+  Vec3d placeOf(const RockGroup& rocks, std::uint32_t number, const ReleasedRock& rock) {
+    if (rocks.perPlace == 0) return freePlace(rocks.release, rock);
+    scenes::Random draws = random(Variable::place);
+    const std::size_t piece = number / rocks.perPlace;
+    for (int draw = 0; draw < kDrawsPerLevel; ++draw) {
+      const double along = draws.uniform();
+      const MapPoint point = rocks.release.places.in(piece, along, draws.uniform());
+      if (scene_.ground->covers(point)) return over(point, rocks.release, rock);
+    }
+    return over(middleOf(rocks.release.places, piece), rocks.release, rock);
+  }
+
+  Vec3d over(const MapPoint& point, const Release& release, const ReleasedRock& rock) const {
+    const double onGround =
+        scene_.ground->heightAt(point) + rock.reachM / std::max(kMinUpward, scene_.ground->normalAt(point).z);
+    return {point[0], point[1], onGround + release.aboveGroundM};
+  }
+
   // A full level is not looked at again by the rocks of its group that follow, nor are those below it.
   Vec3d freePlace(const Release& release, const ReleasedRock& rock) {
     scenes::Random places = random(Variable::place);
@@ -48,11 +88,8 @@ class Releaser {
     fullGroup_ = rock.group;
     for (int draw = fullLevels_ * kDrawsPerLevel;; ++draw) {
       fullLevels_ = std::max(fullLevels_, draw / kDrawsPerLevel - 1);
-      const MapPoint point = placeOver(release, places);
-      const double onGround =
-          scene_.ground->heightAt(point) + rock.reachM / std::max(kMinUpward, scene_.ground->normalAt(point).z);
-      const double raised = 2 * rock.reachM * (draw / kDrawsPerLevel);
-      const Vec3d place(point[0], point[1], onGround + release.aboveGroundM + raised);
+      Vec3d place = over(placeOver(release, places), release, rock);
+      place.z += 2 * rock.reachM * (draw / kDrawsPerLevel);
       if (isFree(place, rock)) return place;
     }
   }
@@ -64,8 +101,9 @@ class Releaser {
   }
 
   bool isFree(const Vec3d& place, const ReleasedRock& rock) const {
-    return std::ranges::all_of(rocks_, [&](const ReleasedRock& other) {
-      return std::abs(other.timeS - rock.timeS) > kSeparateS ||
+    const auto meets = [&](const ReleasedRock& r) { return scene_.description.rocks[r.group].meetsRocks; };
+    return !meets(rock) || std::ranges::all_of(rocks_, [&](const ReleasedRock& other) {
+      return !meets(other) || std::abs(other.timeS - rock.timeS) > kSeparateS ||
              distance(scenes::fromBullet(other.pose.getOrigin()), place) > other.reachM + rock.reachM;
     });
   }
@@ -78,6 +116,10 @@ class Releaser {
 };
 
 }  // namespace
+
+MapPoint middleOf(const PlaceSet& places, std::size_t piece) {
+  return places.in(piece, 0.5, 0.5);
+}
 
 MapPoint drawPlace(const Release& release, scenes::Random& random) {
   if (release.places.empty()) {

@@ -24,10 +24,14 @@ struct ReleasedRock {
 /// Draws a place of release, evenly. It may be over a hole of the ground.
 MapPoint drawPlace(const Release& release, scenes::Random& random);
 
+/// The middle of a piece, which is over the ground where rocks are released from each piece: `prepareScene` looks.
+MapPoint middleOf(const PlaceSet& places, std::size_t piece);
+
 /// Returns all rocks of a run, by group and number: a pure function of (scene, run). The height of a centre counts from
 /// the place where a ball of the rock's reach would touch the plane of the ground below it. The centre lies
-/// `above_ground_m` higher. Rocks released within two seconds of each other do not overlap. A rock without a free place
-/// in the box after 20 draws starts higher. Cost: quadratic in the number of rocks.
+/// `above_ground_m` higher. Rocks released within two seconds of each other that may meet do not overlap.
+/// A rock without a free place after 20 draws starts higher. Cost: quadratic in the number of rocks that may meet.
+/// Rocks of each place do not go out of each other's way: they begin in their own.
 std::vector<ReleasedRock> releaseRocks(const Scene& scene, std::uint64_t run);
 
 }  // namespace cairn::rockfall

@@ -60,6 +60,9 @@ RockMoment momentOf(const btRigidBody& rock, const Ground& ground, double timeS)
   moment.heightM = moment.place.z - ground.heightAt({moment.place.x, moment.place.y});
   moment.speed = static_cast<double>(rock.getLinearVelocity().length());
   moment.energyJ = scenes::kineticEnergy(rock);
+  // The same expression as in there, so that the rest is never below zero.
+  moment.translationJ =
+      static_cast<double>(rock.getLinearVelocity().length2()) / static_cast<double>(rock.getInvMass()) / 2;
   return moment;
 }
 
@@ -93,8 +96,11 @@ void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
   // A rock stays in a cell for many steps.
   const auto note = [&](Peaks& peaks, VisitRecord*& last, std::int32_t column, std::int32_t row) {
     if (last == nullptr || last->column != column || last->row != row)
-      last = &peaks.try_emplace({row, column}, VisitRecord{rock, column, row, 0, 0}).first->second;
+      last = &peaks.try_emplace({row, column}, VisitRecord{rock, column, row}).first->second;
     last->maxEnergyJ = std::max(last->maxEnergyJ, moment.energyJ);
+    last->maxTranslationJ = std::max(last->maxTranslationJ, moment.translationJ);
+    last->maxRotationJ = std::max(last->maxRotationJ, moment.energyJ - moment.translationJ);
+    last->maxSpeed = std::max(last->maxSpeed, moment.speed);
     last->maxHeightM = std::max(last->maxHeightM, moment.heightM);
   };
   Track& track = tracks_[rock];

@@ -17,6 +17,7 @@ struct RockMoment {
   double timeS = 0;
   Vec3d place;
   double heightM = 0, speed = 0, energyJ = 0;
+  double translationJ = 0;  ///< of that energy; the rest is rotation
 };
 
 /// Precondition: the rock is over the ground.

@@ -62,7 +62,7 @@ struct VisitRecord {
   std::uint32_t rock = 0;
   /// Cell [column, column + 1) times the cell's size, from the map's origin; rows count along y.
   std::int32_t column = 0, row = 0;
-  double maxEnergyJ = 0, maxHeightM = 0;
+  double maxEnergyJ = 0, maxTranslationJ = 0, maxRotationJ = 0, maxSpeed = 0, maxHeightM = 0;
 };
 
 struct TrajectorySample {

@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace cairn::rockfall {
+namespace {
+
+/// The collision group of rocks that meet the ground only: one that Bullet does not use itself.
+constexpr int kAlone = 1 << 6;
+
+}  // namespace
 
 Result<std::unique_ptr<RunWorld>> RunWorld::create(const Scene& scene, std::uint64_t run) {
   auto world = std::unique_ptr<RunWorld>(new RunWorld(scene));
@@ -48,12 +54,15 @@ RunWorld::~RunWorld() {
 }
 
 btRigidBody& RunWorld::addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia,
-                               const btTransform& pose) {
+                               const btTransform& pose, bool meetsRocks) {
   btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
   info.m_startWorldTransform = pose;
   bodies_.push_back(std::make_unique<btRigidBody>(info));
   RunEffects::prepare(*bodies_.back());
-  world_.addRigidBody(bodies_.back().get());
+  if (meetsRocks)
+    world_.addRigidBody(bodies_.back().get());
+  else
+    world_.addRigidBody(bodies_.back().get(), kAlone, btBroadphaseProxy::StaticFilter);
   return *bodies_.back();
 }
 
@@ -75,7 +84,7 @@ Result<btRigidBody*> RunWorld::addRock(const ReleasedRock& rock, int number) {
   btVector3 inertia;
   shape.calculateLocalInertia(mass, inertia);
   shapes_.push_back(std::move(created).value());
-  btRigidBody& body = addBody(*shapes_.back(), mass, inertia, rock.pose);
+  btRigidBody& body = addBody(*shapes_.back(), mass, inertia, rock.pose, group.meetsRocks);
   body.setUserIndex(number);
   body.setUserIndex2(static_cast<int>(group.material));
   body.setLinearVelocity(rock.velocity);
@@ -88,8 +97,8 @@ Result<btRigidBody*> RunWorld::addRock(const ReleasedRock& rock, int number) {
 }
 
 std::pair<btRigidBody*, std::uint32_t> RunWorld::addPiece(effects::FragmentBody piece, MaterialId material,
-                                                          std::uint32_t generation) {
-  btRigidBody& body = addBody(piece.shape(), piece.mass, piece.inertia, piece.pose);
+                                                          std::uint32_t generation, bool meetsRocks) {
+  btRigidBody& body = addBody(piece.shape(), piece.mass, piece.inertia, piece.pose, meetsRocks);
   for (auto& shape : piece.shapes) shapes_.push_back(std::move(shape));
   body.setUserIndex2(static_cast<int>(material));
   body.setLinearVelocity(piece.linearVelocity);
@@ -108,10 +117,11 @@ Result<std::vector<RunWorld::Broken>> RunWorld::breakRocks() {
     if (!pieces) return pieces.error();
     const auto material = static_cast<MaterialId>(broken.body->getUserIndex2());
     Broken& rock = all.emplace_back(Broken{broken.body->getUserIndex(), {}});
+    const bool meetsRocks = broken.body->getBroadphaseProxy()->m_collisionFilterGroup != kAlone;
     retire(*broken.body);
     std::vector<std::uint32_t> siblings;
     for (effects::FragmentBody& piece : pieces.value()) {
-      const auto [body, id] = addPiece(std::move(piece), material, broken.generation + 1);
+      const auto [body, id] = addPiece(std::move(piece), material, broken.generation + 1, meetsRocks);
       rock.pieces.push_back(body);
       siblings.push_back(id);
     }

@@ -49,10 +49,11 @@ class RunWorld {
   explicit RunWorld(const Scene& scene);
   Status prepare(std::uint64_t run);
   void addGround();
-  btRigidBody& addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia, const btTransform& pose);
+  btRigidBody& addBody(btCollisionShape& shape, btScalar mass, const btVector3& inertia, const btTransform& pose,
+                       bool meetsRocks);
   /// Adds a piece. Returns its body, and its number among the effects' bodies.
   std::pair<btRigidBody*, std::uint32_t> addPiece(effects::FragmentBody piece, MaterialId material,
-                                                  std::uint32_t generation);
+                                                  std::uint32_t generation, bool meetsRocks);
 
   const Scene& scene_;
   btDefaultCollisionConfiguration configuration_;

@@ -14,6 +14,7 @@
 #include "rockfall/simulation/effect_factory.h"
 #include "rockfall/simulation/release.h"
 #include "rockfall/simulation/world_origin.h"
+#include "rockfall/terrain/dams.h"
 #include "rockfall/terrain/geo_raster.h"
 
 namespace cairn::rockfall {
@@ -45,13 +46,25 @@ Status checkBox(const Release& release, const Ground& ground, const MapPoint& or
   return {};
 }
 
+Status checkEachPlace(const Release& release, const Ground& ground, const MapPoint& origin, std::size_t group) {
+  for (std::size_t piece = 0; piece < release.places.pieces().size(); ++piece)
+    if (const MapPoint middle = middleOf(release.places, piece); !ground.covers(middle))
+      return Error{
+          fmt::format("/rocks/{}/release: its place ({:.10g}, {:.10g}) is not over the ground but over a hole: "
+                      "leave it out, or give \"count\" in place of \"count_per_place\"",
+                      group, origin[0] + middle[0], origin[1] + middle[1])};
+  return {};
+}
+
 Status checkReleases(const Case& description, const Ground& ground, const MapPoint& origin) {
   for (std::size_t group = 0; group < description.rocks.size(); ++group) {
     const Release& release = description.rocks[group].release;
     // Places of a map were looked at where it was read.
     if (release.places.empty())
       if (const Status checked = checkBox(release, ground, origin, group); !checked) return checked;
-    if (const Status checked = checkHoles(release, ground, group); !checked) return checked;
+    const bool isEach = description.rocks[group].perPlace > 0;
+    const Status checked = isEach ? checkEachPlace(release, ground, origin, group) : checkHoles(release, ground, group);
+    if (!checked) return checked;
   }
   return {};
 }
@@ -163,6 +176,7 @@ Result<Scene> prepareScene(Case description, MapTerrain terrain, TreeCache& cach
                            const builder::ProgressCallback& progress) {
   const bool hasMaps = !mapsOf(description).empty();
   if (const Status read = readMaps(description, terrain); !read) return read.error();
+  if (const Status raised = raiseDams(description, terrain); !raised) return raised.error();
   bullet::TerrainGrid& grid = terrain.grid;
   const auto worldOrigin = worldOriginOf(grid);
   if (!worldOrigin) return worldOrigin.error();

@@ -84,8 +84,10 @@ GroupBounds boundsOf(const Scene& scene, const std::vector<ReleasedRock>& releas
     if (rock.group == index)
       highest = std::max(highest, static_cast<double>(rock.pose.getOrigin().z()) + 2 * bounds.largestRadiusM);
   bounds.greatestFallM = highest - scene.ground->lower().z;
-  bounds.greatestSpeedMPerS =
-      std::sqrt(lengthSq(group.release.velocityMPerS) + 2 * scene.description.gravityMPerS2 * bounds.greatestFallM);
+  Vec3d fastest;
+  for (int axis = 0; axis < 3; ++axis)
+    fastest[axis] = std::abs(group.release.velocityMPerS[axis]) + group.release.velocitySpreadMPerS[axis];
+  bounds.greatestSpeedMPerS = std::sqrt(lengthSq(fastest) + 2 * scene.description.gravityMPerS2 * bounds.greatestFallM);
   return bounds;
 }
 
