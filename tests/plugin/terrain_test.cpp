@@ -322,7 +322,7 @@ TEST(Terrain, RefusesToBeScaled) {
   testing::internal::CaptureStderr();
   shape->setLocalScaling(btVector3(2, 2, 2));
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "a terrain cannot be scaled by (2, 2, 2): scale the cell and the heights of its grid\n");
+            "cairn: a terrain cannot be scaled by (2, 2, 2): scale the cell and the heights of its grid\n");
   EXPECT_EQ(shape->getLocalScaling(), btVector3(1, 1, 1));
   EXPECT_EQ(shape->upper(), btVector3(1, 1, 0));
 }
