@@ -44,7 +44,7 @@ class Page {
     this.replay_ = new ReplayPanel(this.stage_, loaded, () => this.recorder_, (isOn) => this.setReplaying(isOn));
     part('frame').addEventListener('click', () => this.stage_.frame());
     part('gradient').style.background = errorGradient();
-    part('greatest').textContent = `${100 * kGreatestShown} % of a body or more`;
+    part('greatest').textContent = `${100 * kGreatestShown} % of the size`;
     listenToKeys(part('picture'), this.stage_, this.hand_);
     this.asleep_ = 0;
     this.waiting_ = null;
