@@ -90,9 +90,10 @@ const chains = {
   },
 };
 
-/// Bowls upon each other, mouths up (the bowl's mouth looks along z). They touch at 0.63 units.
+/// Bowls upon each other, mouths up (the bowl's mouth looks along z). They would touch at 0.63 units, and at 0.69 where their
+/// places differ most.
 const kBowl = unitOf('bowl', 1);
-const stacks = groups('bowl', 5, 0.67 * kBowl, () => about([1, 0, 0], -Math.PI / 2));
+const stacks = groups('bowl', 5, 0.72 * kBowl, () => about([1, 0, 0], -Math.PI / 2));
 
 export const kScenes = {
   heap: { ...heap('bunny'), title: 'bunnies that fall into a pit' },
