@@ -44,7 +44,8 @@ export interface World {
   step(): void;
   transforms(): Float32Array; // x y z qx qy qz qw a body; valid until the next call
   times(): { narrowPhaseMs: number | null; stepMs: number }; // of the last step
-  contacts(): Float32Array | null; // null where the engine does not tell them
+  contacts(): Float32Array | null; // twelve numbers each, as cairn-collision has them; null where the engine does not tell them
+  statistics?(): { operations: number; unresolvedPairs: number; worstErrorFraction: number; pairs: number }; // of the last step
   asleep(): number;
   setBudget?(budget: Budget): void;
   /// Pulls the point of the body (in its frame) to `target` (in the world) in each step until `point` is null.

@@ -81,11 +81,24 @@ export function tableOf(scene, bodies, seeds, rows) {
 
 const kWidth = 420; // of a scene's part
 const kHeight = 320;
-const kMargin = { left: 60, right: 15, top: 30, bottom: 45 };
+const kMargin = { left: 60, right: 30, top: 30, bottom: 45 };
 const kColors = { cairn: '#1b6f78', rapier: '#b5541c', jolt: '#5a4fa3', havok: '#8a8a1f' };
 
 const decades = ([low, high]) => Array.from({ length: high - low + 1 }, (_, k) => low + k);
 const rangeOf = (values) => [Math.floor(Math.log10(Math.min(...values))), Math.ceil(Math.log10(Math.max(...values)))];
+
+const kLabel = { height: 10, letter: 5 }; // of a name beside its mark, and of one of its letters
+
+/// Moves names down until none lies on another.
+function apart(labels) {
+  const placed = [];
+  const hits = (a, b) => Math.abs(a.at[1] - b.at[1]) < kLabel.height && a.at[0] < b.at[0] + kLabel.letter * b.what.length && b.at[0] < a.at[0] + kLabel.letter * a.what.length;
+  for (const label of [...labels].sort((a, b) => a.at[1] - b.at[1])) {
+    while (placed.some((other) => hits(label, other))) label.at[1] += 1;
+    placed.push(label);
+  }
+  return placed;
+}
 
 /// One scene: the deepest penetration ever against the 99 % step, both logarithmic. Lower left is better.
 function partOf(title, points, left) {
@@ -105,7 +118,9 @@ function partOf(title, points, left) {
     text(left + kWidth / 2, kHeight - 8, '99 % of steps, CPU ms'),
     `<text transform="translate(${left + 16} ${kHeight / 2}) rotate(-90)" text-anchor="middle" font-size="11">greatest depth, % of size</text>`,
   ];
-  const marks = points.map(({ x, y, name, what }) => `<circle cx="${px(x).toFixed(1)}" cy="${py(y).toFixed(1)}" r="4.5" fill="${kColors[kContestants[name].engine]}"/>${text(px(x) + 7, py(y) + 4, what, 'start', 9)}`);
+  const marks = apart(points.map((point) => ({ ...point, at: [px(point.x) + 7, py(point.y) + 4] }))).map(
+    ({ x, y, name, what, at }) => `<circle cx="${px(x).toFixed(1)}" cy="${py(y).toFixed(1)}" r="4.5" fill="${kColors[kContestants[name].engine]}"/>${text(...at, what, 'start', 9)}`,
+  );
   return `<g stroke="#ddd" fill="none">${lines.join('')}</g>${labels.join('')}${marks.join('')}`;
 }
 

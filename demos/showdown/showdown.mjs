@@ -2,7 +2,7 @@
 //
 // Every engine on the same scenes, judged by one judge. Prints Markdown tables; what wins is what is printed.
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -19,7 +19,8 @@ const kUsage = `usage: ./cairn.sh showdown [OPTIONS]
   --steps 300            of 1/60 s
   --json FILE            writes every run's figures
   --figure FILE.svg      draws depth against time, for the largest number of bodies
-  --limit 3600           seconds that one run may take; longer ones are told as such`;
+  --limit 3600           seconds that one run may take; longer ones are told as such
+  --resume               takes runs that an earlier, stopped call finished, instead of running them again`;
 
 const kFlags = ['--no-liftoff', '--max-old-space-size=2048']; // optimised code from the first call on, for everybody
 const here = import.meta.dirname;
@@ -28,7 +29,7 @@ const root = resolve(here, '../..');
 function optionsOf() {
   const text = { type: 'string' };
   const defaults = { bodies: '60,100', seeds: '1,2,3', scenes: Object.keys(kScenes).join(), contestants: Object.keys(kContestants).join(), steps: '300', limit: '3600' };
-  const known = { bodies: text, seeds: text, scenes: text, contestants: text, steps: text, json: text, figure: text, limit: text, cairn: text, judge: text, bunny: text, folder: text, help: { type: 'boolean' } };
+  const known = { bodies: text, seeds: text, scenes: text, contestants: text, steps: text, json: text, figure: text, limit: text, cairn: text, judge: text, bunny: text, folder: text, resume: { type: 'boolean' }, help: { type: 'boolean' } };
   const { values } = parseArgs({ options: known });
   if (values.help) return null;
   const all = { cairn: `${root}/build/release/bin/cairn`, judge: `${root}/build/release/bin/showdown_judge`, bunny: `${root}/out/showdown/bunny.obj`, folder: `${root}/out/showdown`, ...defaults, ...values };
@@ -69,15 +70,24 @@ function runOnce(options, scene, bodies, seed, contestant, model) {
   return figuresOf(measured, jsonOf(options.judge, [question], 3600));
 }
 
+/// A run from its file, where it is resumed; else measured, and put there.
+function runOrRead(options, scene, bodies, seed, contestant, model) {
+  const file = join(options.folder, 'runs', `${scene}-${bodies}-${seed}-${contestant}-${options.steps}.json`);
+  if (options.resume && existsSync(file)) return JSON.parse(readFileSync(file, 'utf8'));
+  say(`${scene}, ${bodies} bodies, seed ${seed}: ${kContestants[contestant].what}`);
+  const figures = runOnce(options, scene, bodies, seed, contestant, model);
+  writeFileSync(file, JSON.stringify(figures));
+  return figures;
+}
+
 /// Seed by seed, all contestants in turn, so that a loaded hour of the machine is nobody's alone.
 async function runScene(options, scene, bodies) {
   const model = await prepareModel(kScenes[scene].model, { ...options, folder: join(options.folder, 'models') });
   const runs = Object.fromEntries(options.contestants.map((name) => [name, []]));
   for (const seed of options.seeds)
     for (const name of options.contestants) {
-      say(`${scene}, ${bodies} bodies, seed ${seed}: ${kContestants[name].what}`);
       try {
-        runs[name].push({ seed, ...runOnce(options, scene, bodies, seed, name, model) });
+        runs[name].push({ seed, ...runOrRead(options, scene, bodies, seed, name, model) });
       } catch (error) {
         runs[name].push({ seed, failed: error.message });
       }
@@ -93,7 +103,7 @@ const rowOf = (runs) => {
 async function main() {
   const options = optionsOf();
   if (!options) return console.log(kUsage);
-  mkdirSync(options.folder, { recursive: true });
+  mkdirSync(join(options.folder, 'runs'), { recursive: true });
   const all = { machine: cpus()[0].model, threads: availableParallelism(), node: process.version, steps: options.steps, results: [] };
   const scenesOfLargest = {};
   for (const bodies of options.bodies)

@@ -32,6 +32,12 @@ function meshBytes({ vertices, indices }) {
   return Buffer.concat([counts, vertices, indices].map((list) => Buffer.from(list.buffer, list.byteOffset, list.byteLength)));
 }
 
+/// The greatest certified error of the tree's last level, in metres.
+function leafErrorOf(tree) {
+  const { levels } = JSON.parse(execFileSync(program, ['inspect', tree, '--json', '-'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] }));
+  return levels.at(-1).error_max;
+}
+
 async function make(model) {
   const { name } = model;
   const at = (ending) => join(folder, `${name}.${ending}`);
@@ -41,18 +47,16 @@ async function make(model) {
   if (known.hash !== hash) {
     process.stdout.write(`${name}: sphere-tree`);
     writeFileSync(at('obj'), obj);
-    execFileSync(program, ['build', at('obj'), '-o', at('cairn'), '--json', at('report.json')], { stdio: ['ignore', 'ignore', 'inherit'] });
-    const { levels } = JSON.parse(readFileSync(at('report.json'), 'utf8'));
+    execFileSync(program, ['build', at('obj'), '-o', at('cairn'), '--no-evaluate'], { stdio: ['ignore', 'ignore', 'inherit'] });
     process.stdout.write(', convex parts\n');
     const hulls = (await decompose(model)).map((hull) => [...hull].map((value) => Math.round(value * kDecimals) / kDecimals));
     writeFileSync(at('hulls.json'), JSON.stringify(hulls));
     writeFileSync(at('mesh'), meshBytes(model));
-    const entry = { name, label: kLabels[name] ?? name, triangles: model.indices.length / 3, spheres: levels.at(-1).spheres };
-    writeFileSync(at('part'), JSON.stringify({ hash, entry }));
+    writeFileSync(at('part'), JSON.stringify({ hash }));
     renameSync(at('part'), at('json')); // last, so that what was cut short is made again
-    for (const ending of ['obj', 'report.json']) rmSync(at(ending));
+    rmSync(at('obj'));
   }
-  return JSON.parse(readFileSync(at('json'), 'utf8')).entry;
+  return { name, label: kLabels[name] ?? name, leafError: leafErrorOf(at('cairn')) };
 }
 
 mkdirSync(folder, { recursive: true });

@@ -55,6 +55,9 @@ Status NarrowPhase::setViewer(const std::optional<Viewer>& viewer) {
 const StepStatistics& NarrowPhase::lastStep() const {
   return impl_->lastStep();
 }
+std::vector<PairAnswered> NarrowPhase::lastAnswers() const {
+  return impl_->lastAnswers();
+}
 void NarrowPhase::beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info) {
   impl_->beginStep(pairs, info);
 }

@@ -113,6 +113,11 @@ std::vector<ServedPair> NarrowPhase::Impl::servedPairs() {
   return pool_.servedPairs();
 }
 
+std::vector<PairAnswered> NarrowPhase::Impl::lastAnswers() {
+  const std::lock_guard lock(mutex_);
+  return pool_.lastAnswers();
+}
+
 TreePair* NarrowPhase::Impl::acquire(ColliderKind kind) {
   const std::lock_guard lock(mutex_);
   return pool_.take(kind);

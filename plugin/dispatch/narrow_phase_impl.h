@@ -39,6 +39,7 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void beginFrame(int steps);
   void setPriority(std::unique_ptr<Priority> priority);
   const StepStatistics& lastStep();
+  std::vector<PairAnswered> lastAnswers();
   /// Makes idle pairs until there are as many of each kind as given. Otherwise the first step of a scene would spend
   /// most of its time on memory. Within a step the request is kept for its end.
   void reserve(const PairCounts& pairs);

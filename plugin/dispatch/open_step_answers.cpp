@@ -80,11 +80,11 @@ void OpenStepAnswers::tell(TreePair& pair, btManifoldResult& result) {
   heldBack_.nanoseconds -= own.nanoseconds;
   ++step_.tally.statistics.pairs;
   if (isBetterCarriedOver(pair)) {
-    pair.notes.lastReport = carryOver_.carryOver(pair, result, budget, false);
+    carryOver_.carryOver(pair, result, budget, false);
   } else {
     const ScheduledPair before = scheduled(pair);
     const PairReport report = finish(pair, step_.dispatcher, result, step_.rules.answerPolicy(), budget, step_.scratch);
-    pair.notes.lastReport = step_.count(report, before);
+    step_.count(pair, report, before);
   }
   if (step_.rules.asksTriangles())
     bookRefinement(budget, began);

@@ -47,6 +47,17 @@ std::vector<ServedPair> PairPool::servedPairs() const {
   return served;
 }
 
+std::vector<PairAnswered> PairPool::lastAnswers() const {
+  std::vector<PairAnswered> answers;
+  for (const std::unique_ptr<TreePair>& pair : all_) {
+    if (!pair->handles.served.isKnown() || !pair->notes.isReported || pair->isCulled()) continue;
+    const PairReport& report = pair->notes.lastReport;
+    answers.push_back(
+        {pair->bodies.object0(), pair->bodies.object1(), report.isUnresolved, report.contacts, report.errorFraction});
+  }
+  return answers;
+}
+
 void PairPool::endStep() {
   using step_tuning::kStepsToLookAtAll;
   const std::size_t part = steps_++ % kStepsToLookAtAll;

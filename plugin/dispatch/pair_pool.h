@@ -26,6 +26,8 @@ class PairPool {
   bool hasTaken() const;
   /// The bodies of all taken pairs, sorted.
   std::vector<ServedPair> servedPairs() const;
+  /// The last answers of taken pairs whose bodies were not found apart.
+  std::vector<PairAnswered> lastAnswers() const;
   /// Called once a step: looks at some pairs in turn, so that pairs at rest give memory back.
   void endStep();
 

@@ -152,7 +152,7 @@ void StepAnswers::write(Work& work) {
   if (work.outcome != Outcome::none) {
     if (areNew_) ++step_.tally.statistics.pairs;
     const Reported reported = tell(*pair, work);
-    step_.count(reported.report, reported.seen);
+    step_.count(*pair, reported.report, reported.seen);
   }
   step_.pairs.dismiss(work.pair);
 }

@@ -79,13 +79,13 @@ bool StepCarryOver::isLargeShareOfStep(const Reservation& reserve) const {
 }
 
 // Cancels its reservation; otherwise the next step would reserve for it again.
-PairReport StepCarryOver::carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
+void StepCarryOver::carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate) {
   const bool isTooMuch = isLargeShareOfStep(pair.work.reserved);
   cancelReservation(pair, budget);
   if (pair.isBegun() && isTooMuch) pair.contacts.measureFound(*pair.collider, budget, step_.scratch);
   budget.forceCharge(StepPlan::kCarryOverOperations);
   const PairReport report = bullet::carryOver(pair, {step_.dispatcher, result, step_.timeStep, isLate});
-  return step_.count(report, seen(pair));
+  step_.count(pair, report, seen(pair));
 }
 
 // Whether there is only time to carry this many pairs over as late ones, if at all.

@@ -21,7 +21,7 @@ class StepCarryOver {
   /// step that ran out of time, the pairs that waited longest come first.
   void carryOverPairs();
   /// Carries one pair over, charged to this budget.
-  PairReport carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate);
+  void carryOver(TreePair& pair, btManifoldResult& result, Budget& budget, bool isLate);
 
  private:
   bool isLargeShareOfStep(const Reservation& reserve) const;

@@ -96,7 +96,7 @@ bool StepRefinement::reuses(std::size_t index) {
   if (!still) return false;
   ++step_.tally.statistics.pairs;
   const PairReport reused = reuse(pair, *still);
-  step_.count(reused, seen(pair));
+  step_.count(pair, reused, seen(pair));
   step_.pairs.dismiss(index);
   return true;
 }
@@ -124,7 +124,7 @@ void StepRefinement::finishPair(std::size_t index) {
   const PairReport report = step_.left.hasDeadline() ? finishInTime(pair, result)
                                                      : finish(pair, step_.dispatcher, result,
                                                               step_.rules.answerPolicy(), step_.left, step_.scratch);
-  step_.count(report, before);
+  step_.count(pair, report, before);
   if (step_.pairs[index]) bookTo(pair);
   step_.pairs.dismiss(index);
 }

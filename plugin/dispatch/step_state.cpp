@@ -29,12 +29,14 @@ void StepState::endStep() {
   ++steps_;
 }
 
-PairReport StepState::count(PairReport report, const ScheduledPair& pair) {
-  const auto size = static_cast<double>(pair.size);
+void StepState::count(TreePair& pair, PairReport report, const ScheduledPair& seen) {
+  const auto size = static_cast<double>(seen.size);
   if (const std::optional<Viewer>& viewer = rules.viewer())
-    report.seenError = seenError(sightOf(*viewer, pair.center, size / 2), report.errorFraction * size);
+    report.seenError = seenError(sightOf(*viewer, seen.center, size / 2), report.errorFraction * size);
   tally.add(report);
-  return report;
+  if (pair.is(PairStage::idle)) return;  // destroyed
+  pair.notes.lastReport = report;
+  pair.notes.isReported = true;
 }
 
 }  // namespace cairn::bullet

@@ -34,8 +34,9 @@ struct StepState {
   std::uint64_t usual() const { return static_cast<std::uint64_t>(usual_); }
   /// Reports the operations of a complete traversal; 0 if none ended.
   void learnUsual(std::uint64_t operations);
-  /// Adds a report to the tally and returns it. `pair`: how a viewer sees it.
-  PairReport count(PairReport report, const ScheduledPair& pair);
+  /// Adds a pair's report to the tally and notes it. `seen`: how a viewer sees the pair. A callback may have destroyed
+  /// the pair meanwhile.
+  void count(TreePair& pair, PairReport report, const ScheduledPair& seen);
 
   /// Which leaf pairs of a cached answer are measured again. While budgets leave pairs unresolved, pairs with an answer
   /// take turns in measuring all.

@@ -18,7 +18,8 @@ struct PairNotes {
   std::size_t collectedAt = kNowhere;  ///< position among the pairs collected in this dispatch
   std::size_t knownAt = kNowhere;      ///< position among the pairs that an open step knows
   std::uint64_t answeredIn = 0;        ///< the last open step that answered it, counted from 1
-  PairReport lastReport;               ///< of that answer; valid until the next one
+  PairReport lastReport;               ///< of the last answer; valid until the next one
+  bool isReported = false;             ///< whether there is one
 
   bool isUnnamed() const { return id == kUnnamed; }
   bool isCollected() const { return collectedAt != kNowhere; }

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { builds, CairnError, CONTACT_STRIDE, load, rock, steps, worldOn } from './package.mjs';
+import { builds, CairnError, CONTACT_STRIDE, described, load, rock, steps, worldOn } from './package.mjs';
 
 const cairn = builds.vectors;
 const tree = cairn.readTree(rock, 'rock.cairn');
@@ -28,6 +28,11 @@ function heap(options, module = cairn) {
   for (let i = 0; i < 30; ++i) world.addBody(own, { position: [(i % 3) / 2, (i % 2) / 2, own.size * (1 + i / 2)] });
   return world;
 }
+
+test('the package has the version of the library, and both builds', () => {
+  assert.equal(described.version, cairn.version);
+  assert.deepEqual([builds.vectors.simd, builds.plain.simd], [true, false]);
+});
 
 test('what is no tree is refused in one sentence, and the module goes on', () => {
   const damaged = Buffer.from(rock);

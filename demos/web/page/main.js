@@ -44,7 +44,7 @@ class Page {
     this.replay_ = new ReplayPanel(this.stage_, loaded, () => this.recorder_, (isOn) => this.setReplaying(isOn));
     part('frame').addEventListener('click', () => this.stage_.frame());
     part('gradient').style.background = errorGradient();
-    part('greatest').textContent = `${100 * kGreatestShown} % of a body or more`;
+    part('greatest').textContent = `${100 * kGreatestShown} % of the size`;
     listenToKeys(part('picture'), this.stage_, this.hand_);
     this.asleep_ = 0;
     this.waiting_ = null;
@@ -78,6 +78,7 @@ class Page {
     this.contacts_.show(null);
     if (this.pit_ !== pit.half) this.stage_.showPit(pit);
     this.pit_ = pit.half;
+    this.leafErrors_ = kinds.map((kind) => this.models_.find(({ name }) => name === models[kind].name).leafError);
     this.kinds_ = { models: models.map(({ name }) => name), kinds };
   }
 
@@ -136,7 +137,7 @@ class Page {
     this.waiting_ = null;
     const hasMoved = frame.poses.some((value, k) => value !== this.cloud_.poses[k]);
     if (hasMoved) this.cloud_.place(frame.poses);
-    if (this.showContacts_.isOn) this.contacts_.show(frame.contacts);
+    if (this.showContacts_.isOn) this.contacts_.show(frame.contacts, this.leafErrors_);
     if (hasMoved || frame.contacts) this.stage_.change();
     const last = frame.samples.at(-1);
     part('open-pairs').value = countText(last.unresolvedPairs ?? 0);
@@ -192,7 +193,7 @@ class Page {
   state() {
     const { engine_: engine, step_: step, asleep_: asleep, last_: last } = this;
     const poses = this.cloud_?.poses;
-    return { engine, step, asleep, last, bodies: this.cloud_?.count ?? 0, poses: poses && [...poses], quality: this.stage_.quality, held: this.hand_.holds ? this.hand_.chosen : null, chosen: this.hand_.chosen, isReplaying: this.replay_.isOn, replay: this.replay_.state() };
+    return { engine, step, asleep, last, bodies: this.cloud_?.count ?? 0, poses: poses && [...poses], contacts: this.contacts_.shown, quality: this.stage_.quality, held: this.hand_.holds ? this.hand_.chosen : null, chosen: this.hand_.chosen, isReplaying: this.replay_.isOn, replay: this.replay_.state() };
   }
 
   /// Collects what steps and pictures cost for some seconds. Each picture is waited for.

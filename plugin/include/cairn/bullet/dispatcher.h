@@ -8,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cairn/bullet/narrow_phase.h"
 #include "cairn/core/export.h"
@@ -59,6 +60,8 @@ class Dispatcher : public Base {
   Status setViewer(const std::optional<Viewer>& viewer) { return narrowPhase_.setViewer(viewer); }
   /// See `NarrowPhase::lastStep`.
   const StepStatistics& lastStep() const { return narrowPhase_.lastStep(); }
+  /// See `NarrowPhase::lastAnswers`.
+  std::vector<PairAnswered> lastAnswers() const { return narrowPhase_.lastAnswers(); }
 
   /// One step: Bullet calls this with all its pairs.
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cairn/bullet/step.h"
 #include "cairn/core/export.h"
@@ -76,6 +77,9 @@ class CAIRN_BULLET_EXPORT NarrowPhase {
   /// Describes the last step. The reference is valid until the next call, or until this object is destroyed. Cost:
   /// none; linear in the pairs where installed on a dispatcher.
   const StepStatistics& lastStep() const;
+  /// The last answers of all pairs, in no particular order. Pairs found apart have none; those of sleeping bodies keep
+  /// theirs, which `lastStep` does not count. Pointers are valid until bodies are removed. Cost: linear in the pairs.
+  std::vector<PairAnswered> lastAnswers() const;
 
   /// Call this before the dispatcher's pass over `pairs`.
   void beginStep(btOverlappingPairCache& pairs, const btDispatcherInfo& info);

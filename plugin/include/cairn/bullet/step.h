@@ -7,6 +7,8 @@
 
 #include "cairn/core/export.h"
 
+class btCollisionObject;
+
 namespace cairn::bullet {
 
 /// The limit on the work of one simulation step, for all pairs together. An unset field is no limit; with both set, the
@@ -78,6 +80,15 @@ struct StepStatistics {
   /// The largest error as an angle at the viewer, in radians (`cairn::seenError`); 0 without a viewer.
   double worstSeenError = 0;
   double meanSeenError = 0;  ///< mean of these angles over the pairs that report contacts
+};
+
+/// The last answer of a pair with a sphere-tree.
+struct PairAnswered {
+  const btCollisionObject* first = nullptr;   ///< of both bodies; of a compound's child, the compound
+  const btCollisionObject* second = nullptr;  ///< the other one
+  bool isUnresolved = false;                  ///< its traversal got no budget, or stopped half-way
+  std::uint32_t contacts = 0;                 ///< points handed to the solver
+  double errorFraction = 0;  ///< certified error, as in `StepStatistics::worstErrorFraction`; also without contacts
 };
 
 }  // namespace cairn::bullet
