@@ -34,7 +34,7 @@ void write(const cairn::simulation::Contact& contact, CairnContact& written) {
   written.impulse = contact.impulse;
   written.a = contact.a;
   written.b = contact.b;
-  written.isExact = contact.isExact ? 1 : 0;
+  written.isResolved = contact.isResolved ? 1 : 0;
 }
 
 Pose pose(const CairnPose& p) {

@@ -2,56 +2,52 @@
 #include "simulation/contact_list.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <utility>
 
 namespace cairn::simulation {
 
 namespace {
 
 using bullet::asSphereTree;
-using bullet::ContactPart;
-using bullet::SphereTreeShape;
+using bullet::PairAnswered;
+using Objects = std::pair<const btCollisionObject*, const btCollisionObject*>;
 
-bool isExact(const SphereTreeShape* tree, int part) {
-  return tree == nullptr || part >= static_cast<int>(ContactPart::vertex);
+Objects inOrder(const btCollisionObject* a, const btCollisionObject* b) {
+  return std::less<>()(b, a) ? Objects{b, a} : Objects{a, b};
 }
 
-// What a side's surface may be off where the contact is, m.
-double errorOf(const SphereTreeShape* tree, int part, int index, btScalar smallerSize) {
-  if (tree == nullptr) return 0;
-  if (!isExact(tree, part))
-    return index < 0 ? 0 : double(tree->tree().error(static_cast<NodeId>(index)) * tree->scale());
-  const std::uint32_t level = tree->contactLevel(smallerSize);
-  return level == 0 ? 0 : double(tree->tree().levelMesh(level).distance * tree->scale());
+// The answer to a pair, of a list that is sorted by objects; null for pairs without a tree.
+const PairAnswered* answerOf(const std::vector<PairAnswered>& sorted, const Objects& objects) {
+  const auto isBefore = [](const PairAnswered& answer, const Objects& o) {
+    return inOrder(answer.first, answer.second) < o;
+  };
+  const auto found = std::lower_bound(sorted.begin(), sorted.end(), objects, isBefore);
+  return found != sorted.end() && inOrder(found->first, found->second) == objects ? &*found : nullptr;
 }
 
-struct Sides {
-  const btCollisionObject *a, *b;
-  const SphereTreeShape *treeA, *treeB;
+double sizeOf(const btCollisionObject* object) {
+  const bullet::SphereTreeShape* const tree = asSphereTree(object->getCollisionShape());
+  return tree ? double(tree->size()) : std::numeric_limits<double>::infinity();
+}
 
-  explicit Sides(const btPersistentManifold& manifold)
-      : a(manifold.getBody0()),
-        b(manifold.getBody1()),
-        treeA(asSphereTree(a->getCollisionShape())),
-        treeB(asSphereTree(b->getCollisionShape())) {}
-  btScalar smallerSize() const {
-    if (treeA && treeB) return std::min(treeA->size(), treeB->size());
-    return treeA ? treeA->size() : treeB ? treeB->size() : 0;
+void append(const btPersistentManifold& manifold, const PairAnswered* answer, std::vector<Contact>& contacts) {
+  const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+  const double error = answer ? answer->errorFraction * std::min(sizeOf(a), sizeOf(b)) : 0;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    const btManifoldPoint& point = manifold.getContactPoint(i);
+    Contact contact;
+    contact.point = point.getPositionWorldOnB();
+    contact.normal = point.m_normalWorldOnB;
+    contact.depth = float(-point.getDistance());
+    contact.error = float(error);
+    contact.impulse = float(point.m_appliedImpulse);
+    contact.a = a->getUserIndex();
+    contact.b = b->getUserIndex();
+    contact.isResolved = !(answer && answer->isUnresolved);
+    contacts.push_back(contact);
   }
-};
-
-Contact contactOf(const Sides& sides, const btManifoldPoint& point) {
-  const btScalar size = sides.smallerSize();
-  Contact contact;
-  contact.point = point.getPositionWorldOnB();
-  contact.normal = point.m_normalWorldOnB;
-  contact.depth = float(-point.getDistance());
-  contact.error = float(errorOf(sides.treeA, point.m_partId0, point.m_index0, size) +
-                        errorOf(sides.treeB, point.m_partId1, point.m_index1, size));
-  contact.impulse = float(point.m_appliedImpulse);
-  contact.a = sides.a->getUserIndex();
-  contact.b = sides.b->getUserIndex();
-  contact.isExact = isExact(sides.treeA, point.m_partId0) && isExact(sides.treeB, point.m_partId1);
-  return contact;
 }
 
 }  // namespace
@@ -59,12 +55,14 @@ Contact contactOf(const Sides& sides, const btManifoldPoint& point) {
 void listContacts(const Simulation& simulation, std::vector<Contact>& contacts) {
   // Bullet's reader is not const.
   auto& manifolds = const_cast<bullet::Dispatcher<>&>(simulation.narrowPhase());
+  std::vector<PairAnswered> answers = simulation.narrowPhase().lastAnswers();
+  std::ranges::sort(answers, [](const PairAnswered& x, const PairAnswered& y) {
+    return inOrder(x.first, x.second) < inOrder(y.first, y.second);
+  });
   contacts.clear();
   for (int i = 0; i < manifolds.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *manifolds.getManifoldByIndexInternal(i);
-    const Sides sides(manifold);
-    for (int j = 0; j < manifold.getNumContacts(); ++j)
-      contacts.push_back(contactOf(sides, manifold.getContactPoint(j)));
+    append(manifold, answerOf(answers, inOrder(manifold.getBody0(), manifold.getBody1())), contacts);
   }
 }
 

@@ -10,13 +10,13 @@ namespace cairn::simulation {
 
 /// A contact point that the last step gave to the solver.
 struct Contact {
-  btVector3 point;       ///< on body b, world
-  btVector3 normal;      ///< unit, from b to a, world
-  float depth = 0;       ///< m; negative where the surfaces are apart
-  float error = 0;       ///< certified, m: how far both surfaces may be from where the contact says
-  float impulse = 0;     ///< along the normal, N s
-  int a = 0, b = 0;      ///< numbers; planes and boxes are negative
-  bool isExact = false;  ///< source meshes were measured
+  btVector3 point;         ///< on body b, world
+  btVector3 normal;        ///< unit, from b to a, world
+  float depth = 0;         ///< m; negative where the surfaces are apart
+  float error = 0;         ///< certified, m, of the pair: how far surfaces may be from where its contacts put them
+  float impulse = 0;       ///< along the normal, N s
+  int a = 0, b = 0;        ///< numbers; planes and boxes are negative
+  bool isResolved = true;  ///< the pair was finished in the last step
 };
 
 /// The contacts of the last step, in the order of Bullet's manifolds; `contacts` is emptied first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Zlib
 //
 // Worlds in C: the bits of the same world in C++, and every value out of range refused in a sentence.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -66,6 +67,30 @@ TEST(CWorld, TellsItsContactsWithItsStatistics) {
     touched.insert({c.a, c.b});
   }
   EXPECT_EQ(touched, (std::set<int>{-1, 0, 1, 2, 3}));
+}
+
+TEST(CWorld, TellsWhichContactsAreOfUnfinishedPairs) {
+  HeapInC heap(*plainTree(torus(0.35, 0.12, 16)), 6);
+  const CairnBudget tiny = {300, CAIRN_NO_LIMIT};
+  const auto unfinished = [&] {
+    std::vector<CairnContact> contacts(cairnContacts(heap.world.get(), nullptr, 0));
+    cairnContacts(heap.world.get(), contacts.data(), contacts.size());
+    return std::ranges::count_if(contacts, [](const CairnContact& c) { return c.isResolved == 0; });
+  };
+  heap.step(90);
+  EXPECT_EQ(unfinished(), 0) << "without a budget";
+  ASSERT_EQ(cairnSetBudget(heap.world.get(), &tiny), 1);
+  CairnStatistics statistics = {};
+  std::ptrdiff_t seen = 0;
+  for (int i = 0; i < 60; ++i) {
+    const float push[3] = {1, 1, 0}, spin[3] = {0, 1, 1};
+    ASSERT_EQ(cairnSetVelocity(heap.world.get(), i % 6, push, spin), 1);
+    heap.step(1);
+    cairnLastStep(heap.world.get(), &statistics);
+    if (statistics.unresolvedPairs == 0) EXPECT_EQ(unfinished(), 0);
+    seen += unfinished();
+  }
+  EXPECT_GT(seen, 0);
 }
 
 TEST(CWorld, GivesNumbersOfRemovedBodiesAgain) {

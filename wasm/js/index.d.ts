@@ -150,7 +150,7 @@ export interface World {
   statistics(): StepStatistics;
   /**
    * CONTACT_STRIDE numbers a contact of the last step: point (3, world), normal (3, unit, from b to a), depth (positive where
-   * surfaces overlap), certified error of that depth, a, b, impulse along the normal (N s), 1 where meshes were measured, else 0.
+   * surfaces overlap), certified error of the pair, a, b, impulse along the normal (N s), 1 where the pair was resolved, 0 where its budget ended.
    * a and b are bodies; planes and boxes are negative. A view.
    */
   contacts(): Float32Array;

@@ -137,7 +137,7 @@ CAIRN_WASM(const double*) cairn_world_statistics(WorldHandle* world) {
                 s.meanErrorFraction, s.worstSeenError, s.meanSeenError});
 }
 
-/// Twelve numbers each: point, normal (world), depth, error (m), a, b, impulse (N s), 1 where meshes were measured.
+/// Twelve numbers each: point, normal (world), depth, error (m), a, b, impulse (N s), 1 where the pair was finished.
 CAIRN_WASM(const float*) cairn_world_contacts(const WorldHandle* world) {
   static std::vector<Contact> contacts;  // these keep their memory from step to step
   static std::vector<float> numbers;
@@ -146,7 +146,7 @@ CAIRN_WASM(const float*) cairn_world_contacts(const WorldHandle* world) {
   for (const Contact& c : contacts)
     numbers.insert(numbers.end(), {float(c.point.x()), float(c.point.y()), float(c.point.z()), float(c.normal.x()),
                                    float(c.normal.y()), float(c.normal.z()), c.depth, c.error, float(c.a), float(c.b),
-                                   c.impulse, c.isExact ? 1.0F : 0.0F});
+                                   c.impulse, c.isResolved ? 1.0F : 0.0F});
   answer().count = numbers.size();
   return numbers.data();
 }

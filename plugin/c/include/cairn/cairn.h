@@ -122,13 +122,13 @@ typedef enum CairnFinest {
 
 /** A contact point that the last step gave to the solver. */
 typedef struct CairnContact {
-  float point[3];  /**< on body b, world */
-  float normal[3]; /**< unit, from b to a, world */
-  float depth;     /**< m; negative where the surfaces are apart */
-  float error;     /**< certified, m: how far both surfaces may be from where the contact says */
-  float impulse;   /**< of the last step along the normal, N s */
-  int32_t a, b;    /**< bodies' numbers; planes and boxes are -1, -2 and so on, in the order they were added */
-  int32_t isExact; /**< 1 where source meshes were measured */
+  float point[3];     /**< on body b, world */
+  float normal[3];    /**< unit, from b to a, world */
+  float depth;        /**< m; negative where the surfaces are apart */
+  float error;        /**< certified, m, of the pair: how far surfaces may be from where its contacts put them */
+  float impulse;      /**< of the last step along the normal, N s */
+  int32_t a, b;       /**< bodies' numbers; planes and boxes are -1, -2 and so on, in the order they were added */
+  int32_t isResolved; /**< 1 unless the pair ran out of budget */
 } CairnContact;
 
 /** What the last step did. */
