@@ -24,7 +24,7 @@ TEST(SavedTerrain, IsLeftOutAndSaysSo) {
   testing::internal::CaptureStderr();
   std::vector<std::byte> file = saved(w.world);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "a terrain's heights are not written to .bullet files: make it again from its grid\n");
+            "cairn: a terrain's heights are not written to .bullet files: make it again from its grid\n");
   const auto expectTheTree = [](btBulletWorldImporter& importer) {
     ASSERT_EQ(importer.getNumRigidBodies(), 1);
     EXPECT_EQ(importer.getRigidBodyByIndex(0)->getWorldTransform().getOrigin(), btVector3(1, 2, 3));
