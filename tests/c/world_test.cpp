@@ -19,7 +19,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std:
 std::string hashOfTheSameInCpp(const SphereTree& tree, int bodies, std::int64_t operations, int steps) {
   auto shape = std::shared_ptr(bullet::SphereTreeShape::create(std::make_shared<const SphereTree>(tree)).value());
   BulletWorld<> world;
-  world.world.setGravity(btVector3(0, btScalar(-9.81), 0));
+  world.world.setGravity(btVector3(0, btScalar(-9.81F), 0));
   EXPECT_TRUE(world.dispatcher.setBudget({operations, {}}));
   const btRigidBody& floor =
       world.add(std::make_shared<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), 0, {0, 0, 0});
@@ -52,19 +52,20 @@ TEST(CWorld, MovesOnWithTheBitsOfCpp) {
 
 TEST(CWorld, TellsItsContactsWithItsStatistics) {
   HeapInC heap(*plainTree(cuboid({0.5, 0.4, 0.3}, 3)), 4);
-  heap.step(100);  // all have landed, and none sleeps yet
-  CairnStatistics statistics;
-  cairnLastStep(heap.world.get(), &statistics);
-  EXPECT_EQ(statistics.deadlineMicroseconds, CAIRN_NO_LIMIT);
-  EXPECT_GE(statistics.pairs, 4U);
-  std::vector<CairnContact> contacts(cairnContacts(heap.world.get(), nullptr, 0) + 1);
-  contacts.resize(cairnContacts(heap.world.get(), contacts.data(), contacts.size()));
-  EXPECT_EQ(contacts.size(), statistics.contacts);
   std::set<int> touched;
-  for (const CairnContact& c : contacts) {
-    EXPECT_NEAR(std::hypot(c.normal[0], c.normal[1], c.normal[2]), 1, 1e-5);
-    EXPECT_GE(c.error, 0);
-    touched.insert({c.a, c.b});
+  for (int i = 0; i < 110; ++i) {  // before anything sleeps, as what sleeps is not counted
+    heap.step(1);
+    CairnStatistics statistics;
+    cairnLastStep(heap.world.get(), &statistics);
+    EXPECT_EQ(statistics.deadlineMicroseconds, CAIRN_NO_LIMIT);
+    std::vector<CairnContact> contacts(cairnContacts(heap.world.get(), nullptr, 0) + 1);
+    contacts.resize(cairnContacts(heap.world.get(), contacts.data(), contacts.size()));
+    ASSERT_EQ(contacts.size(), statistics.contacts) << "step " << i;
+    for (const CairnContact& c : contacts) {
+      EXPECT_NEAR(std::hypot(c.normal[0], c.normal[1], c.normal[2]), 1, 1e-5);
+      EXPECT_GE(c.error, 0);
+      touched.insert({c.a, c.b});
+    }
   }
   EXPECT_EQ(touched, (std::set<int>{-1, 0, 1, 2, 3}));
 }
