@@ -38,9 +38,10 @@ cc -std=c99 -O1 -Wall -Wextra -Wpedantic -Werror "$here/game.c" "${c_flags[@]}" 
 heights=$("$scratch/c_game" "$tree") || fail "a game in C does not run"
 [[ $(awk '$1 > 0 && $1 < 10' <<< "$heights" | wc -l) == 10 ]] || fail "rocks of a game in C end at $heights"
 
-# A game that includes everything reads at most two thirds more lines than one that includes Bullet alone.
+# A game that includes everything reads at most three fifths more lines than one that includes Bullet alone: of these
+# nine tenths are the standard library's.
 lines() { printf '#include <%s>\n' btBulletDynamicsCommon.h "$@" | "$compiler" -std=c++20 -E -P -x c++ - "${flags[@]}" | grep -c .; }
 alone=$(lines cstddef) game=$(lines cairn/bullet/dispatcher.h) all=$(lines cairn/bullet.h)
 echo "lines of headers: Bullet $alone, with the dispatcher $game, with all of cairn/bullet.h $all"
-((3 * all <= 5 * alone && 20 * game <= 31 * alone)) || fail "headers have grown: $alone, $game, $all"
+((5 * all <= 8 * alone)) || fail "headers have grown: $alone, $game, $all"
 "$compiler" -std=c++2b -fsyntax-only "$here/rocks_tree.cpp" "${flags[@]}" || fail "not taken as C++23"
