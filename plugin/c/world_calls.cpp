@@ -94,7 +94,7 @@ int cairnSetBudget(CairnWorld* world, const CairnBudget* budget) {
   return done([&] { return world->simulation->narrowPhase().setBudget(limits); });
 }
 
-int cairnSetUnresolved(CairnWorld* world, CairnUnresolved policy) {
+int cairnSetUnresolved(CairnWorld* world, int32_t policy) {
   return done([&]() -> Status {
     if (policy < CAIRN_GUARD || policy > CAIRN_COMPENSATE)
       return cairn::Error{"there is no policy " + std::to_string(policy) + "; give one of CairnUnresolved"};
@@ -103,7 +103,7 @@ int cairnSetUnresolved(CairnWorld* world, CairnUnresolved policy) {
   });
 }
 
-int cairnSetFinest(CairnWorld* world, CairnFinest finest) {
+int cairnSetFinest(CairnWorld* world, int32_t finest) {
   return done([&]() -> Status {
     if (finest != CAIRN_LEAVES && finest != CAIRN_TRIANGLES)
       return cairn::Error{"refinement cannot end at " + std::to_string(finest) + "; give one of CairnFinest"};

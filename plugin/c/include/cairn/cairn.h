@@ -192,10 +192,10 @@ CAIRN_C_EXPORT void* cairnBulletWorld(CairnWorld* world);
 CAIRN_C_EXPORT int cairnSetGravity(CairnWorld* world, const float gravity[3]);
 /** Sets the budget of each step from the next on. 0 for negative amounts other than CAIRN_NO_LIMIT, and for NaN. */
 CAIRN_C_EXPORT int cairnSetBudget(CairnWorld* world, const CairnBudget* budget);
-/** Sets what unfinished pairs answer. 0 for a number that is no policy. */
-CAIRN_C_EXPORT int cairnSetUnresolved(CairnWorld* world, CairnUnresolved policy);
-/** Sets where refinement ends. 0 for a number that names no such place. */
-CAIRN_C_EXPORT int cairnSetFinest(CairnWorld* world, CairnFinest finest);
+/** Sets what unfinished pairs answer, a `CairnUnresolved`. 0 for a number that is no policy. */
+CAIRN_C_EXPORT int cairnSetUnresolved(CairnWorld* world, int32_t policy);
+/** Sets where refinement ends, a `CairnFinest`. 0 for a number that names no such place. */
+CAIRN_C_EXPORT int cairnSetFinest(CairnWorld* world, int32_t finest);
 
 /** Adds the half-space of points whose product with `normal` is below `offset`. A null material is the usual one. */
 CAIRN_C_EXPORT int cairnAddPlane(CairnWorld* world, const float normal[3], float offset, const CairnMaterial* material);
