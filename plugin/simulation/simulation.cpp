@@ -81,9 +81,9 @@ Simulation::~Simulation() {
 
 Status Simulation::setGravity(const btVector3& gravity) {
   if (!isFinite(gravity)) return Error{"gravity is not three finite numbers; give x, y and z in m/s^2"};
-  world_.setGravity(gravity);
   for (const Body& body : bodies_)
     if (body.rigid) body.rigid->activate();
+  world_.setGravity(gravity);  // Bullet passes over bodies that sleep
   return {};
 }
 

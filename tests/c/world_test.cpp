@@ -50,6 +50,19 @@ TEST(CWorld, MovesOnWithTheBitsOfCpp) {
   EXPECT_EQ(hash, hashOfTheSameInCpp(*tree, 8, 3000, 200));
 }
 
+TEST(CWorld, BodiesThatSleptFallByANewGravity) {
+  HeapInC heap(*plainTree(cuboid({0.5, 0.4, 0.3}, 3)), 1);
+  for (int i = 0; i < 2000 && cairnIsAsleep(heap.world.get(), 0) != 1; ++i) heap.step(1);
+  ASSERT_EQ(cairnIsAsleep(heap.world.get(), 0), 1);
+  const float upwards[3] = {0, 9.81F, 0};
+  ASSERT_EQ(cairnSetGravity(heap.world.get(), upwards), 1);
+  CairnPose before, after;
+  cairnGetPose(heap.world.get(), 0, &before);
+  heap.step(60);
+  cairnGetPose(heap.world.get(), 0, &after);
+  EXPECT_GT(after.position[1] - before.position[1], 4) << "a second of 9.81 m/s^2 makes 4.9 m";
+}
+
 TEST(CWorld, TellsItsContactsWithItsStatistics) {
   HeapInC heap(*plainTree(cuboid({0.5, 0.4, 0.3}, 3)), 4);
   std::set<int> touched;

@@ -15,6 +15,7 @@ export async function load({ simd = hasSimd(), wasm } = {}) {
     version: memory.text(memory.exports.cairn_version()),
     simd,
     readTree(bytes, name = 'the tree') {
+      if (!ArrayBuffer.isView(bytes) || bytes.BYTES_PER_ELEMENT !== 1) throw new TypeError(`${name}: the bytes are no Uint8Array; give one`);
       const handle = memory.withBytes(bytes, (at, count) => memory.exports.cairn_tree_read(at, count));
       return new Tree(memory, memory.check(handle, name));
     },

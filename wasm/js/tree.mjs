@@ -17,18 +17,25 @@ export class Tree {
     Object.freeze(this);
   }
 
-  get handle() {
+  /** What a tree is called by in the module of `memory`. */
+  static handleIn(memory, tree) {
+    if (!(#handle in tree)) throw new TypeError('this is no tree; give what readTree or cut returned');
+    if (tree.#memory !== memory) throw new TypeError('this tree is of another module; read it with the one that takes it');
+    return tree.#own;
+  }
+
+  get #own() {
     if (!this.#handle) throw new TypeError('this tree was freed');
     return this.#handle;
   }
 
   cut(depth) {
     const { exports } = this.#memory;
-    return new Tree(this.#memory, this.#memory.check(exports.cairn_tree_cut(this.handle, depth)));
+    return new Tree(this.#memory, this.#memory.check(exports.cairn_tree_cut(this.#own, depth)));
   }
 
   #copy(Kind, call, ...more) {
-    return this.#memory.list(Kind, this.#memory.exports[call](this.handle, ...more)).slice();
+    return this.#memory.list(Kind, this.#memory.exports[call](this.#own, ...more)).slice();
   }
   bytes() {
     return this.#copy(Uint8Array, 'cairn_tree_bytes');
@@ -58,16 +65,19 @@ export class Shape {
     const frames = ['principalAxes', 'mesh'];
     if (!frames.includes(frame)) throw new TypeError(`there is no frame '${frame}'; give ${frames.join(' or ')}`);
     this.#memory = memory;
-    const made = memory.exports.cairn_shape_make(tree.handle, scale, frame === 'mesh' ? 1 : 0, maxContactError);
+    const made = memory.exports.cairn_shape_make(Tree.handleIn(memory, tree), scale, frame === 'mesh' ? 1 : 0, maxContactError);
     this.#handle = memory.check(made);
     this.scale = scale;
     this.size = memory.exports.cairn_shape_size(this.#handle);
     Object.freeze(this);
   }
 
-  get handle() {
-    if (!this.#handle) throw new TypeError('this shape was freed');
-    return this.#handle;
+  /** What a shape is called by in the module of `memory`. */
+  static handleIn(memory, shape) {
+    if (!(#handle in shape)) throw new TypeError('this is no shape; give what makeShape returned');
+    if (shape.#memory !== memory) throw new TypeError('this shape is of another module; make it with the one of the world');
+    if (!shape.#handle) throw new TypeError('this shape was freed');
+    return shape.#handle;
   }
 
   free() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Zlib
+import { Shape } from './tree.mjs';
 
 const policies = ['guard', 'repel', 'ignore', 'compensate'];
 const ends = ['leaves', 'triangles'];
@@ -15,6 +16,24 @@ function placeIn(names, name, what) {
   return place;
 }
 
+// So many numbers: more would be written beyond the place for arguments, fewer would leave an older call's.
+function numbersOf(list, count, what) {
+  const numbers = [...list];
+  if (numbers.length !== count) throw new TypeError(`${what} has ${numbers.length} numbers; give ${count}`);
+  return numbers;
+}
+const vector = (list, what) => numbersOf(list, 3, what);
+const poseOf = (position, rotation) => [...vector(position, 'the position'), ...numbersOf(rotation, 4, 'the rotation')];
+
+// WebAssembly would make whole numbers of everything: 0 of NaN and of a name.
+function whole(number, what) {
+  if (number !== (number | 0)) throw new TypeError(`${what} is ${String(number)}; give a whole number`);
+  return number;
+}
+
+// Infinite is no limit, and every negative amount is refused.
+const limit = (amount = Infinity) => (amount < 0 ? -1 : (amount ?? Infinity));
+
 /** Bodies of trees between planes and boxes; index.d.ts says what the members mean. */
 export class World {
   #memory;
@@ -24,13 +43,27 @@ export class World {
   constructor(memory, { gravity = [0, -9.81, 0], timeStep = 1 / 60, iterations, budget, unresolved, finest } = {}) {
     this.#memory = memory;
     this.#exports = memory.exports;
-    memory.pass(...gravity, timeStep);
+    memory.pass(...vector(gravity, 'gravity'), timeStep);
     this.#handle = memory.check(this.#exports.cairn_world_make());
     this.timeStep = timeStep;
+    this.#orUndo(() => this.#set({ iterations, budget, unresolved, finest }), () => this.free());
+  }
+
+  #set({ iterations, budget, unresolved, finest }) {
     if (iterations !== undefined) this.setIterations(iterations);
     if (budget !== undefined) this.setBudget(budget);
     if (unresolved !== undefined) this.setUnresolved(unresolved);
     if (finest !== undefined) this.setFinest(finest);
+  }
+
+  // What is refused half-way leaves nothing.
+  #orUndo(call, undo) {
+    try {
+      call();
+    } catch (error) {
+      undo();
+      throw error;
+    }
   }
 
   get #world() {
@@ -44,18 +77,21 @@ export class World {
     this.#memory.pass(...numbers);
     this.#memory.check(this.#exports[name](world, ...more));
   }
+  #callOf(body, name, numbers) {
+    this.#call(name, numbers, whole(body, "the body's number"));
+  }
   #list(Kind, name) {
     return this.#memory.list(Kind, this.#exports[name](this.#world));
   }
 
   setGravity(gravity) {
-    this.#call('cairn_world_gravity', gravity);
+    this.#call('cairn_world_gravity', vector(gravity, 'gravity'));
   }
   setIterations(iterations) {
-    this.#call('cairn_world_iterations', [], iterations);
+    this.#call('cairn_world_iterations', [], whole(iterations, 'the number of iterations'));
   }
   setBudget(budget) {
-    this.#call('cairn_world_budget', [budget?.operations ?? Infinity, budget?.microseconds ?? Infinity]);
+    this.#call('cairn_world_budget', [limit(budget?.operations), limit(budget?.microseconds)]);
   }
   setUnresolved(policy) {
     this.#exports.cairn_world_unresolved(this.#world, placeIn(policies, policy, 'policy'));
@@ -65,36 +101,38 @@ export class World {
   }
 
   addPlane(normal, offset, { friction = 0.5, restitution = 0 } = {}) {
-    this.#call('cairn_world_plane', [...normal, offset, friction, restitution]);
+    this.#call('cairn_world_plane', [...vector(normal, 'the normal'), offset, friction, restitution]);
   }
   addBox(halfExtents, { position = [0, 0, 0], rotation = upright, friction = 0.5, restitution = 0 } = {}) {
-    this.#call('cairn_world_box', [...halfExtents, ...position, ...rotation, friction, restitution]);
+    this.#call('cairn_world_box', [...vector(halfExtents, 'the list of half extents'), ...poseOf(position, rotation), friction, restitution]);
   }
   addBody(shape, options = {}) {
     const { position = [0, 0, 0], rotation = upright, mass = 1, friction = 0.5, restitution = 0 } = options;
     const world = this.#world;
-    this.#memory.pass(...position, ...rotation, friction, restitution, mass);
-    const body = this.#exports.cairn_world_body(world, shape.handle);
+    const handle = Shape.handleIn(this.#memory, shape);
+    this.#memory.pass(...poseOf(position, rotation), friction, restitution, mass);
+    const body = this.#exports.cairn_world_body(world, handle);
     this.#memory.check(body >= 0);
     const { linearVelocity, angularVelocity } = options;
-    if (linearVelocity || angularVelocity) this.setVelocity(body, linearVelocity, angularVelocity);
+    if (linearVelocity || angularVelocity)
+      this.#orUndo(() => this.setVelocity(body, linearVelocity, angularVelocity), () => this.removeBody(body));
     return body;
   }
   removeBody(body) {
-    this.#call('cairn_world_remove', [], body);
+    this.#callOf(body, 'cairn_world_remove', []);
   }
   setPose(body, position, rotation = upright) {
-    this.#call('cairn_world_pose', [...position, ...rotation], body);
+    this.#callOf(body, 'cairn_world_pose', poseOf(position, rotation));
   }
   setVelocity(body, linear = [0, 0, 0], angular = [0, 0, 0]) {
-    this.#call('cairn_world_velocity', [...linear, ...angular], body);
+    this.#callOf(body, 'cairn_world_velocity', [...vector(linear, 'the linear velocity'), ...vector(angular, 'the angular velocity')]);
   }
   drag(body, point, target) {
     if (point === null) this.release(body);
-    else this.#call('cairn_world_drag', [...point, ...target], body);
+    else this.#callOf(body, 'cairn_world_drag', [...vector(point, 'the point'), ...vector(target, 'the target')]);
   }
   release(body) {
-    this.#call('cairn_world_release', [], body);
+    this.#callOf(body, 'cairn_world_release', []);
   }
 
   step() {
