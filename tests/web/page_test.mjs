@@ -127,6 +127,54 @@ async function checkMissingEngine(browser, address) {
   await page.context().close();
 }
 
+/// A file that does not come is told, and while an engine loads the page says so.
+async function checkMissingFile(browser, address) {
+  const page = await openPage(browser, `${address}${kSmall}`);
+  await page.context().route(/hulls\.json/, (route) => new Promise((done) => setTimeout(done, 1500)).then(() => route.abort()));
+  await page.selectOption('#engine', 'jolt');
+  await page.waitForTimeout(700); // several of the page's changes of its numbers
+  assert.equal(await page.textContent('#status'), 'Jolt, convex parts is loading');
+  await page.waitForSelector('#refusal:not([hidden])');
+  assert.match(await page.textContent('#refusal'), /^models\/ring\.hulls\.json could not be loaded; /);
+  assert.ok(page.faults.every((fault) => fault.includes('hulls') || fault.includes('ERR_FAILED')), page.faults.join());
+  await page.context().close();
+}
+
+/// A frame that waited while other bodies came is not laid upon them.
+async function checkLateFrame(browser, address) {
+  const page = await openPage(browser, `${address}${kSmall}`);
+  const numbers = await page.evaluate(async () => {
+    const { cairnWeb: web } = window;
+    while (!web.waiting_) await new Promise((done) => setTimeout(done, 1));
+    const { poses } = web.waiting_;
+    document.querySelector('#count').value = 50;
+    const dropped = web.drop();
+    web.showFrame = () => {}; // no picture comes in between
+    await dropped;
+    delete web.showFrame;
+    web.waiting_ ??= null;
+    web.showFrame();
+    return { before: poses.length, now: web.cloud_.poses.length };
+  });
+  assert.deepEqual(numbers, { before: 70, now: 350 });
+  await page.context().close();
+}
+
+/// Without WebGL, a sentence says what to do.
+async function checkNoWebGl(browser, address) {
+  const page = await browser.newPage();
+  await page.addInitScript(() => {
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+      return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...more);
+    };
+  });
+  await page.goto(address);
+  await page.waitForSelector('#refusal:not([hidden])');
+  assert.match(await page.textContent('#refusal'), /WebGL 2; switch on/);
+  await page.close();
+}
+
 /// The body and place where a pointer would take a body.
 async function bodyToTake(page) {
   return page.evaluate(() => {
@@ -313,7 +361,7 @@ async function checkPlainServer(browser) {
 const server = await serve(built);
 const browser = await launch(packages);
 try {
-  for (const check of [checkRest, checkBudget, checkEngines, checkMissingEngine, checkHand, checkReplay, checkTabs, checkDesktop, checkPhone, checkPlainServer]) {
+  for (const check of [checkRest, checkBudget, checkEngines, checkMissingEngine, checkMissingFile, checkLateFrame, checkNoWebGl, checkHand, checkReplay, checkTabs, checkDesktop, checkPhone, checkPlainServer]) {
     if (wanted.length > 0 && !wanted.includes(check.name)) continue;
     const start = performance.now();
     await check(browser, server.address);

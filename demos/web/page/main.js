@@ -32,7 +32,7 @@ class Page {
     this.stage_.resize();
     this.timeChart_ = new StripChart(part('time-chart'), { least: 1, text: (value) => `${value} ms` });
     this.workChart_ = new StripChart(part('work-chart'), { least: 1000, text: shortText });
-    this.link_ = new EngineLink({ onScene: (scene) => this.begin(scene), onFrame: (frame) => this.take(frame), onFault: refuse });
+    this.link_ = new EngineLink({ onScene: (scene) => this.begin(scene), onFrame: (frame) => this.take(frame), onFault: (message) => this.fail(message) });
     this.hand_ = new Hand(this.stage_, part('picture'), (index, point, target) => this.link_.tell('drag', { index, point, target }));
     this.hand_.onChange = () => {
       this.showStatus();
@@ -57,15 +57,21 @@ class Page {
     const wanted = (this.wanted_ = {});
     refuse('');
     this.replay_.close();
+    this.isLoading_ = true;
     part('status').textContent = `${engineOf(engine).label} is loading`;
     const used = body === 'mixed' ? this.models_ : this.models_.filter(({ name }) => name === body);
-    const models = await Promise.all(used.map((model) => complete(model, engineOf(engine))));
-    if (wanted !== this.wanted_) return; // another wish came meanwhile
+    const models = await Promise.all(used.map((model) => complete(model, engineOf(engine)))).catch((error) => void this.fail(error.message));
+    if (!models || wanted !== this.wanted_) return; // another wish came meanwhile
     const { pit, bodies } = startOf({ count, models: models.map((_, index) => index), seed: kSeed });
     this.hand_.setCloud(null);
     this.showBodies(models, bodies, pit);
     this.link_.tell('budget', { budget: budgetOf() });
     this.link_.start(engine, { models, bodies, pit, seed: kSeed, isRunning: !this.pause_.isOn });
+  }
+
+  fail(message) {
+    this.isLoading_ = false;
+    refuse(message);
   }
 
   showBodies(models, bodies, pit) {
@@ -76,6 +82,7 @@ class Page {
     this.cloud_.place(Float32Array.from(bodies.flatMap(({ position, rotation }) => [...position, ...rotation])));
     this.bodies_.add(this.cloud_.object);
     this.contacts_.show(null);
+    this.waiting_ = null; // a frame of the bodies before
     if (this.pit_ !== pit.half) this.stage_.showPit(pit);
     this.pit_ = pit.half;
     this.leafErrors_ = kinds.map((kind) => this.models_.find(({ name }) => name === models[kind].name).leafError);
@@ -85,6 +92,7 @@ class Page {
   /// A world stands.
   begin({ engine, hasBudget }) {
     this.engine_ = engine;
+    this.isLoading_ = false;
     this.hasBudget_ = hasBudget;
     this.timeChart_.clear();
     this.workChart_.clear();
@@ -147,7 +155,7 @@ class Page {
 
   showStatus() {
     if (this.replay_?.isOn) part('status').textContent = 'Replay';
-    else if (this.engine_) {
+    else if (this.engine_ && !this.isLoading_) {
       const chosen = this.hand_.chosen === null ? '' : `; body ${this.hand_.chosen + 1} ${this.hand_.holds ? 'held' : 'chosen'}`;
       part('status').textContent = `${this.engine_.name} ${this.engine_.version}: ${this.cloud_.count} bodies, ${this.asleep_} asleep${chosen}`;
     }

@@ -3,7 +3,9 @@
 // Models that were made when the page was built: meshes at once, trees and convex parts when an engine asks for them.
 
 async function fetched(path, kind) {
-  const response = await fetch(new URL(path, document.baseURI));
+  const response = await fetch(new URL(path, document.baseURI)).catch(() => {
+    throw new Error(`${path} could not be loaded; look whether the network is there, and try again.`);
+  });
   if (!response.ok) throw new Error(`${path} could not be loaded (${response.status}); build the page again.`);
   return response[kind]();
 }

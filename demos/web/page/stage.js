@@ -23,11 +23,19 @@ function drawsInSoftware() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
+function rendererOf(canvas, antialias) {
+  try {
+    return new WebGLRenderer({ canvas, antialias });
+  } catch {
+    throw new Error('This browser draws nothing with WebGL 2; switch on its hardware acceleration, or take another browser.');
+  }
+}
+
 export class Stage {
   constructor(canvas) {
     this.canvas_ = canvas;
     const isSlow = drawsInSoftware();
-    this.renderer_ = new WebGLRenderer({ canvas, antialias: !isSlow });
+    this.renderer_ = rendererOf(canvas, !isSlow);
     this.renderer_.shadowMap.enabled = !isSlow;
     this.scene_ = new Scene();
     this.camera_ = new PerspectiveCamera(38, 1, 0.1, 400);
