@@ -217,6 +217,9 @@ size_t cairnContacts(const CairnWorld* world, CairnContact* contacts, size_t roo
 }
 
 void cairnStateHash(const CairnWorld* world, char hash[17]) {
-  const std::string digits = world->simulation->stateHash();
-  std::memcpy(hash, digits.c_str(), 17);
+  std::memset(hash, 0, 17);
+  done([&]() -> Status {
+    std::memcpy(hash, world->simulation->stateHash().c_str(), 17);
+    return {};
+  });
 }

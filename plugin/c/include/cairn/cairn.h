@@ -234,7 +234,8 @@ CAIRN_C_EXPORT int cairnIsAsleep(const CairnWorld* world, int32_t body);
 /** Writes the contacts of the last step to at most `room` places. Returns how many there are. `contacts` may be null
  * where `room` is 0. */
 CAIRN_C_EXPORT size_t cairnContacts(const CairnWorld* world, CairnContact* contacts, size_t room);
-/** Writes sixteen hexadecimal digits and a final zero: a hash of all places, rotations and velocities. */
+/** Writes sixteen hexadecimal digits and a final zero: a hash of all places, rotations and velocities.
+ * An empty string where memory ran out. */
 CAIRN_C_EXPORT void cairnStateHash(const CairnWorld* world, char hash[17]);
 
 #ifdef __cplusplus
