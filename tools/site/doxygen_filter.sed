@@ -1,6 +1,6 @@
 # Doxygen's view of a header (sed -E). Lines keep their numbers.
 # What a shared library shows is no matter to readers.
-s/CAIRN_[A-Z]+_EXPORT //g
+s/CAIRN_([A-Z]+_EXPORT|HIDDEN) //g
 # Of defaulted and deleted members it says all that there is to say, so that nobody has to write it.
 s|= default;$|&  ///< Made by the compiler, member by member.|
 s|= delete;$|&  ///< There is none.|

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Zlib
- *
+/* SPDX-License-Identifier: Zlib */
+/** @file
  * Cairn in C: certified sphere-trees, and worlds in which they collide under a budget. For programs in C99 and later,
  * and for bindings of other languages. Link libcairn_c.
  *
@@ -26,6 +26,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** @cond */
 #if defined(_WIN32) && defined(CAIRN_SHARED)
 #ifdef cairn_c_EXPORTS
 #define CAIRN_C_EXPORT __declspec(dllexport)
@@ -38,6 +39,8 @@
 #define CAIRN_C_EXPORT __attribute__((visibility("default")))
 #endif
 
+/** @endcond */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -49,7 +52,8 @@ typedef struct CairnShape CairnShape;
 /** Bodies of trees between planes and boxes, with a narrow phase and a solver. */
 typedef struct CairnWorld CairnWorld;
 
-/** The amount that means no limit. */
+/** @def CAIRN_NO_LIMIT
+ * The amount that means no limit. */
 #define CAIRN_NO_LIMIT (-1)
 
 /** Where something is. Of a body: where its mesh's own frame is. */
@@ -122,12 +126,13 @@ typedef enum CairnFinest {
 
 /** A contact point that the last step gave to the solver. */
 typedef struct CairnContact {
-  float point[3];     /**< on body b, world */
-  float normal[3];    /**< unit, from b to a, world */
-  float depth;        /**< m; negative where the surfaces are apart */
-  float error;        /**< certified, m, of the pair: how far surfaces may be from where its contacts put them */
-  float impulse;      /**< of the last step along the normal, N s */
-  int32_t a, b;       /**< bodies' numbers; planes and boxes are -1, -2 and so on, in the order they were added */
+  float point[3];  /**< on body b, world */
+  float normal[3]; /**< unit, from b to a, world */
+  float depth;     /**< m; negative where the surfaces are apart */
+  float error;     /**< certified, m, of the pair: how far surfaces may be from where its contacts put them */
+  float impulse;   /**< of the last step along the normal, N s */
+  int32_t a;       /**< the first body's number; planes and boxes are -1, -2 and so on, in the order they were added */
+  int32_t b;       /**< the second one's, likewise */
   int32_t isResolved; /**< 1 unless the pair ran out of budget */
 } CairnContact;
 
