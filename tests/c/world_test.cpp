@@ -152,6 +152,16 @@ TEST(CWorld, DragsABodyToItsTarget) {
   EXPECT_LT(pose.position[1], 1) << "it was let go";
 }
 
+TEST(CWorld, DragsWithABoundedPull) {
+  HeapInC heap(*plainTree(ball(0.4, 2)), 1);
+  const float held[3] = {0, 0, 0}, target[3] = {1000, 1, 0};
+  ASSERT_EQ(cairnDragBody(heap.world.get(), 0, held, target), 1);
+  heap.step(1);
+  float linear[3], angular[3];
+  ASSERT_EQ(cairnGetVelocity(heap.world.get(), 0, linear, angular), 1);
+  EXPECT_NEAR(linear[0], 200.0F / 60, 0.05F);
+}
+
 TEST(CWorld, RefusesWhatIsOutOfRange) {
   HeapInC heap(*plainTree(ball(0.4, 2)), 1);
   CairnWorld* const w = heap.world.get();
