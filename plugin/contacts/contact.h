@@ -53,6 +53,7 @@ struct Contact {
   bool treeIsLarger = false;   ///< of a speculative contact: the smaller body is the collider
   bool isRootContact = false;  ///< of whole bodies: the nearest point in its direction, so its id may change
   bool isGuard = false;        ///< of spheres that must not come nearer, whether or not their contents touch
+  bool isLocked = false;       ///< of a pair that must not move at all until it is resolved
 
   /// World length from the collider's point to the tree's, along the normal.
   float distance() const { return isSpeculative ? dot(normal, separationVector) : separation; }

@@ -39,6 +39,10 @@ constexpr btScalar kUnreported = std::numeric_limits<btScalar>::infinity();
 // new point. Bullet does not use this flag.
 constexpr int kExistingPoint = 1 << 30;
 
+// Friction of points that must not slide: more than surfaces have. Without it rings turn through each other
+// (`LinkedRings.StayLinkedOnASmallBudget`).
+constexpr btScalar kLockedFriction = 10;
+
 // Recomputes a point that a callback changed. For Bullet's own shapes, `refreshContactPoints` does this after the
 // callback. So the local points and the normal count; the world positions and the distance follow from them.
 void refresh(const btPersistentManifold& manifold, btManifoldPoint& point) {
@@ -184,6 +188,7 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     point.m_contactPointFlags &= ~kExistingPoint;
     if (!isThis) continue;
     if (contact.isGuard) point.m_contactPointFlags |= kGuardFlag;
+    if (contact.isLocked) point.m_combinedFriction = kLockedFriction;
     if (point.m_positionWorldOnB != reported || point.m_distance1 != distance) refresh(manifold, point);
     if (contact.isSpeculative) placeSpeculative(manifold, point, contact, origin_ + toBullet(onBody1));
     setSolverDistance(point, contact);

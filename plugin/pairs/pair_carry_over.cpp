@@ -107,8 +107,10 @@ void standOnGround(TreePair& pair, const CarryOverStep& step) {
 
 void fallback(TreePair& pair, const CarryOverStep& step) {
   if (pair.isOnGround()) return standOnGround(pair, step);
-  std::array<Contact, 1> whole{pair.contacts.guards().guardByRoot(pair.motion.roots->contact(), pair.sizes.smaller)};
-  writeFallback(pair, whole, step);
+  PairGuards& guards = pair.contacts.guards();
+  std::array<Contact, 2> whole{guards.guardByRoot(pair.motion.roots->contact(), pair.sizes.smaller)};
+  whole[1] = PairGuards::oppositeOf(whole[0], pair.sizes.smaller);
+  writeFallback(pair, std::span(whole).first(guards.areLocked() ? 2 : 1), step);
 }
 
 void bringPoints(TreePair& pair, bool standsIn) {

@@ -20,6 +20,14 @@ bool hasFallback(const TreePair& pair, bool isTimed) {
   return pair.kind == ColliderKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
 }
 
+// Of bodies that carried load and move fast, no motion is known to be free until they are answered: one may hang in the
+// other's hollow. Bodies that are much larger are grounds, on which others roll.
+void lockOrRelease(TreePair& pair, bool mayLock) {
+  PairGuards& guards = pair.contacts.guards();
+  const bool areAlike = pair.motion.roots && pair.motion.roots->areAlike();
+  guards.lock(mayLock && areAlike && (guards.areLocked() || pair.manifolds.areLoaded()));
+}
+
 PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep) {
   pair.treeIsBody0 = asSphereTree(pair.bodies.body0().getCollisionShape()) != nullptr;
   const PairSides sides = pair.sides();
@@ -41,6 +49,8 @@ PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTi
   age.moved = static_cast<float>(pair.motion.seenNow.displacementSince(begun.placement));
   const bool isOld = pair.contacts.age().isAbsenceStale(age.moved, pair.sizes.smaller);
   age.repeatsLast = pair.contacts.holds(age.moved, pair.sizes.smaller) && !(pair.reported.contacts == 0 && isOld);
+  const bool outrunsAnswers = AnswerAge::isOutrunBy(travel, pair.sizes.smaller);
+  lockOrRelease(pair, outrunsAnswers && !age.repeatsLast);
   // Guards hold the bodies in place, but are no reason to wait longer for an answer.
   const bool isUrgent = !age.repeatsLast || (pair.manifolds.hasFallback() && isOld);
   const double error = isUrgent ? kUnknownError : age.error + pair.sizes.fraction(age.moved);
@@ -54,7 +64,7 @@ PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTi
           .canBeCarriedOver = canBeFallback || (age.repeatsLast && !pair.trajectory.isFast),
           .mayBeCut = !age.repeatsLast || !pair.work.wasDone,
           .isUnanswered = !age.repeatsLast && !pair.isOnGround(),
-          .outrunsAnswers = AnswerAge::isOutrunBy(travel, pair.sizes.smaller),
+          .outrunsAnswers = outrunsAnswers,
           .operationsIfScarce = isCached ? PairContacts::kCachedCostIfFew : operations};
 }
 

@@ -15,6 +15,10 @@ namespace {
 // would push each other apart.
 constexpr float kUnfollowedFraction = 0.001F;
 
+// Distance between a guard's point and its opposite's, as a fraction of the smaller body's size: so far apart that
+// neither Bullet nor the choice of contacts takes both for one.
+constexpr float kOppositeFraction = 0.1F;
+
 // Order of importance: certain overlaps, root contacts, the deepest contact of each direction, the deepest of all.
 // Overlaps with a wall must not displace the floor's.
 std::size_t putChosenFirst(std::vector<Contact>& guards) {
@@ -60,7 +64,10 @@ void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std
     if (guard.certainDepth > 0) guard.separation = std::min(guard.separation, -guard.certainDepth);
     now[i] = noted(guard, allowed);
     guard.isGuard = true;
+    guard.isLocked = isLocked_;
+    if (isLocked_ && guard.certainDepth <= 0) guard.separation = std::max(guard.separation, 0.0F);
     contacts.push_back(guard);
+    if (isLocked_) contacts.push_back(oppositeOf(guard, smallerSize));
   }
   guards_.assign(now.begin(), now.begin() + count);
 }
@@ -96,11 +103,22 @@ float PairGuards::allowedSeparation(const Contact& guard, float smallerSize) con
   return now + sunk;
 }
 
+// A constraint acts the same anywhere on the line of its normal.
+Contact PairGuards::oppositeOf(const Contact& guard, float smallerSize) {
+  Contact opposite = guard;
+  opposite.position += guard.normal * (kOppositeFraction * smallerSize);
+  opposite.normal = -guard.normal;
+  opposite.separation = 0;
+  opposite.certainDepth = 0;
+  return opposite;
+}
+
 Contact PairGuards::guardByRoot(Contact whole, float smallerSize) {
   const float allowed = allowedSeparation(whole, smallerSize);
   const Guard* const last = lastOf(whole);
   whole.separation -= allowed;
   whole.isGuard = whole.isRootContact = true;
+  whole.isLocked = isLocked_;
   const Guard guard = noted(whole, allowed);
   if (last)
     guards_[static_cast<std::size_t>(last - guards_.data())] = guard;

@@ -8,7 +8,8 @@
 
 namespace cairn::bullet {
 
-/// Guard contacts of a pair: bounding spheres that may not overlap further until the pair is resolved.
+/// Guard contacts of a pair: bounding spheres that may not overlap further until the pair is resolved. The guards of a
+/// locked pair act both ways: rings that hang in each other would come free by parting, not by approaching.
 class PairGuards {
  public:
   static constexpr std::size_t kMax = 4;
@@ -17,7 +18,13 @@ class PairGuards {
   PairGuards() { guards_.reserve(kMax); }
 
   bool isEmpty() const { return guards_.empty(); }
-  void clear() { guards_.clear(); }
+  void clear() {
+    guards_.clear();
+    isLocked_ = false;
+  }
+  /// Whether the guards of this step act both ways.
+  void lock(bool isLocked) { isLocked_ = isLocked; }
+  bool areLocked() const { return isLocked_; }
   /// Whether the same sphere was a guard in the last step. For root contacts: whether one with a similar normal was.
   bool had(const Contact& guard) const { return lastOf(guard) != nullptr; }
   /// Appends the most important candidates to `contacts`, with the separations for the solver. The order of the
@@ -26,6 +33,8 @@ class PairGuards {
   /// Makes a root contact a guard, in place of a guard with a similar normal. Its separation is the overlap gained
   /// since it was first seen.
   Contact guardByRoot(Contact whole, float smallerSize);
+  /// The other way of a locked pair's guard: its spheres may not part, but by the depth that the guard pushes them out.
+  static Contact oppositeOf(const Contact& guard, float smallerSize);
 
  private:
   // A pair of spheres: its overlap when it was first seen, and the overlap gained since.
@@ -42,6 +51,7 @@ class PairGuards {
   float allowedSeparation(const Contact& guard, float smallerSize) const;
 
   std::vector<Guard> guards_;
+  bool isLocked_ = false;
 };
 
 }  // namespace cairn::bullet

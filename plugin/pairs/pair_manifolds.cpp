@@ -151,6 +151,12 @@ bool PairManifolds::areGuardsLoaded() const {
   return areLoaded;
 }
 
+bool PairManifolds::areLoaded() const {
+  bool areLoaded = false;
+  forEachPoint(manifolds_, [&](const btManifoldPoint& p, const auto&) { areLoaded |= p.m_appliedImpulse > 0; });
+  return areLoaded;
+}
+
 void PairManifolds::stayAwake() const {
   if (!bodies_[0]->hasContactResponse() || !bodies_[1]->hasContactResponse()) return;
   for (const btCollisionObject* body : bodies_) {

@@ -62,6 +62,8 @@ class PairManifolds {
 
   /// Whether guards carried load in the last solver step. New guards count as if they might.
   bool areGuardsLoaded() const;
+  /// Whether any point carried load in the last solver step.
+  bool areLoaded() const;
   /// Keeps the bodies awake. A body that sinks slowly onto its guards would fall asleep in the air. Sensors keep nobody
   /// awake, and bodies that the user sends to sleep go.
   void stayAwake() const;
