@@ -14,7 +14,7 @@
 namespace cairn::hard {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN(), kEndless = std::numeric_limits<double>::infinity();
+const double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
 
 Measure twiceAsBad(Measure measure) {
   measure.value *= measure.bound == Bound::atMost ? 2 : 0.5;
@@ -94,7 +94,7 @@ TEST(Verdict, TellsWhereAShapeOfBulletsIsBetterThanWhatHolds) {
   EXPECT_FALSE(holdsBehindStock(Measure{"", 3, 2, Bound::atMost, "", "hull", 1})) << "it misses";
 }
 
-TEST(Verdict, WhatIsNoNumberMisses) {
+TEST(Verdict, NanMisses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(verdictOn(Measure{"", nan, 1, Bound::atMost, "", "hull", 2}), Verdict::misses);
   EXPECT_EQ(verdictOn(Outcome{}), Verdict::misses);
@@ -110,9 +110,9 @@ TEST(Quantile, IsTowardsTheWorse) {
   EXPECT_EQ(quantileOf({3}, 0.5, Bound::atMost), 3);
 }
 
-TEST(Quantile, OfWhatIsNoNumberIsNone) {
+TEST(Quantile, OfNanIsNan) {
   EXPECT_TRUE(std::isnan(quantileOf({1, kNan, 2}, 0.5, Bound::atMost)));
-  EXPECT_TRUE(std::isnan(quantileOf({1, 2, kEndless}, 0.5, Bound::atMost)));
+  EXPECT_TRUE(std::isnan(quantileOf({1, 2, kInfinity}, 0.5, Bound::atMost)));
   EXPECT_TRUE(std::isnan(quantileOf({}, 0.5, Bound::atMost)));
 }
 
@@ -137,7 +137,7 @@ TEST(ComparedSeeds, AreJoinedAsAskedAndBesideTheBest) {
   EXPECT_EQ(measures[1].value, 9);
   EXPECT_EQ(measures[0].stock, "hull");
   EXPECT_EQ(measures[0].stockValue, 8);
-  EXPECT_EQ(measures[1].stock, "hull") << "a figure that is no number is nobody's best";
+  EXPECT_EQ(measures[1].stock, "hull") << "NaN is nobody's best";
 }
 
 }  // namespace
