@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The house's commands. ./cairn.sh help lists them.
+# The project's commands. ./cairn.sh help lists them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -102,7 +102,7 @@ installed_packages() {
     awk '$1 == "installed" { $1 = ""; gsub(/ \([^)]*\)|,/, ""); for (i = 1; i <= NF; ++i) print $i }'
 }
 
-# Prints the packages of the given rooms that are not installed, one "package<TAB>why" a line.
+# Prints the packages of the given folders that are not installed, one "package<TAB>why" a line.
 missing_packages() {
   local room package why wanted installed
   installed=$(installed_packages)
@@ -119,7 +119,7 @@ as_root() {
   if [[ $(id -u) == 0 ]]; then "$@"; else sudo "$@"; fi
 }
 
-# Installs what the given rooms need. Fails when something is missing and cannot be installed.
+# Installs what the given folders need. Fails when something is missing and cannot be installed.
 need() {
   if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
     [[ -n ${CAIRN_TOLD_PACKAGES:-} ]] && return 0

@@ -1,4 +1,4 @@
-# cairn_library(NAME sources...)   a library `cairn_NAME`, alias `cairn::NAME`, built as the house builds everything
+# cairn_library(NAME sources...)   a library `cairn_NAME`, alias `cairn::NAME`, built as the project builds everything
 # cairn_program(NAME sources...)   a program in bin/
 # cairn_check_headers(TARGET dir [WITHOUT headers...])  compiles every public header of a library alone, but for some
 

@@ -1,4 +1,4 @@
-# What every target of the house is compiled with.
+# What every target of the project is compiled with.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

@@ -33,14 +33,14 @@ foreach(room core builder plugin wasm)
   forbid(${room} "(scenes|frame_budget|rockfall|accuracy_cost|advise|support)/" "Libraries know nothing of demos and tests.")
 endforeach()
 
-# In the folder `where`, a room sees those before it in the list, none after it. `prefix` is what its headers' names begin with.
+# In the folder `where`, a folder sees those before it in the list, none after it. `prefix` is what its headers' names begin with.
 function(one_way where prefix)
   set(later ${ARGN})
   foreach(room IN LISTS ARGN)
     list(POP_FRONT later)
     if(later)
       string(JOIN "|" names ${later})
-      forbid(${where}/${room} "${prefix}(${names})/" "docs/architecture.md lists the rooms of ${where}/ in the order they may see each other.")
+      forbid(${where}/${room} "${prefix}(${names})/" "docs/architecture.md lists the folders of ${where}/ in the order they may see each other.")
     endif()
   endforeach()
 endfunction()

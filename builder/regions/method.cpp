@@ -5,27 +5,53 @@
 
 #include "cairn/builder/build.h"
 #include "regions/method_traits.h"
+#include "spheres/better_of_both.h"
+#include "spheres/burst.h"
+#include "spheres/expand.h"
+#include "spheres/grid.h"
+#include "spheres/merge.h"
+#include "spheres/spawn.h"
 
 namespace cairn::builder {
 
 namespace {
 
+/// A method that takes the balls which hold the region together, as a row of the table.
+template <SphereSet (*kReduce)(const CoverProblem&, std::span<const Ball>)>
+SphereSet fromCovering(Optimiser, const CoverProblem& problem, const Candidates& candidates) {
+  return kReduce(problem, candidates.covering);
+}
+
+SphereSet coverMostFirst(Optimiser, const CoverProblem& problem, const Candidates& candidates) {
+  return expand(problem, candidates.all, ExpandRank::maxCover);
+}
+
 constexpr std::array kMethods{
-    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
-    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
-    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body},
+    MethodTraits{Method::combined, "combined", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body,
+                 betterOfBoth},
+    MethodTraits{Method::merge, "merge", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body,
+                 fromCovering<merge>},
+    MethodTraits{Method::expand, "expand", Optimiser::cairn, Refit::tightest, Division::spheres, GrownIn::body,
+                 expandFor},
     MethodTraits{Method::adaptive, "adaptive", Optimiser::cairn, Refit::tightest, Division::levels, GrownIn::body},
     MethodTraits{Method::expandCover, "expand-cover", Optimiser::none, Refit::tightest, Division::spheres,
-                 GrownIn::body},
-    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
-    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body},
+                 GrownIn::body, coverMostFirst},
+    MethodTraits{Method::burst, "burst", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body,
+                 fromCovering<burst>},
+    MethodTraits{Method::spawn, "spawn", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::body, spawn},
     MethodTraits{Method::hubbard, "hubbard", Optimiser::none, Refit::none, Division::groups, GrownIn::mesh},
-    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::mesh},
-    MethodTraits{Method::gridVolume, "grid-volume", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh},
-    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh},
+    // These three have the same regions and differ in the ball of each.
+    MethodTraits{Method::grid, "grid", Optimiser::none, Refit::tightest, Division::spheres, GrownIn::mesh, gridSpheres},
+    MethodTraits{Method::gridVolume, "grid-volume", Optimiser::none, Refit::smallest, Division::spheres, GrownIn::mesh,
+                 gridSpheres},
+    MethodTraits{Method::hybrid, "hybrid", Optimiser::none, Refit::leastError, Division::spheres, GrownIn::mesh,
+                 gridSpheres},
     MethodTraits{Method::octree, "octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
     MethodTraits{Method::solidOctree, "solid-octree", Optimiser::none, Refit::none, Division::cubes, GrownIn::mesh},
 };
+static_assert(std::ranges::all_of(kMethods, [](const MethodTraits& traits) {
+  return (traits.division == Division::spheres) != std::holds_alternative<std::monostate>(traits.fit);
+}));
 
 /// Rows are in the order of the enumeration.
 constexpr std::array<const char*, 3> kOptimisers{"none", "thesis", "cairn"};

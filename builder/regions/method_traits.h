@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 
+#include "balls/sphere_set.h"
 #include "cairn/builder/build.h"
+#include "medial/candidates.h"
 
 namespace cairn::builder {
 
@@ -30,8 +33,16 @@ enum class GrownIn : std::uint8_t {
   body,  ///< the body's own (hierarchy/body_frame.h): the mesh's position, rotation and scale change nothing
 };
 
-/// The treatment of a method's sphere sets after their construction. This table is the one place that defines it. A
-/// construction that serves for comparison gets the treatment of the thesis and no more, unless the user asks for it.
+/// A method that needs only the points.
+using FitToPoints = SphereSet (*)(const CoverProblem& problem);
+/// A method that reduces balls of the medial axis. `optimiser` is what goes on with its set.
+using FitFromMedial = SphereSet (*)(Optimiser optimiser, const CoverProblem& problem, const Candidates& candidates);
+/// The construction of a region's set of at most `problem.count` balls, which hold the problem's points. Nothing for
+/// methods that make no set for a region.
+using SphereFit = std::variant<std::monostate, FitToPoints, FitFromMedial>;
+
+/// A method's construction of sphere sets, and their treatment after it. This table is the one place that defines both.
+/// A construction that serves for comparison gets the treatment of the thesis and no more, unless the user asks for it.
 struct MethodTraits {
   Method method;
   const char* name;
@@ -41,6 +52,7 @@ struct MethodTraits {
   Refit refit;
   Division division;
   GrownIn frame;
+  SphereFit fit{};  ///< present where `division` is by spheres
 };
 
 /// Returns all methods, in the order in which they are listed to users.

@@ -20,7 +20,7 @@ export function hullsOf(engine, { name, hulls }) {
 
 const kStiffness = 90; // 1/s^2, of a spring for each kilogram: a body follows the hand within a tenth of a second
 const kDamping = 14; // 1/s; the spring is damped a little below critical
-const kMostChange = 1.5; // m/s that one step may add at most, so that a far target does not shoot the body
+const kMaxChange = 1.5; // m/s that one step may add at most, so that a far target does not shoot the body
 
 /// The impulse of one step that pulls a point of a body to a target. `state` has position and velocity of the centre of mass,
 /// rotation and angular velocity.
@@ -30,7 +30,7 @@ export function dragImpulse(state, { point, target }, { center, mass }, timeStep
   const velocity = add(state.velocity, cross(state.angularVelocity, arm));
   const change = add(scale(subtract(target, at), kStiffness * timeStep), scale(velocity, -kDamping * timeStep));
   const speed = Math.hypot(...change);
-  return { at, impulse: scale(change, mass * Math.min(1, kMostChange / Math.max(length(change), 1e-9))) };
+  return { at, impulse: scale(change, mass * Math.min(1, kMaxChange / Math.max(length(change), 1e-9))) };
 }
 
 /// Drags of a world: what `World.drag` of every engine does.

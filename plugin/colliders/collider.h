@@ -126,14 +126,4 @@ class Collider {
   virtual float size(const btCollisionShape& shape) const = 0;
 };
 
-enum class ColliderKind : std::uint8_t { tree, plane, convex, triangles, field, terrain };
-inline constexpr int kColliderKinds = 6;
-
-/// The kind of collider for a shape. Empty for compounds, soft bodies and GImpact compounds: these are not convex, have
-/// no distance field and show no triangles.
-std::optional<ColliderKind> kindOf(const btCollisionShape& shape);
-
-/// Makes a collider of this kind; it must be placed before use.
-std::unique_ptr<Collider> makeCollider(ColliderKind kind);
-
 }  // namespace cairn::bullet

@@ -14,7 +14,7 @@ using Common = CutFace<kMaxFaceCorners>;
 
 // Fraction of the first face's size within which a point beside it still lies over it. Otherwise rounding would lose
 // the point in which two edges cross.
-constexpr float kSeam = 1e-3F;
+constexpr float kOverlapSeam = 1e-3F;
 
 Vec3 beside(const Vec3& normal, const Vec3& v) {
   return v - normal * dot(normal, v);
@@ -46,7 +46,7 @@ Vec3 nearestOnBorder(const Vec3& normal, std::span<const Vec3> face, const Vec3&
 Common commonOf(const Vec3& normal, std::span<const Vec3> first, std::span<const Vec3> second, const Vec3& middle) {
   float reachSq = 0;
   for (const Vec3& corner : first) reachSq = std::max(reachSq, lengthSq(corner - middle));
-  const float seam = kSeam * std::sqrt(reachSq);
+  const float seam = kOverlapSeam * std::sqrt(reachSq);
   Common common(second);
   const auto cut = [&](const Vec3& inwards, const Vec3& at) {
     common.cut(inwards, dot(inwards, at) - seam * length(inwards));

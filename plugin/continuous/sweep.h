@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "cairn/core/budget.h"
@@ -30,7 +31,7 @@ struct SweptPair {
 /// plane is the one that separates the two regions for the longest time. The solver lets each leaf come as far as its
 /// plane, and all together stop the body at the first meeting. See docs/algorithms/continuous.md.
 ///
-///     Sweep sweep(kind);
+///     Sweep sweep(makeSweptTarget(kind));
 ///     for (const Contact& contact : sweep.run(pair, budget)) ...;
 ///
 /// A body that has sunk in all the same is found again. A sweep remembers the bodies' poses from when nothing had sunk
@@ -42,7 +43,8 @@ class Sweep {
  public:
   static constexpr std::uint32_t kMaxTests = 1U << 16;
 
-  explicit Sweep(ColliderKind kind) : target_(makeSweptTarget(kind)) {}
+  /// `target`: empty yet, for shapes of the pair's kind.
+  explicit Sweep(std::unique_ptr<SweptTarget> target) : target_(std::move(target)) {}
 
   /// The speculative contacts, in the pair frame. Each direction of search gives at most one for each leaf of the
   /// smaller tree. A leaf with too large an error may have one for each triangle. Their order depends on the pair

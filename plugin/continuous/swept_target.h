@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "colliders/collider.h"
@@ -16,9 +15,9 @@ inline constexpr float kInfiniteExtent = 1e38F;
 /// A shape that a moving sphere-tree may meet, as elements; elements of a tree have children. All lengths and points
 /// are in the frame of the target's body, world unit. Nothing here can fail; elements are those taken last.
 ///
-///     std::unique_ptr<SweptTarget> target = makeSweptTarget(kind);
-///     target->take(shape, lower, upper);
-///     for (std::uint32_t i = 0; i < target->rootCount(); ++i) ...;
+///     SweptPlane target;
+///     target.take(shape, lower, upper);
+///     for (std::uint32_t i = 0; i < target.rootCount(); ++i) ...;
 class SweptTarget {
  public:
   virtual ~SweptTarget() = default;
@@ -52,8 +51,5 @@ class SweptTarget {
 inline Vec3 supportOf(const SweptTarget& target, std::uint32_t element, const Mat3& axes, const Vec3& direction) {
   return axes * target.support(element, transpose(axes) * direction);
 }
-
-/// Makes the target for a kind of collider.
-std::unique_ptr<SweptTarget> makeSweptTarget(ColliderKind kind);
 
 }  // namespace cairn::bullet

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "colliders/collider.h"
+#include "pairs/collider_kinds.h"
 #include "pairs/tree_pair.h"
 
 namespace cairn::bullet {

@@ -19,7 +19,7 @@ constexpr double kMinShare = 0.5;
 constexpr std::uint64_t kMinOperations = 2 * Scheduler::kTurnOperations;
 
 // The minimum weight is 1 / maximum.
-constexpr double kMostImportant = 1e6;
+constexpr double kMaxImportance = 1e6;
 
 void spend(StepMeans& left, double operations, double nanoseconds) {
   left.operations -= operations;
@@ -60,7 +60,7 @@ bool StepPlan::isTooMuchFor(StepMeans left, const CostModel& cost) const {
 }
 
 void StepPlan::weigh(std::size_t pair, double importance) {
-  const double counted = importance > 1 / kMostImportant ? std::min(importance, kMostImportant) : 1 / kMostImportant;
+  const double counted = importance > 1 / kMaxImportance ? std::min(importance, kMaxImportance) : 1 / kMaxImportance;
   estimates_[pair].urgency *= std::sqrt(counted);
 }
 

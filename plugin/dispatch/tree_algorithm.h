@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cairn/bullet/narrow_phase.h"
-#include "colliders/collider.h"
+#include "pairs/collider_kinds.h"
 #include "pairs/pair_handles.h"
 
 namespace cairn::bullet {

@@ -24,7 +24,7 @@ void lookAhead(TreePair& pair, const PairPlacement& placement, const PairSides& 
   PairTrajectory& trajectory = pair.trajectory;
   trajectory.speculative = {};
   if (!trajectory.isFast && !trajectory.isAnchored()) return;
-  if (!trajectory.sweep) trajectory.sweep = std::make_unique<Sweep>(pair.kind);
+  if (!trajectory.sweep) trajectory.sweep = std::make_unique<Sweep>(makeSweptTarget(pair.kind));
   trajectory.speculative = trajectory.sweep->run(
       {placement.treeShape, placement.otherShape, Trajectory(sides.tree, sweptTime), Trajectory(sides.other, sweptTime),
        pair.motion.origin, placement.maxSeparation, trajectory.isFast, placement.otherIndex},

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contacts/manifold_writer.h"
+#include "pairs/collider_kinds.h"
 #include "pairs/pair_age.h"
 #include "pairs/pair_bodies.h"
 #include "pairs/pair_contacts.h"

@@ -123,7 +123,7 @@ TriangleMesh meshFrom(Bytes& bytes) {
 
 builder::BuildOptions optionsFrom(Bytes& bytes) {
   builder::BuildOptions options;
-  options.method = builder::Method(bytes.below(std::uint32_t(builder::Method::adaptive) + 1));
+  options.method = builder::Method(bytes.below(std::uint32_t(builder::methodNames().size())));
   options.branching = builder::dividesByEight(options.method) ? 8 : 2 + bytes.below(7);
   options.depth = 1 + bytes.below(2);
   options.samples = 100 + bytes.below(200);

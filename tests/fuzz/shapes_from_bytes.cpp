@@ -127,7 +127,7 @@ ShapePtr fixedFrom(Bytes& bytes, btScalar size) {
   }
 }
 
-// Of trees alone: where anything else meets a body that is no number, Bullet hands it on.
+// Of trees alone: where anything else meets a non-finite body, Bullet hands it on.
 MadeShape compoundFrom(Bytes& bytes, int mostPowerOfTen, bool mayBeDamaged, int depth) {
   auto compound = std::make_shared<btCompoundShape>();
   std::vector<ShapePtr> children;

@@ -24,7 +24,7 @@ bool isFinite(const btVector3& v) {
 void requireSoundPoint(const btManifoldPoint& point) {
   require(isFinite(point.getPositionWorldOnA()) && isFinite(point.getPositionWorldOnB()) &&
               std::isfinite(point.getDistance()),
-          "a contact is no number");
+          "a contact is not finite");
   const btScalar squared = point.m_normalWorldOnB.length2();
   require(squared > btScalar(0.99) && squared < btScalar(1.01), "a contact's normal is no direction");
 }
@@ -39,7 +39,7 @@ class Judge {
     require(
         s.worstErrorFraction >= 0 && s.meanErrorFraction >= 0 && s.meanErrorFraction <= s.worstErrorFraction * 1.000001,
         "a step's errors are negative, no numbers, or their mean beyond their worst");
-    if (play_.state.isHonest) require(std::isfinite(s.worstErrorFraction), "a step's error is endless");
+    if (play_.state.isHonest) require(std::isfinite(s.worstErrorFraction), "a step's error is not finite");
     requireBodies();
     requireContacts();
     requireOperations(s);

@@ -46,7 +46,7 @@ void runOne(const HardCase& hardCase, Effort effort, Count& count) {
     const std::string name = hardCase.id + " " + measure.name;
     count.behindStock += holdsBehindStock(measure) ? 1 : 0;
     if (isNews(hardCase.id, measure, effort)) count.news.push_back(name);
-    if (verdictOn(measure) != Verdict::misses && std::ranges::count(known, measure.name) > 0)
+    if (verdictOn(measure) == Verdict::holds && std::ranges::count(known, measure.name) > 0)
       count.noLongerMissed.push_back(name);
   }
   count.measures += outcome.measures.size();

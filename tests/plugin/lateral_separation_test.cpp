@@ -80,8 +80,8 @@ TEST(LateralSeparation, AgreesWithAFanOfDirections) {
 }
 
 TEST(LateralSeparation, SaysNothingOfWhatHasNoEnd) {
-  const auto endless = [](const Vec3& n) { return n * -std::numeric_limits<float>::infinity(); };
-  EXPECT_FALSE(LateralSeparation(Vec3(1, 0, 0)).direction(Vec3(0, 1, 0), 0, endless));
+  const auto infinite = [](const Vec3& n) { return n * -std::numeric_limits<float>::infinity(); };
+  EXPECT_FALSE(LateralSeparation(Vec3(1, 0, 0)).direction(Vec3(0, 1, 0), 0, infinite));
   const auto same = [](const Vec3&) { return Vec3(); };
   EXPECT_FALSE(LateralSeparation(Vec3(1, 0, 0)).direction(Vec3(0, 1, 0), 0, same)) << "one point of both";
 }

@@ -67,7 +67,7 @@ TEST(ManifoldOrder, IsThatOfBodiesAndPointsWhoeverMadeThem) {
   }
 }
 
-// Only what is no number is unordered to C++; no comparison may say so.
+// Only NaN is unordered to C++; no comparison may say so.
 TEST(ManifoldOrder, HasAPlaceForWhatIsNoNumber) {
   std::mt19937 random(18);
   const btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN();

@@ -54,9 +54,9 @@ TEST(GroundSurface, IsOfOneSolid) {
   two.insert(two.end(), second.begin(), second.end());
   for (std::size_t i = 0; i < insideOut.size(); i += 3) std::swap(insideOut[i + 1], insideOut[i + 2]);
   for (const auto& corners : {open, turned, finned, two, insideOut}) EXPECT_FALSE(isSolid(corners));
-  std::vector<btVector3> endless = solid;
-  endless[4].setX(std::numeric_limits<btScalar>::quiet_NaN());
-  EXPECT_FALSE(isSolid(endless));
+  std::vector<btVector3> withNan = solid;
+  withNan[4].setX(std::numeric_limits<btScalar>::quiet_NaN());
+  EXPECT_FALSE(isSolid(withNan));
 }
 
 TEST(GroundSurface, IsNotOfHugeMeshes) {

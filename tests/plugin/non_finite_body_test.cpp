@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Zlib
-// A body that is no number, or on its way there, harms no other.
+// A non-finite body, or one about to become so, harms no other.
 #include <gtest/gtest.h>
 
 #include <algorithm>

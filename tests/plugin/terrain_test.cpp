@@ -135,9 +135,9 @@ TEST(Terrain, GivesEverythingToEndlessBoxesAndNothingToNone) {
   std::mt19937_64 engine(31);
   const auto shape = terrainOf(randomTerrain(engine, {40, 35, 0.7}, 30));
   const std::vector<Found> all = byDefinition(shape->grid());
-  const btScalar endless = std::numeric_limits<btScalar>::infinity(),
+  const btScalar infinity = std::numeric_limits<btScalar>::infinity(),
                  nothing = std::numeric_limits<btScalar>::quiet_NaN();
-  for (const btScalar far : {btScalar(1e9), btScalar(1e30), endless})
+  for (const btScalar far : {btScalar(1e9), btScalar(1e30), infinity})
     expectSame(trianglesIn(*shape, btVector3(-far, -far, -far), btVector3(far, far, far)), all);
   EXPECT_TRUE(trianglesIn(*shape, btVector3(nothing, 0, 0), btVector3(1, 1, 1)).empty());
   EXPECT_TRUE(trianglesIn(*shape, btVector3(0, 0, nothing), btVector3(1, 1, 1)).empty());

@@ -19,7 +19,7 @@ function refusesWithoutChange(calls) {
   assert.equal(world.asleep().length, 1);
 }
 
-test('what is no number of a body names none', () => {
+test('NaN names no body', () => {
   const wrong = [NaN, undefined, null, 'rock', 0.5, 2 ** 32];
   refusesWithoutChange(wrong.map((body) => (world) => world.removeBody(body)));
   refusesWithoutChange(wrong.map((body) => (world) => world.setPose(body, [1, 1, 1])));

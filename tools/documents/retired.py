@@ -8,7 +8,7 @@ from dataclasses import dataclass
 class Retired:
     pattern: str
     instead: str
-    rooms: tuple = ()  # the folders where the word has the retired sense; none: everywhere
+    folders: tuple = ()  # the folders where the word has the retired sense; none: everywhere
     flags: int = re.IGNORECASE
 
 
@@ -18,7 +18,7 @@ RETIRED = (
     Retired(r"\bkept[- ]answers?\b", "contact cache"),
     Retired(r"\bredeem\w*", "release (a reservation)"),
     Retired(r"\bpromis(?:e|es|ed|ing)\b", "reservation, reserve", ("core", "plugin")),
-    Retired(r"\b(?:is|are|as) no numbers?\b|\bnumber that is none\b", "NaN, non-finite", ("core", "plugin", "docs")),
+    Retired(r"\b(?:is|are|as) no numbers?\b|\bnumber that is none\b", "NaN, non-finite", ("core", "plugin", "docs", "tests")),
     Retired(r"\bstand-ins?\b", "fallback", ("plugin",)),
     Retired(r"\bstrays?\b", "outlier", ("plugin", "docs")),
     Retired(r"\bk(?:Most|Least)[A-Z]\w*", "kMax..., kMin...", flags=0),
@@ -45,10 +45,10 @@ def comment_lines(name, text):
 
 
 def retired_words(name, numbered_lines):
-    room = name.split("/")[0]
+    folder = name.split("/")[0]
     for number, line in numbered_lines:
         for word in RETIRED:
-            if word.rooms and room not in word.rooms:
+            if word.folders and folder not in word.folders:
                 continue
             for found in re.finditer(word.pattern, line, word.flags):
                 yield f"{name}:{number}: '{found.group(0)}' is retired; the glossary says: {word.instead}"

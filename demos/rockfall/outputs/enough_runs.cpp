@@ -13,11 +13,11 @@ namespace {
 /// Of the quantile, on either side: the width of the classes that guidelines have is coarser by far.
 constexpr double kFineEnough = 0.1;
 /// Of so many values one at least lies beyond their 95 % quantile, 39 times in 40: ln 0.025 / ln 0.95.
-constexpr double kLeastValues = 72;
+constexpr double kMinValues = 72;
 
 /// About how many runs would tell the quantile, where these runs gave `values` values of it.
 std::uint64_t runsNeeded(double quantile, const Interval& bounds, std::uint64_t values, std::uint64_t runs) {
-  double factor = kLeastValues / static_cast<double>(values);
+  double factor = kMinValues / static_cast<double>(values);
   if (bounds.high && quantile > 0) {
     // Widths fall with the root of the number of runs.
     const double wider = std::max(*bounds.high - quantile, quantile - bounds.low);

@@ -182,8 +182,8 @@ class Factory {
     return scalar(scenes::Random(seed(run_, Variable::parameters), stream).uniform(span.low, span.high));
   }
   btScalar drawn(const PairTable::Entry& entry) const {
-    constexpr std::uint64_t kMostMaterials = 65536;
-    return drawn(entry.value, 1 + entry.pair.first * kMostMaterials + entry.pair.second);
+    constexpr std::uint64_t kMaxMaterials = 65536;
+    return drawn(entry.value, 1 + entry.pair.first * kMaxMaterials + entry.pair.second);
   }
   effects::PairTable<btScalar> tableOf(const PairTable& table) const {
     effects::PairTable<btScalar> result(drawn(table.otherwise));

@@ -21,13 +21,13 @@ namespace cairn::rockfall {
 namespace {
 
 /// Of places of release, by that many drawn ones: below, drawing again would take too long.
-constexpr int kTrials = 1000, kLeastOverGround = 50;
+constexpr int kTrials = 1000, kMinOverGround = 50;
 
 Status checkHoles(const Release& release, const Ground& ground, std::size_t group) {
   scenes::Random random(0);
   int over = 0;
   for (int trial = 0; trial < kTrials; ++trial) over += ground.covers(drawPlace(release, random));
-  if (over >= kLeastOverGround) return {};
+  if (over >= kMinOverGround) return {};
   return Error{
       fmt::format("/rocks/{}/release: only {:.2g} % of it are over the ground, the rest over holes or beside it", group,
                   100.0 * over / kTrials)};

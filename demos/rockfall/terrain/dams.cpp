@@ -83,12 +83,12 @@ Raised raise(const Dam& dam, TerrainGrid& grid) {
 }  // namespace
 
 Status raiseDams(Case& description, MapTerrain& terrain) {
-  constexpr double kLeastShare = 0.5;
+  constexpr double kMinShare = 0.5;
   for (std::size_t i = 0; i < description.terrain.dams.size(); ++i) {
     const Dam& dam = description.terrain.dams[i];
     const Raised raised = raise(dam, terrain.grid);
     const std::string path = fmt::format("/terrain/dams/{}", i);
-    if (raised.mostM < kLeastShare * dam.heightM)
+    if (raised.mostM < kMinShare * dam.heightM)
       return Error{
           fmt::format("{}: it raises {} points of the ground, by {:.2g} m at most: points are {:g} m apart, so "
                       "give the dam a wider crest, or take a finer terrain, and place the dam on it",

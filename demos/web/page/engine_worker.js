@@ -6,8 +6,8 @@ import { boxesOf } from './scene_plan.js';
 
 const kTimeStep = 1 / 60;
 const kGravity = [0, -9.81, 0];
-const kMostSamples = 600; // that wait for a page that shows nothing, as a hidden one; the charts have room for fewer
-const kMostBehind = 100; // ms; a world that falls behind further runs slower than time, as steps do not get longer
+const kMaxSamples = 600; // that wait for a page that shows nothing, as a hidden one; the charts have room for fewer
+const kMaxBehind = 100; // ms; a world that falls behind further runs slower than time, as steps do not get longer
 
 let engine = null;
 let engineId = null;
@@ -53,7 +53,7 @@ function takeStep() {
   const { stepMs, narrowPhaseMs } = world.times();
   const { operations = null, unresolvedPairs = null, worstErrorFraction = null, pairs = null } = world.statistics?.() ?? {};
   samples.push({ step: steps, stepMs, narrowPhaseMs, operations, unresolvedPairs, worstErrorFraction, pairs });
-  if (samples.length > kMostSamples) samples.shift();
+  if (samples.length > kMaxSamples) samples.shift();
 }
 
 function sendFrame() {
@@ -70,7 +70,7 @@ function tick() {
   timer = null;
   if (!isRunning || !world) return;
   const now = performance.now();
-  if (now - due > kMostBehind) due = now;
+  if (now - due > kMaxBehind) due = now;
   try {
     takeStep();
   } catch (error) {

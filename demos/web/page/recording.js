@@ -2,8 +2,8 @@
 //
 // What was seen, kept for a minute, as a file, and back.
 
-const kMostFrames = 3600; // a minute of them
-const kMostBodies = 5000;
+const kMaxFrames = 3600; // a minute of them
+const kMaxBodies = 5000;
 const kFormat = 'cairn-run';
 const kTimeStep = 1 / 60;
 
@@ -18,7 +18,7 @@ export class Recorder {
   add(step, poses) {
     this.steps.push(step);
     this.frames.push(poses);
-    if (this.steps.length > kMostFrames) {
+    if (this.steps.length > kMaxFrames) {
       this.steps.shift();
       this.frames.shift();
     }
@@ -53,7 +53,7 @@ function checkHeader({ format, version, engine, models, bodies, times, poses }, 
   if (typeof engine !== 'string' || typeof poses !== 'string') refuse('engine or poses are missing');
   for (const list of [models, bodies, times]) if (!Array.isArray(list) || list.length === 0) refuse('models, bodies or times are missing');
   for (const name of models) if (!known.includes(name)) refuse(`the model ${String(name).slice(0, 40)} is not on this page`);
-  if (bodies.length > kMostBodies) refuse(`it has more than ${kMostBodies} bodies`);
+  if (bodies.length > kMaxBodies) refuse(`it has more than ${kMaxBodies} bodies`);
   for (const model of bodies) if (!Number.isInteger(model) || model < 0 || model >= models.length) refuse('a body has no model');
   times.forEach((time, k) => (Number.isFinite(time) && time >= 0 && (k === 0 || time > times[k - 1])) || refuse('its times do not rise'));
 }

@@ -6,7 +6,7 @@ import { runOf, textOf } from './recording.js';
 import { makeReplay } from './replay.js';
 import { tracksOfGeoJson, tracksOfVtk } from './trajectories.js';
 
-const kMostBytes = 400e6;
+const kMaxBytes = 400e6;
 const kRocks = 'models/rocks.vtk'; // there when the page was built with an example
 const kPause = 1; // s at the end, before it begins again
 
@@ -49,7 +49,7 @@ export class ReplayPanel {
     part('file').value = '';
     if (!file) return;
     await this.tryTo(async () => {
-      if (file.size > kMostBytes) throw new Error(`${file.name} is larger than 400 MB; merge fewer runs.`);
+      if (file.size > kMaxBytes) throw new Error(`${file.name} is larger than 400 MB; merge fewer runs.`);
       return readRun(await file.text(), this.models_.map(({ name }) => name));
     });
   }

@@ -2,7 +2,7 @@
 //
 // Trajectories of rocks, as `rockfall merge` writes them: trajectories.vtk, or trajectories.geojson, which has only durations.
 
-const kMostPoints = 2e6;
+const kMaxPoints = 2e6;
 const kDefaultSize = 0.5; // m, where the file does not tell how large a rock is
 const kDefaultStep = 0.1; // s between places, where a GeoJSON has no durations
 
@@ -77,7 +77,7 @@ export function tracksOfVtk(text) {
 
 function checked(tracks) {
   if (tracks.length === 0) refuse('the file has no line of two places or more');
-  if (tracks.reduce((sum, { places }) => sum + places.length, 0) > kMostPoints) refuse(`there are more than ${kMostPoints} places`);
+  if (tracks.reduce((sum, { places }) => sum + places.length, 0) > kMaxPoints) refuse(`there are more than ${kMaxPoints} places`);
   for (const { times } of tracks) times.forEach((time, k) => (k === 0 || time >= times[k - 1]) || refuse('times of a line do not rise'));
   // Maps lie far from zero; the picture is drawn around the first place, with z of the map as its height.
   const [ox, oy, oz] = tracks[0].places[0];

@@ -29,7 +29,7 @@ struct StockRun {
   Figures figures;
 };
 
-/// Our figures beside, for each, the best of Bullet's shapes; what is no number is nobody's best.
+/// Our figures beside, for each, the best of Bullet's shapes; NaN is nobody's best.
 std::vector<Measure> besideTheBest(const std::vector<Asked>& asked, const Figures& ours,
                                    const std::vector<StockRun>& stock);
 
@@ -46,11 +46,11 @@ std::vector<Measure> compareSeeds(const std::vector<Asked>& asked, int count,
 /// Of several runs, figure by figure, the quantile that is asked for.
 Figures joined(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
 
-/// The worst of several runs, figure by figure; what is no number is worst.
+/// The worst of several runs, figure by figure; NaN is worst.
 Figures worstOf(const std::vector<Asked>& asked, const std::vector<Figures>& runs);
 
 /// The value that this part of them is no worse than (of an even number the median is the worse of the middle two);
-/// no number if any is none, or endless.
+/// NaN if any is NaN or infinite.
 double quantileOf(std::vector<double> values, double quantile, Bound bound);
 
 }  // namespace cairn::hard

@@ -25,11 +25,11 @@ class Pile {
   Pile(const test::TriedBody& tried, double size, const PileOptions& options);
 
   void step();
-  /// Of translation, turning and height, J; what is no number makes it none.
+  /// Of translation, turning and height, J; NaN makes it NaN.
   double energy() const;
   double kineticEnergy() const;
   double greatestSpeed() const;
-  /// Whose place or velocity is no number.
+  /// Whose place or velocity is not finite.
   int countInsane() const;
   /// Who left the pit through ground or walls by half the size.
   int countLost() const;

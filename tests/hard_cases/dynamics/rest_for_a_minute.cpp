@@ -37,7 +37,7 @@ Outcome runRestForAMinute(Effort effort) {
     return figures;
   };
   return {
-      compareSeeds(asked, isWhole ? 40 : 3, rock, run),
+      compareSeeds(asked, isWhole ? 40 : 20, rock, run),
       "Bullet's solver resists along one direction, that of the sliding as the step begins. A rock that rocks slides "
       "another way within the step and creeps on. Hulls creep too, but Bullet drops their points once they have slid."};
 }

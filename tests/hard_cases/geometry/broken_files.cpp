@@ -62,7 +62,7 @@ class Breaker {
  public:
   Breaker(FamilyDemands& demands, Effort effort) : demands_(demands), effort_(effort) {}
 
-  /// A coordinate that is no number, and a triangle that names a vertex beyond the last: where a format has such.
+  /// A coordinate that is NaN, and a triangle that names a vertex beyond the last: where a format has such.
   void spoilElements(const Format& format) {
     for (std::uint32_t v = 0; v < solid_.vertices.size(); v += effort_ == Effort::quick ? 3 : 1)
       for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300}) {

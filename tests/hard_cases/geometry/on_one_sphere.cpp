@@ -39,7 +39,7 @@ std::vector<Measure> farthestFromCentre(std::size_t count) {
   for (const builder::VoronoiVertex& vertex : diagram.vertices()) {
     const bool ofSamples = std::ranges::all_of(
         vertex.sites, [](std::uint32_t site) { return site >= builder::VoronoiDiagram::kEnclosingSites; });
-    // Outer ones lie beyond the sphere; what is no number would be neither.
+    // Outer ones lie beyond the sphere; NaN would be neither.
     if (!vertex.alive || !ofSamples || length(vertex.position) >= 1) continue;
     farthest = test::greatest(farthest, length(vertex.position));
     ++found;
