@@ -486,7 +486,7 @@ wasm() {
       mkdir -p out/wasm/golden
       node --no-experimental-fetch build/wasm/bin/golden_hash.js --trees out/wasm/golden/round.cairn out/wasm/golden/square.cairn
       say "Testing the package"
-      node --test tests/wasm/bits.test.mjs tests/wasm/api.test.mjs tests/wasm/misuse.test.mjs
+      node --test tests/wasm/*.test.mjs
       ;;
     ratio)
       need "${everything[@]}"
