@@ -10,11 +10,18 @@ export const kContestants = {
   'cairn-leaves': { engine: 'cairn', shape: 'leaves', what: 'Cairn, contacts at leaves' },
   'rapier-mesh': { engine: 'rapier', shape: 'mesh', what: 'Rapier, mesh' },
   'rapier-decomposition': { engine: 'rapier', shape: 'decomposition', what: 'Rapier, its decomposition' },
+  'rapier-plain': { engine: 'rapier', shape: 'decomposition', simd: false, isExtra: true, what: 'Rapier, its decomposition, newest version without vectors' },
   'rapier-hulls': { engine: 'rapier', shape: 'hulls', what: 'Rapier, V-HACD 16' },
   'jolt-16': { engine: 'jolt', shape: 'hulls', hulls: 16, what: 'Jolt, V-HACD 16' },
   'jolt-64': { engine: 'jolt', shape: 'hulls', hulls: 64, what: 'Jolt, V-HACD 64' },
   'havok-mesh': { engine: 'havok', shape: 'mesh', what: 'Havok, mesh' },
   'havok-hulls': { engine: 'havok', shape: 'hulls', what: 'Havok, V-HACD 16' },
 };
+
+/// Who takes part when nobody is named.
+export const kUsual = Object.keys(kContestants).filter((name) => !kContestants[name].isExtra);
+
+/// One of each engine for the README, in the shape that each does best in: what is left out is slower or deeper in most scenes.
+export const kQuoted = ['cairn', 'rapier-decomposition', 'jolt-64', 'havok-hulls'];
 
 export const kParts = [16, 64]; // of V-HACD, at most
