@@ -2,10 +2,11 @@
 //
 // The judge of all engines: reads poses of a closed mesh, and measures the meshes themselves with the exact check of
 // demos/scenes/truth (CGAL), which shares no code with any engine. Usage: showdown_judge FRAMES.json
-//   {"vertices": [x, y, z...], "indices": [...], "faces": [[nx, ny, nz, offset]...], "frames": [[x, y, z, qx, qy, qz,
-//   qw...]...]}
+//   {"vertices": [x, y, z...], "indices": [...], "faces": [[nx, ny, nz, offset]...], "gapsFrom": 0, "frames": [[x, y,
+//   z, qx, qy, qz, qw...]...]}
 // Prints for each frame depth, gap and depth in the pit's faces, as fractions of the mesh's size. A body whose pose
-// holds null, as JSON has numbers that are none, is nowhere: it is counted, and nothing is measured of it.
+// holds null, as JSON has numbers that are none, is nowhere: it is counted, and nothing is measured of it. Frames
+// before `gapsFrom`, which may be left out, get no gaps.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,7 +36,8 @@ struct Face {
 
 struct Frame {
   std::vector<btTransform> poses;
-  int nowhere = 0;  // bodies without one
+  int nowhere = 0;      // bodies without one
+  bool hasGaps = true;  // are asked for, which takes most of the time
 };
 
 struct Question {
@@ -72,7 +74,10 @@ Question read(const Json& json) {
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
     question.model.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
   for (const auto& face : json.at("faces")) question.faces.push_back({{face[0], face[1], face[2]}, face[3]});
-  for (const auto& frame : json.at("frames")) question.frames.push_back(frameOf(frame));
+  for (const auto& frame : json.at("frames")) {
+    question.frames.push_back(frameOf(frame));
+    question.frames.back().hasGaps = question.frames.size() > json.value("gapsFrom", std::size_t(0));
+  }
   return question;
 }
 
@@ -100,14 +105,19 @@ class Judge {
       for (std::size_t j = i + 1; j < bodies_.size(); ++j)
         if (const double depth = depthOf(i, j); depth > 0) depths.add(depth);
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) closeGap(i);
-    cairn::scenes::SpreadOfLengths gaps;
-    for (const double gap : gaps_) gaps.add(gap);
-    return {
-        {"depth", toJson(depths)}, {"pitDepth", toJson(faceDepths)}, {"gap", toJson(gaps)}, {"nowhere", frame.nowhere}};
+    Json answer = {{"depth", toJson(depths)}, {"pitDepth", toJson(faceDepths)}, {"nowhere", frame.nowhere}};
+    if (frame.hasGaps) answer["gap"] = gaps();
+    return answer;
   }
 
  private:
+  Json gaps() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) closeGap(i);
+    cairn::scenes::SpreadOfLengths lengths;
+    for (const double gap : gaps_) lengths.add(gap);
+    return toJson(lengths);
+  }
+
   Json toJson(const cairn::scenes::SpreadOfLengths& lengths) const {
     const cairn::scenes::Spread spread = lengths.over(size_);
     return {{"mean", spread.mean}, {"max", spread.max}, {"pairs", spread.pairs}};

@@ -30,6 +30,6 @@ export function runOnce({ folder, steps, longest, limit, judge }, { scene, bodie
   const { vertices, indices } = JSON.parse(readFileSync(model.mesh));
   const question = join(folder, 'frames.json');
   // A pose that is no number is null in JSON, by which the judge knows it.
-  writeFileSync(question, JSON.stringify({ vertices, indices, faces: pitFaces(halfWidthOf(bodies)), frames: measured.frames.map(({ poses }) => poses) }));
+  writeFileSync(question, JSON.stringify({ vertices, indices, faces: pitFaces(halfWidthOf(bodies)), frames: measured.frames.map(({ poses }) => poses), gapsFrom: measured.frames.length - 1 }));
   return figuresOf(measured, jsonOf(judge, [question], 3600));
 }

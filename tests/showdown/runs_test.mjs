@@ -106,6 +106,17 @@ test('the judge counts who is nowhere, and measures the others', { skip: !kJudge
   assert.deepEqual({ ...some, nowhere: 0 }, seven);
 });
 
+test('gaps are measured from the frame on that is asked for', { skip: !kJudge && 'CAIRN_JUDGE names no judge' }, () => {
+  const { vertices, indices } = makeBody('hook');
+  const poses = kScenes.hooks.start(8, randomOf(1)).flatMap(({ position, rotation }) => [...position, ...rotation]);
+  const file = join(folder, 'gaps.json');
+  writeFileSync(file, JSON.stringify({ vertices: [...vertices], indices: [...indices], faces: pitFaces(1), frames: [poses, poses], gapsFrom: 1 }));
+  const [early, late] = JSON.parse(execFileSync(kJudge, [file], { encoding: 'utf8' }));
+  assert.equal(early.gap, undefined);
+  assert.ok(late.gap.pairs > 0);
+  assert.deepEqual({ ...early, gap: late.gap }, late);
+});
+
 test('who was stopped stands in the table, the figure and the quotation', () => {
   const good = summaryOf([figuresOf(measured, [judgedFrame(), judgedFrame()])]);
   const table = tableOf('heap', 300, [1], { cairn: good, 'havok-mesh': { over: 100, with: 60 }, 'jolt-64': { over: 100 }, 'rapier-mesh': { failed: 'fell over' } });
