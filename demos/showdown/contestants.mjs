@@ -4,7 +4,7 @@
 
 export const kContestants = {
   'cairn': { engine: 'cairn', shape: 'tree', what: 'Cairn, no budget' },
-  'cairn-50k': { engine: 'cairn', shape: 'tree', budget: { operations: 50000 }, what: 'Cairn, 50,000 operations' },
+  'cairn-50k': { engine: 'cairn', shape: 'tree', budget: { operations: 50000 }, isExtra: true, what: 'Cairn, 50,000 operations' },
   'cairn-20k': { engine: 'cairn', shape: 'tree', budget: { operations: 20000 }, what: 'Cairn, 20,000 operations' },
   'cairn-2ms': { engine: 'cairn', shape: 'tree', budget: { microseconds: 2000 }, what: 'Cairn, 2 ms' },
   'cairn-leaves': { engine: 'cairn', shape: 'leaves', what: 'Cairn, contacts at leaves' },

@@ -17,6 +17,7 @@ const ofFolder = (folder) => readdirSync(folder).sort().map((name) => [name, ofF
 export function fingerprintOf({ showdown, engines, cairn, judge }, contestant, model, settings) {
   const own = contestant.engine === 'cairn' ? [ofFolder(cairn), ofFile(model.tree)] : [ofFile(join(engines, 'package-lock.json')), ofFile(model.hulls)];
   const adapters = [...kShared, `${contestant.engine}.mjs`].map((name) => ofFile(join(engines, name)));
-  const parts = [kJudged.map((name) => ofFile(join(showdown, name))), contestant, adapters, own, ofFile(judge), ofFile(model.mesh), settings];
+  const { engine, shape, simd, hulls, budget } = contestant; // its name decides nothing
+  const parts = [kJudged.map((name) => ofFile(join(showdown, name))), { engine, shape, simd, hulls, budget }, adapters, own, ofFile(judge), ofFile(model.mesh), settings];
   return hashOf(JSON.stringify(parts));
 }

@@ -53,8 +53,9 @@ test('a fingerprint changes with whatever decides a run, and with nothing of ano
     assert.deepEqual(kAll.filter((k) => now[k] !== before[k]), who, file);
   }
   for (const setting of [{ seed: 2 }, { steps: 200 }, { bodies: 61 }, { node: 'v1' }]) assert.ok(fingerprints(whole, setting).every((now, k) => now !== before[k]), JSON.stringify(setting));
-  const other = { ...kContestants.cairn, budget: { operations: 1 } };
-  assert.notEqual(fingerprintOf(whole.places, other, whole.model, settings), before[0]);
+  const ofCairn = (change) => fingerprintOf(whole.places, { ...kContestants.cairn, ...change }, whole.model, settings);
+  assert.notEqual(ofCairn({ budget: { operations: 1 } }), before[0]);
+  assert.equal(ofCairn({ what: 'another name' }), before[0]);
 });
 
 test('a kept run is taken where it is of the same fingerprint, else it is run anew', () => {
