@@ -76,7 +76,8 @@ export function quoteOf(names, results) {
   const none = ({ failed, over: limit }) => (failed || limit !== undefined ? '-' : null);
   const columns = [
     ['99 % of steps, CPU ms', listed((s) => s.p99.toFixed(1), over)],
-    ['deepest, % of size', listed((s) => percent(s.depthEver), none)],
+    ['deepest at the end, % of size', listed((s) => percent(s.depthEnd), none)],
+    ['ever', listed((s) => percent(s.depthEver), none)],
     ['rings apart', (name) => none(results.chains[name]) ?? results.chains[name].apart],
   ];
   const rows = [['', ...columns.map(([title]) => title)], ['---', ...columns.map(() => '--:')]];
