@@ -59,8 +59,8 @@ Cairn: collision detection that keeps its deadline.
                              tables and gallery, each with its command (hours, goes on where it was stopped; --quick: ten minutes)
   ./cairn.sh results [--quick] [--only SECTIONS]
                              measure and write docs/results.md, the page of all tables, section by section (--help, --list)
-  ./cairn.sh figures heap|converge
-                             print a table of the README as measured now, as Markdown
+  ./cairn.sh figures heap|converge|showdown
+                             print a table of the README as measured now, as Markdown (showdown: of kept runs, where code is the same)
   ./cairn.sh check-figures [PAGE...]
                              compare the tables between <!-- figures: COMMAND --> and <!-- /figures --> (default README.md)
                              with what their commands print
@@ -81,7 +81,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh wasm test       the same, and test it under Node: bits of the native library, with and without vectors
   ./cairn.sh wasm ratio [TREE [BODIES [STEPS [ROUNDS]]]] time a heap natively and by the package, and print the ratio
   ./cairn.sh showdown [OPTIONS] Cairn, Rapier, Jolt and Havok on the same scenes in Node, judged by one exact check: tables and a
-                             figure in out/showdown (--help lists the options; hours)
+                             figure in out/showdown (--help lists the options; half an hour)
   ./cairn.sh web [--build | --test | --measure] [--port N]
                              build the page that compares Cairn with Rapier, Jolt and Havok in a browser (out/web/page, for any web
                              server) and show it on http://localhost:8080 until Ctrl-C; --build only builds it, --test opens it in
@@ -355,7 +355,15 @@ results() {
 # A table of the README. Only the table goes to standard output.
 figures() {
   local mesh name out=out/demo
-  [[ ${1:-} == heap || ${1:-} == converge ]] || { echo "cairn.sh: figures prints heap or converge; name one of them." >&2; return 2; }
+  case ${1:-} in
+    heap | converge) ;;
+    showdown)
+      showdown_parts >&2
+      node demos/showdown/showdown.mjs --bunny "$mesh" --quote --resume
+      return
+      ;;
+    *) echo "cairn.sh: figures prints heap, converge or showdown; name one of them." >&2; return 2 ;;
+  esac
   {
     need "${everything[@]}" demo
     configure_and_build release --target cairn frame_budget make_rock
@@ -486,7 +494,7 @@ wasm() {
       mkdir -p out/wasm/golden
       node --no-experimental-fetch build/wasm/bin/golden_hash.js --trees out/wasm/golden/round.cairn out/wasm/golden/square.cairn
       say "Testing the package"
-      node --test tests/wasm/bits.test.mjs tests/wasm/api.test.mjs tests/wasm/misuse.test.mjs
+      node --test tests/wasm/*.test.mjs
       ;;
     ratio)
       need "${everything[@]}"
@@ -503,18 +511,21 @@ wasm() {
   esac
 }
 
+# What the comparison needs: package, programs, engines, and the bunny, whose name is in `mesh`.
+showdown_parts() {
+  need "${everything[@]}" web
+  wasm_package
+  configure_and_build release --target cairn make_rock showdown_judge
+  mkdir -p out/showdown
+  fetch_mesh out/showdown
+  node_packages demos/engines
+  ln -sfn "$PWD/out/wasm/cairn-collision" demos/engines/node_modules/cairn-collision
+}
+
 showdown() {
   local mesh
   case " $* " in *' --help '*) node demos/showdown/showdown.mjs --help; return ;; esac
-  need "${everything[@]}" web
-  {
-    wasm_package
-    configure_and_build release --target cairn make_rock showdown_judge
-    mkdir -p out/showdown
-    fetch_mesh out/showdown
-    node_packages demos/engines
-    ln -sfn "$PWD/out/wasm/cairn-collision" demos/engines/node_modules/cairn-collision
-  } >&2
+  showdown_parts >&2
   node demos/showdown/showdown.mjs --bunny "$mesh" --json out/showdown/showdown.json --figure out/showdown/showdown.svg "$@"
 }
 

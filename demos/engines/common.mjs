@@ -6,6 +6,12 @@ import { add, cross, length, rotate, scale, subtract } from './vectors.mjs';
 /// Friction of each body. Rapier averages, Jolt and Havok take the geometric mean: 0.25 for a pair. Bullet multiplies 0.5 and 0.5.
 export const kFriction = 0.25;
 
+// A function that uses one instruction of 128 bits.
+const kUsesVectors = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11]);
+
+/// Whether this host has WebAssembly's vectors.
+export const hasVectors = () => WebAssembly.validate(kUsesVectors);
+
 /// The shape that was asked for, or the engine's first.
 export function chosenShape(engine, shapes, wanted) {
   const shape = wanted ?? shapes[0];

@@ -17,6 +17,7 @@ export interface Model {
 
 export interface LoadOptions {
   shape?: string; // one of the engine's shapes; the first when left out
+  simd?: boolean; // Rapier only: the build with vectors, which is taken where the host has them, or the one without
 }
 
 export interface Engine {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rapier: moving triangle meshes, its own convex decomposition, or the parts of hulls.mjs.
-import { chosenShape, Drags, dragImpulse, hullsOf, kFriction } from './common.mjs';
+import { chosenShape, Drags, dragImpulse, hasVectors, hullsOf, kFriction } from './common.mjs';
 import { massProperties } from './mass.mjs';
 import { add, rotate } from './vectors.mjs';
 
@@ -100,9 +100,12 @@ class RapierWorld {
   }
 }
 
-export async function load({ shape } = {}) {
+/// The build with vectors, whose newest version is older, or the one without.
+const packageOf = (simd) => (simd ? import('@dimforge/rapier3d-simd-compat') : import('@dimforge/rapier3d-compat'));
+
+export async function load({ shape, simd = hasVectors() } = {}) {
   const kind = chosenShape('Rapier', kShapes, shape);
-  const { default: rapier } = await import('@dimforge/rapier3d-compat');
+  const { default: rapier } = await packageOf(simd);
   await rapier.init();
   return {
     name: 'Rapier',

@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures of runs, and the tables and the picture made of them.
+// The tables and the picture that are made of runs.
 import { writeFileSync } from 'node:fs';
 import { kContestants } from './contestants.mjs';
+import { median, sum } from './measured.mjs';
 import { kScenes } from './scenes.mjs';
-
-export const quantile = (list, part) => [...list].sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(part * list.length))];
-const median = (list) => quantile(list, 0.5);
-const sum = (list) => list.reduce((total, value) => total + value, 0);
-
-const timesOf = (list) => (list.length ? { median: median(list), p99: quantile(list, 0.99), mean: sum(list) / list.length } : null);
-
-/// What is kept of a run: `measured` as run.mjs prints it, `judged` as the judge does, a frame each.
-export function figuresOf(measured, judged) {
-  const { cpuMs, wallMs, narrowPhaseMs, missedMs, frames, ...rest } = measured;
-  // Engines tell the time that passed. Of a step that lost the processor it is a share of the step all the same.
-  const narrowCpuMs = narrowPhaseMs.map((passed, k) => cpuMs[k] * Math.min(1, passed / wallMs[k]));
-  return {
-    ...rest,
-    stepCpuMs: timesOf(cpuMs),
-    stepWallMs: timesOf(wallMs),
-    narrowPhaseCpuMs: timesOf(narrowCpuMs),
-    missedMs: missedMs.length ? Math.max(...missedMs) : null,
-    judged: judged.map((frame, k) => ({ step: frames[k].step, ...frame })),
-  };
-}
 
 /// Of the runs of several seeds: medians of times, means of what is counted at the end, the worst of depths in any frame.
 export function summaryOf(runs) {
@@ -63,6 +43,13 @@ const kColumns = [
   ['lost', (s) => s.lost],
 ];
 
+/// What stands in the place of figures: a failure, or that the contestant was stopped; null where there are figures.
+function wordsOf({ failed, over, with: bodies }) {
+  if (failed) return failed;
+  if (over === undefined) return null;
+  return `over ${over} ms${bodies ? ` already with ${bodies} bodies` : ''}`;
+}
+
 /// Markdown of one scene and number of bodies. `rows` maps contestants to summaries.
 export function tableOf(scene, bodies, seeds, rows) {
   const columns = kScenes[scene].apart ? [...kColumns, ['apart', (s) => s.apart]] : kColumns;
@@ -73,10 +60,29 @@ export function tableOf(scene, bodies, seeds, rows) {
     `| --- | ${columns.map(() => '--:').join(' | ')} |`,
   ];
   for (const [name, summary] of Object.entries(rows)) {
-    const cells = summary.failed ? [summary.failed, ...columns.slice(1).map(() => '')] : columns.map(([, cell]) => cell(summary));
+    const words = wordsOf(summary);
+    const cells = words ? [words, ...columns.slice(1).map(() => '')] : columns.map(([, cell]) => cell(summary));
     lines.push(`| ${kContestants[name].what} | ${cells.join(' | ')} |`);
   }
   return `${lines.join('\n')}\n`;
+}
+
+const kQuotedScenes = ['heap', 'hooks', 'chains', 'bowls'];
+
+/// The short table of the README: one row an engine; cells go by scene, in the order above. `results` maps scenes to rows of one number of bodies.
+export function quoteOf(names, results) {
+  const listed = (pick, words) => (name) => kQuotedScenes.map((scene) => words(results[scene][name]) ?? pick(results[scene][name])).join(' / ');
+  const over = ({ failed, over: limit }) => (failed ? 'failed' : limit === undefined ? null : `over ${limit}`);
+  const none = ({ failed, over: limit }) => (failed || limit !== undefined ? '-' : null);
+  const columns = [
+    ['99 % of steps, CPU ms', listed((s) => s.p99.toFixed(1), over)],
+    ['deepest at the end, % of size', listed((s) => percent(s.depthEnd), none)],
+    ['ever', listed((s) => percent(s.depthEver), none)],
+    ['rings apart', (name) => none(results.chains[name]) ?? results.chains[name].apart],
+  ];
+  const rows = [['', ...columns.map(([title]) => title)], ['---', ...columns.map(() => '--:')]];
+  for (const name of names) rows.push([kContestants[name].what, ...columns.map(([, cell]) => cell(name))]);
+  return rows.map((cells) => `| ${cells.join(' | ')} |`).join('\n');
 }
 
 const kWidth = 420; // of a scene's part
@@ -101,7 +107,7 @@ function apart(labels) {
 }
 
 /// One scene: the deepest penetration ever against the 99 % step, both logarithmic. Lower left is better.
-function partOf(title, points, left) {
+function partOf({ title, absent }, points, left) {
   const [xs, ys] = [rangeOf(points.map(({ x }) => x)), rangeOf(points.map(({ y }) => y))];
   const scale = (value, [low, high], from, to) => from + ((Math.log10(value) - low) / Math.max(high - low, 1)) * (to - from);
   const px = (x) => left + scale(x, xs, kMargin.left, kWidth - kMargin.right);
@@ -112,7 +118,8 @@ function partOf(title, points, left) {
     ...decades(ys).map((k) => `<path d="M${px(10 ** xs[0])} ${py(10 ** k)}H${px(10 ** xs[1])}"/>`),
   ];
   const labels = [
-    text(left + kWidth / 2, 18, title, 'middle', 13),
+    text(left + kWidth / 2, 16, title, 'middle', 13),
+    text(left + kWidth / 2, 27, absent, 'middle', 8),
     ...decades(xs).map((k) => text(px(10 ** k), kHeight - kMargin.bottom + 15, 10 ** k)),
     ...decades(ys).map((k) => text(px(10 ** xs[0]) - 6, py(10 ** k) + 4, 10 ** k, 'end')),
     text(left + kWidth / 2, kHeight - 8, '99 % of steps, CPU ms'),
@@ -128,9 +135,11 @@ function partOf(title, points, left) {
 export function drawFigure(file, scenes) {
   const parts = Object.entries(scenes).map(([scene, rows], k) => {
     const points = Object.entries(rows)
-      .filter(([, summary]) => !summary.failed)
+      .filter(([, summary]) => !wordsOf(summary))
       .map(([name, summary]) => ({ name, what: kContestants[name].what, x: Math.max(summary.p99, 0.01), y: Math.max(100 * summary.depthEver, 0.01) }));
-    return points.length ? partOf(kScenes[scene].title, points, k * kWidth) : '';
+    const left = Object.entries(rows).filter(([, summary]) => summary.over !== undefined);
+    const absent = left.length ? `over ${left[0][1].over} ms: ${left.map(([name]) => kContestants[name].what.replace(', ', ' ')).join(', ')}` : '';
+    return points.length ? partOf({ title: kScenes[scene].title, absent }, points, k * kWidth) : '';
   });
   const width = kWidth * parts.length;
   writeFileSync(file, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${kHeight}" font-family="sans-serif"><rect width="${width}" height="${kHeight}" fill="white"/>${parts.join('')}</svg>\n`);

@@ -2,10 +2,13 @@
 //
 // The judge of all engines: reads poses of a closed mesh, and measures the meshes themselves with the exact check of
 // demos/scenes/truth (CGAL), which shares no code with any engine. Usage: showdown_judge FRAMES.json
-//   {"vertices": [x, y, z...], "indices": [...], "faces": [[nx, ny, nz, offset]...], "frames": [[x, y, z, qx, qy, qz,
-//   qw...]...]}
-// Prints for each frame depth, gap and depth in the pit's faces, as fractions of the mesh's size.
+//   {"vertices": [x, y, z...], "indices": [...], "faces": [[nx, ny, nz, offset]...], "gapsFrom": 0, "frames": [[x, y,
+//   z, qx, qy, qz, qw...]...]}
+// Prints for each frame depth, gap and depth in the pit's faces, as fractions of the mesh's size. A body whose pose
+// holds null, as JSON has numbers that are none, is nowhere: it is counted, and nothing is measured of it. Frames
+// before `gapsFrom`, which may be left out, get no gaps.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -31,11 +34,36 @@ struct Face {
   double offset = 0;
 };
 
+struct Frame {
+  std::vector<btTransform> poses;
+  int nowhere = 0;      // bodies without one
+  bool hasGaps = true;  // are asked for, which takes most of the time
+};
+
 struct Question {
   cairn::scenes::Model model;  // without a tree, which nobody asks here
   std::vector<Face> faces;
-  std::vector<std::vector<btTransform>> frames;
+  std::vector<Frame> frames;
 };
+
+double numberOf(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Frame frameOf(const Json& json) {
+  Frame frame;
+  std::vector<btScalar> numbers;
+  for (const auto& number : json) numbers.push_back(btScalar(numberOf(number)));
+  for (std::size_t i = 0; i + 6 < numbers.size(); i += 7) {
+    const btQuaternion rotation(numbers[i + 3], numbers[i + 4], numbers[i + 5], numbers[i + 6]);
+    const bool isFinite = std::all_of(&numbers[i], &numbers[i] + 7, [](btScalar x) { return std::isfinite(x); });
+    if (isFinite && rotation.length2() > 0)
+      frame.poses.emplace_back(rotation.normalized(), btVector3(numbers[i], numbers[i + 1], numbers[i + 2]));
+    else
+      ++frame.nowhere;
+  }
+  return frame;
+}
 
 Question read(const Json& json) {
   Question question;
@@ -47,12 +75,8 @@ Question read(const Json& json) {
     question.model.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
   for (const auto& face : json.at("faces")) question.faces.push_back({{face[0], face[1], face[2]}, face[3]});
   for (const auto& frame : json.at("frames")) {
-    const auto numbers = frame.get<std::vector<btScalar>>();
-    auto& poses = question.frames.emplace_back();
-    for (std::size_t i = 0; i + 6 < numbers.size(); i += 7) {
-      btQuaternion rotation(numbers[i + 3], numbers[i + 4], numbers[i + 5], numbers[i + 6]);
-      poses.emplace_back(rotation.normalize(), btVector3(numbers[i], numbers[i + 1], numbers[i + 2]));
-    }
+    question.frames.push_back(frameOf(frame));
+    question.frames.back().hasGaps = question.frames.size() > json.value("gapsFrom", std::size_t(0));
   }
   return question;
 }
@@ -71,9 +95,9 @@ class Judge {
   Judge(const ExactSurface& surface, const Question& question)
       : surface_(surface), question_(question), size_(question.model.size) {}
 
-  Json judge(const std::vector<btTransform>& poses) {
+  Json judge(const Frame& frame) {
     bodies_.clear();
-    for (const btTransform& pose : poses) bodies_.push_back(placeBody(pose, question_.model));
+    for (const btTransform& pose : frame.poses) bodies_.push_back(placeBody(pose, question_.model));
     gaps_.assign(bodies_.size(), kNear * size_);
     cairn::scenes::SpreadOfLengths depths, faceDepths;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -81,13 +105,19 @@ class Judge {
       for (std::size_t j = i + 1; j < bodies_.size(); ++j)
         if (const double depth = depthOf(i, j); depth > 0) depths.add(depth);
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) closeGap(i);
-    cairn::scenes::SpreadOfLengths gaps;
-    for (const double gap : gaps_) gaps.add(gap);
-    return {{"depth", toJson(depths)}, {"pitDepth", toJson(faceDepths)}, {"gap", toJson(gaps)}};
+    Json answer = {{"depth", toJson(depths)}, {"pitDepth", toJson(faceDepths)}, {"nowhere", frame.nowhere}};
+    if (frame.hasGaps) answer["gap"] = gaps();
+    return answer;
   }
 
  private:
+  Json gaps() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) closeGap(i);
+    cairn::scenes::SpreadOfLengths lengths;
+    for (const double gap : gaps_) lengths.add(gap);
+    return toJson(lengths);
+  }
+
   Json toJson(const cairn::scenes::SpreadOfLengths& lengths) const {
     const cairn::scenes::Spread spread = lengths.over(size_);
     return {{"mean", spread.mean}, {"max", spread.max}, {"pairs", spread.pairs}};
@@ -114,9 +144,18 @@ class Judge {
     return least;
   }
 
+  // Solids whose surfaces do not meet are apart, or one is inside the other with each of its vertices.
+  bool areApart(const cairn::scenes::Placement& placement) const {
+    if (surfacesMeet(surface_, surface_, placement)) return false;
+    const Vec3d vertex = question_.model.vertices.at(0);
+    return surface_.depth(placement * vertex) <= 0 && surface_.depth(placement.inverse() * vertex) <= 0;
+  }
+
   double depthOf(std::size_t i, std::size_t j) {
     if (!bodies_[i].box.overlaps(bodies_[j].box)) return 0;
-    const double depth = mutualPenetration(surface_, surface_, relative(i, j), kTolerance * size_);
+    const cairn::scenes::Placement placement = relative(i, j);
+    if (areApart(placement)) return 0;
+    const double depth = mutualPenetration(surface_, surface_, placement, kTolerance * size_);
     if (depth > 0) gaps_[i] = gaps_[j] = 0;
     return depth;
   }

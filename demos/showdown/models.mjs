@@ -2,11 +2,14 @@
 //
 // Bodies with their trees and convex parts, made once into a folder.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { makeBody, objOf, standard } from '../engines/bodies.mjs';
 import { decompose } from '../engines/hulls.mjs';
 import { kParts } from './contestants.mjs';
+
+const engines = join(import.meta.dirname, '../engines');
 
 /// Vertices and triangles of a Wavefront OBJ without texture coordinates, as `cairn simplify` writes it.
 function readObj(text) {
@@ -17,20 +20,31 @@ function readObj(text) {
 
 const bodyOf = (name, bunny) => (name === 'bunny' ? standard('bunny', readObj(readFileSync(bunny, 'utf8')), 1) : makeBody(name));
 
+const hashOf = (...parts) => parts.reduce((hash, part) => hash.update(part).update('\0'), createHash('sha256')).digest('hex');
+
+/// Makes a file where it is not there or was made of something else, which a hash tells.
+async function madeOf(file, hash, make) {
+  const stamp = `${file}.made-of`;
+  if (existsSync(file) && existsSync(stamp) && readFileSync(stamp, 'utf8') === hash) return;
+  rmSync(stamp, { force: true });
+  await make();
+  writeFileSync(stamp, hash);
+}
+
 /// Names of the files of a body: its mesh and convex parts as JSON, its tree. `options` has `cairn`, `bunny` and `folder`.
 export async function prepareModel(name, { cairn, bunny, folder }) {
   mkdirSync(folder, { recursive: true });
   const [mesh, obj, tree, hulls] = ['json', 'obj', 'cairn', 'hulls.json'].map((end) => join(folder, `${name}.${end}`));
   const body = bodyOf(name, bunny);
   const text = objOf(body);
-  const isMade = existsSync(hulls) && existsSync(tree) && existsSync(obj) && readFileSync(obj, 'utf8') === text;
-  if (!isMade) {
-    writeFileSync(obj, text);
-    writeFileSync(mesh, JSON.stringify({ name, vertices: [...body.vertices], indices: [...body.indices] }));
-    execFileSync(cairn, ['build', obj, '-o', tree], { stdio: ['ignore', 'ignore', 'inherit'] });
+  writeFileSync(obj, text);
+  writeFileSync(mesh, JSON.stringify({ name, vertices: [...body.vertices], indices: [...body.indices] }));
+  await madeOf(tree, hashOf(text, readFileSync(cairn)), () => execFileSync(cairn, ['build', obj, '-o', tree], { stdio: ['ignore', 'ignore', 'inherit'] }));
+  const maker = ['hulls.mjs', 'package-lock.json'].map((file) => readFileSync(join(engines, file)));
+  await madeOf(hulls, hashOf(text, ...maker, JSON.stringify(kParts)), async () => {
     const parts = {};
     for (const maxHulls of kParts) parts[maxHulls] = (await decompose(body, { maxHulls })).map((hull) => [...hull]);
     writeFileSync(hulls, JSON.stringify(parts));
-  }
+  });
   return { mesh, tree, hulls };
 }

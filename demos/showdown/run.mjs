@@ -3,6 +3,7 @@
 // One run of one contestant, in a process of its own: node run.mjs CONFIG.json. Prints what it measured as JSON.
 import { readFileSync } from 'node:fs';
 import { kContestants } from './contestants.mjs';
+import { makePatience } from './measured.mjs';
 import { countLost, halfWidthOf, kScenes, pitBoxes, randomOf } from './scenes.mjs';
 
 const kGravity = [0, -9.81, 0];
@@ -39,12 +40,15 @@ const cpuMs = () => {
   return (user + system) / 1000;
 };
 
-function measure(world, { steps, frames }) {
+/// Steps a world. Where its steps are longer than can be waited for, it is `stopped` and told at which step.
+function measure(world, { steps, frames, longest = Infinity }) {
   const measured = { cpuMs: [], wallMs: [], narrowPhaseMs: [], missedMs: [], frames: [] };
+  const isPatient = makePatience(longest);
   for (let step = 1; step <= steps; ++step) {
     const before = cpuMs();
     world.step();
     measured.cpuMs.push(cpuMs() - before);
+    if (!isPatient(measured.cpuMs.at(-1))) return { stopped: step };
     const { stepMs, narrowPhaseMs } = world.times();
     measured.wallMs.push(stepMs);
     if (narrowPhaseMs !== null) measured.narrowPhaseMs.push(narrowPhaseMs);
@@ -54,15 +58,19 @@ function measure(world, { steps, frames }) {
   return measured;
 }
 
-const engine = await (await import(`../engines/${contestant.engine}.mjs`)).load({ shape: contestant.shape });
+function told(world, measured) {
+  if (measured.stopped) return { stopped: measured.stopped, over: config.longest };
+  const last = measured.frames.at(-1).poses;
+  const counts = { asleep: world.asleep(), lost: countLost(last, halfWidthOf(config.bodies)), apart: scene.apart ? scene.apart(last) : null };
+  return { ...counts, hash: world.stateHash?.() ?? null, ...measured };
+}
+
+const engine = await (await import(`../engines/${contestant.engine}.mjs`)).load({ shape: contestant.shape, simd: contestant.simd });
 const shape = engine.prepare(modelOf(config.model));
 const first = worldOf(engine, shape, kWarmUp.bodies, 1000);
 measure(first, { steps: kWarmUp.steps, frames: [] });
 first.free();
 
 const world = worldOf(engine, shape, config.bodies, config.seed);
-const measured = measure(world, config);
-const last = measured.frames.at(-1).poses;
 const { name, version } = engine;
-const counts = { asleep: world.asleep(), lost: countLost(last, halfWidthOf(config.bodies)), apart: scene.apart ? scene.apart(last) : null };
-process.stdout.write(JSON.stringify({ engine: name, version, ...counts, hash: world.stateHash?.() ?? null, ...measured }));
+process.stdout.write(JSON.stringify({ engine: name, version, ...told(world, measure(world, config)) }));

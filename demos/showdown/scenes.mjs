@@ -121,12 +121,13 @@ export const pitFaces = (halfWidth) => [
   ...[-1, 1].flatMap((side) => [[side, 0, 0, -halfWidth], [0, 0, side, -halfWidth]]),
 ];
 
-/// Bodies that are farther out than half their size, or nowhere.
+/// Bodies that are farther out than half their size, or nowhere: their pose, place or rotation, is no number.
 export function countLost(poses, halfWidth) {
   let lost = 0;
   for (let at = 0; at < poses.length; at += 7) {
-    const [x, y, z] = poses.slice(at, at + 3);
-    if (!(Math.abs(x) < halfWidth + 0.5 && Math.abs(z) < halfWidth + 0.5 && y > -0.5 && Number.isFinite(y))) ++lost;
+    const pose = poses.slice(at, at + 7);
+    const [x, y, z] = pose;
+    if (!(pose.every(Number.isFinite) && Math.abs(x) < halfWidth + 0.5 && Math.abs(z) < halfWidth + 0.5 && y > -0.5)) ++lost;
   }
   return lost;
 }

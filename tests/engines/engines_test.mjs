@@ -21,7 +21,7 @@ ring.hulls = await decompose(ring, { voxelResolution: 50000 });
 const kTube = 0.3 / Math.hypot(2.6, 2.6, 0.6); // radius of the ring's tube, from its formula
 
 const cases = [
-  ...['mesh', 'decomposition', 'hulls'].map((shape) => [rapier, shape]),
+  ...['mesh', 'decomposition', 'hulls'].flatMap((shape) => [true, false].map((simd) => [rapier, shape, { simd }])),
   [jolt, 'hulls'],
   ...['mesh', 'hulls'].map((shape) => [havok, shape]),
 ];
@@ -31,8 +31,8 @@ function placeOf(world, index) {
   return { x, y, z, rotation: [qx, qy, qz, qw] };
 }
 
-for (const [module, kind] of cases) {
-  const engine = await module.load({ shape: kind });
+for (const [module, kind, options] of cases) {
+  const engine = await module.load({ shape: kind, ...options });
   const shape = engine.prepare(ring);
   const worldOf = (gravity = kGravity) => engine.createWorld({ gravity, timeStep: kTimeStep, seed: 1 });
   const grounded = () => {

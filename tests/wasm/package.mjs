@@ -13,6 +13,7 @@ const trees = resolve(process.env.CAIRN_GOLDEN_TREES ?? `${root}/out/wasm/golden
 export const { load, CairnError, CONTACT_STRIDE } = await import(pathToFileURL(`${folder}/cairn.mjs`));
 export const builds = { vectors: await load({ simd: true }), plain: await load({ simd: false }) };
 export const described = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
+export const bytesOfBuild = readFileSync(`${folder}/cairn.wasm`);
 export const rock = readFileSync(`${root}/tests/data/rock.cairn`);
 export const round = readFileSync(`${trees}/round.cairn`);
 export const square = readFileSync(`${trees}/square.cairn`);

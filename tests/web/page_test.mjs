@@ -209,7 +209,7 @@ async function checkHand(browser, address) {
   await page.focus('#picture');
   await page.keyboard.press('Escape');
   for (let press = 0; press < 3; ++press) await page.keyboard.press('n');
-  await page.keyboard.press('N');
+  await page.keyboard.press('Shift+N');
   assert.equal((await state(page)).chosen, 1);
   const [, low] = placeOf(await state(page), 1);
   await page.keyboard.press('Enter');
@@ -238,7 +238,7 @@ async function checkView(page) {
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('+');
   assert.ok(distance(turned, await eye()) > 0.1, 'so do keys');
-  await page.keyboard.press('f');
+  await page.keyboard.press('F'); // as caps lock makes it
   assert.ok(distance(whole, await eye()) < 1e-6, 'F shows the whole');
 }
 

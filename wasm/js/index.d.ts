@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Zlib
 //
 // Lengths are metres, masses kilograms, times seconds unless a name says otherwise. What is refused throws a CairnError, whose
-// message is one sentence. A wrong name or a freed object throws a TypeError.
+// message is one sentence. A wrong name, a thing of another kind or a freed object throws a TypeError.
+//
+// Ranges. Each number is taken from a range, which its comment states. Beyond it floats lose what a step needs, so it is refused.
+// Places are -1e6 to 1e6 m in each coordinate.
+//
+// Memory. A call for which there is not enough memory throws a CairnError and changes nothing. Where a step was broken off all
+// the same, every later call of that world says so.
 //
 // Views. A typed array that is called a view lies in the module's memory. It is valid until the next call of any kind on this
 // module: read it at once, or copy it with slice(). A call that needs memory detaches every older view (its length is then 0).
@@ -43,7 +49,7 @@ export interface Tree {
   readonly centerOfMass: readonly number[];
   readonly inertiaPerMass: readonly number[]; // about the centre of mass, nine numbers, row by row
   /** The same tree without what is below so many levels: coarser and cheaper, and certified as well. */
-  cut(depth: number): Tree;
+  cut(depth: number): Tree; // 1 to 255
   /** The bytes of its file: those that were read. */
   bytes(): Uint8Array;
   /** The mesh it covers: x, y, z a vertex. A copy, as the next two are. */
@@ -51,15 +57,15 @@ export interface Tree {
   /** Three indices a triangle, counter-clockwise seen from outside. */
   triangles(): Uint32Array;
   /** Spheres of a level, and leaves above it: x, y, z, radius, certified error. */
-  spheres(level: number): Float32Array;
+  spheres(level: number): Float32Array; // 0 to 255
   free(): void;
 }
 
 export interface ShapeOptions {
-  scale?: number; // metres of the mesh's unit; 1
+  scale?: number; // metres of the mesh's unit, 1e-6 to 1e6; 1. The shape's size is then 0.0001 to 100,000 m
   /** What a body turns about; 'mesh' is for bodies that do not move. Poses are always of the mesh's frame. */
   frame?: 'principalAxes' | 'mesh';
-  /** How far contacts may be off, as a fraction of the smaller body, where the tree has level meshes; 0. */
+  /** How far contacts may be off, as a fraction of the smaller body, where the tree has level meshes: 0 to 1; 0. */
   maxContactError?: number;
 }
 
@@ -72,9 +78,9 @@ export interface Shape {
 
 /** Limits of the narrow phase of a step; what is left out is no limit. */
 export interface Budget {
-  /** Reproducible. */
+  /** Reproducible; 0 to 9e15, rounded down. */
   operations?: number;
-  /** By performance.now(), which browsers round: to 5 microseconds in isolated pages, else to 100. */
+  /** By performance.now(), which browsers round: to 5 microseconds in isolated pages, else to 100. 0 to 1e9. */
   microseconds?: number;
 }
 
@@ -82,9 +88,9 @@ export interface Budget {
 export type Unresolved = 'guard' | 'repel' | 'ignore' | 'compensate';
 
 export interface WorldOptions {
-  gravity?: Vector; // 0, -9.81, 0
-  timeStep?: number; // 1/60
-  iterations?: number; // of the contact solver; 10
+  gravity?: Vector; // each -10,000 to 10,000; 0, -9.81, 0
+  timeStep?: number; // 0.00001 to 1; 1/60
+  iterations?: number; // of the contact solver, 1 to 1000; 10
   budget?: Budget | null;
   unresolved?: Unresolved; // guard
   /** Where refinement ends: at the meshes, or at the tree's leaves. */
@@ -92,8 +98,8 @@ export interface WorldOptions {
 }
 
 export interface Material {
-  friction?: number; // 0.5; those of both sides are multiplied
-  restitution?: number; // 0
+  friction?: number; // 0 to 100; 0.5. Those of both sides are multiplied
+  restitution?: number; // 0 to 1; 0
 }
 
 export interface Placement {
@@ -102,9 +108,9 @@ export interface Placement {
 }
 
 export interface BodyOptions extends Material, Placement {
-  mass?: number; // 1; 0 does not move
-  linearVelocity?: Vector; // of the centre of mass
-  angularVelocity?: Vector; // rad/s
+  mass?: number; // 1e-6 to 1e9, or 0 for what does not move; 1
+  linearVelocity?: Vector; // of the centre of mass, each -10,000 to 10,000
+  angularVelocity?: Vector; // rad/s, each -10,000 to 10,000
 }
 
 /** Statistics of the narrow phase in the last step; fields as in Cairn's StepStatistics. */
@@ -134,8 +140,12 @@ export interface World {
   setBudget(budget: Budget | null): void;
   setUnresolved(policy: Unresolved): void;
   setFinest(finest: 'triangles' | 'leaves'): void;
-  /** Solid is where the product of a point with `normal` is below `offset`. */
+  /**
+   * Solid is where the product of a point with `normal` is below `offset`. The normal's length is 0.001 to 1000; the offset, also
+   * over that length, -1e6 to 1e6.
+   */
   addPlane(normal: Vector, offset: number, material?: Material): void;
+  /** Half extents are 0.0001 to 1e6 m. */
   addBox(halfExtents: Vector, options?: Material & Placement): void;
   addBody(shape: Shape, options?: BodyOptions): number;
   /** Wakes bodies that touch it. */

@@ -63,6 +63,22 @@ function importsFor(memory) {
   };
 }
 
+// The module's functions. One that is broken off leaves memory that nobody can trust, so every later call says so.
+function guarded(exports) {
+  let fault = null;
+  const guard = (name, call) => (...numbers) => {
+    if (fault) throw new CairnError(fault);
+    try {
+      return call(...numbers);
+    } catch (error) {
+      fault = `Cairn broke off in ${name} (${error.message ?? error}) and this module cannot go on; load it anew`;
+      throw new CairnError(fault);
+    }
+  };
+  const isCall = ([, value]) => typeof value === 'function';
+  return { memory: exports.memory, ...Object.fromEntries(Object.entries(exports).filter(isCall).map(([name, call]) => [name, guard(name, call)])) };
+}
+
 /** The instance with what all classes need of it: one place that knows how memory is read. */
 export class Memory {
   constructor(exports) {
@@ -75,9 +91,9 @@ export class Memory {
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
-  /** The list that a call has just returned; a view, not a copy. */
+  /** The list that a call has just returned, a view and no copy, or the sentence why there is none. */
   list(Kind, pointer) {
-    return new Kind(this.exports.memory.buffer, pointer, this.exports.cairn_count());
+    return new Kind(this.exports.memory.buffer, this.check(pointer), this.exports.cairn_count());
   }
 
   /** Hands numbers to the next call. */
@@ -111,6 +127,7 @@ export async function instantiate(simd, bytes) {
   let instance;
   const imports = importsFor(() => instance.exports.memory);
   ({ instance } = await WebAssembly.instantiate(bytes ?? (await bytesOf(url)), imports));
-  instance.exports._initialize();
-  return new Memory(instance.exports);
+  const calls = guarded(instance.exports);
+  calls._initialize();
+  return new Memory(calls);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Zlib
+import { kRanges, numberIn, optionsOf, placeIn, wholeIn } from './ranges.mjs';
 
+const frames = ['principalAxes', 'mesh'];
 const numberNames = ['depth', 'nodes', 'leaves', 'levelMeshes', 'memoryBytes', 'volume'];
 
 /** A certified sphere-tree; index.d.ts says what its members mean. */
@@ -31,7 +33,8 @@ export class Tree {
 
   cut(depth) {
     const { exports } = this.#memory;
-    return new Tree(this.#memory, this.#memory.check(exports.cairn_tree_cut(this.#own, depth)));
+    const levels = wholeIn(kRanges.cut, depth, 'cut: the number of levels');
+    return new Tree(this.#memory, this.#memory.check(exports.cairn_tree_cut(this.#own, levels)));
   }
 
   #copy(Kind, call, ...more) {
@@ -47,7 +50,7 @@ export class Tree {
     return this.#copy(Uint32Array, 'cairn_tree_triangles');
   }
   spheres(level) {
-    return this.#copy(Float32Array, 'cairn_tree_spheres', level);
+    return this.#copy(Float32Array, 'cairn_tree_spheres', wholeIn(kRanges.level, level, 'spheres: the level'));
   }
 
   free() {
@@ -61,15 +64,28 @@ export class Shape {
   #memory;
   #handle;
 
-  constructor(memory, tree, { scale = 1, frame = 'principalAxes', maxContactError = 0 } = {}) {
-    const frames = ['principalAxes', 'mesh'];
-    if (!frames.includes(frame)) throw new TypeError(`there is no frame '${frame}'; give ${frames.join(' or ')}`);
+  constructor(memory, tree, options) {
+    const where = 'makeShape';
+    const { scale = 1, frame = 'principalAxes', maxContactError = 0 } = optionsOf(options, where, 'scale: 0.001');
+    const ofMesh = placeIn(frames, frame, 'frame');
+    numberIn(kRanges.scale, scale, `${where}: the scale`);
+    numberIn(kRanges.maxContactError, maxContactError, `${where}: the maxContactError`);
     this.#memory = memory;
-    const made = memory.exports.cairn_shape_make(Tree.handleIn(memory, tree), scale, frame === 'mesh' ? 1 : 0, maxContactError);
-    this.#handle = memory.check(made);
+    this.#handle = memory.check(memory.exports.cairn_shape_make(Tree.handleIn(memory, tree), scale, ofMesh, maxContactError));
     this.scale = scale;
     this.size = memory.exports.cairn_shape_size(this.#handle);
+    this.#orFree(() => numberIn(kRanges.size, this.size, `${where}: the shape's size`));
     Object.freeze(this);
+  }
+
+  // What is refused half-way leaves nothing.
+  #orFree(call) {
+    try {
+      call();
+    } catch (error) {
+      this.free();
+      throw error;
+    }
   }
 
   /** What a shape is called by in the module of `memory`. */

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Zlib
+import { kRanges, numberIn, numbersIn, objectIn, optionsOf, placeIn, vectorIn, whole, wholeIn } from './ranges.mjs';
 import { Shape } from './tree.mjs';
 
 const policies = ['guard', 'repel', 'ignore', 'compensate'];
 const ends = ['leaves', 'triangles'];
+const limitNames = ['operations', 'microseconds'];
 const statisticNames = [
   'operations', 'microseconds', 'elapsedMicroseconds', 'deadlineMicroseconds', 'missedByMicroseconds', 'pairs',
   'nonFinitePairs', 'unresolvedPairs', 'contacts', 'exactContacts', 'manifolds', 'worstErrorFraction',
@@ -10,29 +12,22 @@ const statisticNames = [
 ];
 const upright = [0, 0, 0, 1];
 
-function placeIn(names, name, what) {
-  const place = names.indexOf(name);
-  if (place < 0) throw new TypeError(`there is no ${what} '${name}'; give one of ${names.join(', ')}`);
-  return place;
-}
+const placed = (position, rotation, where) => [
+  ...vectorIn(kRanges.place, position, `${where}: the position`),
+  ...numbersIn(kRanges.rotation, rotation, 4, `${where}: the rotation`),
+];
+const surface = ({ friction = 0.5, restitution = 0 }, where) => [
+  numberIn(kRanges.friction, friction, `${where}: the friction`),
+  numberIn(kRanges.restitution, restitution, `${where}: the restitution`),
+];
 
-// So many numbers: more would be written beyond the place for arguments, fewer would leave an older call's.
-function numbersOf(list, count, what) {
-  const numbers = [...list];
-  if (numbers.length !== count) throw new TypeError(`${what} has ${numbers.length} numbers; give ${count}`);
-  return numbers;
+// Infinite is no limit.
+function limitsOf(budget, where) {
+  if (budget === null) return [Infinity, Infinity];
+  const given = objectIn(budget, `${where}: the budget`, 'microseconds: 2000');
+  for (const name of Object.keys(given)) placeIn(limitNames, name, 'limit');
+  return limitNames.map((name) => ((given[name] ?? Infinity) === Infinity ? Infinity : numberIn(kRanges[name], given[name], `${where}: the number of ${name}`)));
 }
-const vector = (list, what) => numbersOf(list, 3, what);
-const poseOf = (position, rotation) => [...vector(position, 'the position'), ...numbersOf(rotation, 4, 'the rotation')];
-
-// WebAssembly would make whole numbers of everything: 0 of NaN and of a name.
-function whole(number, what) {
-  if (number !== (number | 0)) throw new TypeError(`${what} is ${String(number)}; give a whole number`);
-  return number;
-}
-
-// Infinite is no limit, and every negative amount is refused.
-const limit = (amount = Infinity) => (amount < 0 ? -1 : (amount ?? Infinity));
 
 /** Bodies of trees between planes and boxes; index.d.ts says what the members mean. */
 export class World {
@@ -40,10 +35,13 @@ export class World {
   #exports;
   #handle;
 
-  constructor(memory, { gravity = [0, -9.81, 0], timeStep = 1 / 60, iterations, budget, unresolved, finest } = {}) {
+  constructor(memory, options) {
+    const where = 'makeWorld';
+    const { gravity = [0, -9.81, 0], timeStep = 1 / 60, iterations, budget, unresolved, finest } = optionsOf(options, where, 'timeStep: 1 / 60');
     this.#memory = memory;
     this.#exports = memory.exports;
-    memory.pass(...vector(gravity, 'gravity'), timeStep);
+    const down = vectorIn(kRanges.gravity, gravity, `${where}: gravity`);
+    memory.pass(...down, numberIn(kRanges.timeStep, timeStep, `${where}: the time step`));
     this.#handle = memory.check(this.#exports.cairn_world_make());
     this.timeStep = timeStep;
     this.#orUndo(() => this.#set({ iterations, budget, unresolved, finest }), () => this.free());
@@ -77,62 +75,76 @@ export class World {
     this.#memory.pass(...numbers);
     this.#memory.check(this.#exports[name](world, ...more));
   }
-  #callOf(body, name, numbers) {
-    this.#call(name, numbers, whole(body, "the body's number"));
+  #callOf(body, where, name, numbers) {
+    this.#call(name, numbers, whole(body, `${where}: the body's number`));
   }
   #list(Kind, name) {
     return this.#memory.list(Kind, this.#exports[name](this.#world));
   }
 
   setGravity(gravity) {
-    this.#call('cairn_world_gravity', vector(gravity, 'gravity'));
+    this.#call('cairn_world_gravity', vectorIn(kRanges.gravity, gravity, 'setGravity: gravity'));
   }
   setIterations(iterations) {
-    this.#call('cairn_world_iterations', [], whole(iterations, 'the number of iterations'));
+    this.#call('cairn_world_iterations', [], wholeIn(kRanges.iterations, iterations, 'setIterations: the number of iterations'));
   }
   setBudget(budget) {
-    this.#call('cairn_world_budget', [limit(budget?.operations), limit(budget?.microseconds)]);
+    this.#call('cairn_world_budget', limitsOf(budget, 'setBudget'));
   }
   setUnresolved(policy) {
-    this.#exports.cairn_world_unresolved(this.#world, placeIn(policies, policy, 'policy'));
+    this.#call('cairn_world_unresolved', [], placeIn(policies, policy, 'policy'));
   }
   setFinest(finest) {
-    this.#exports.cairn_world_finest(this.#world, placeIn(ends, finest, 'end of refinement'));
+    this.#call('cairn_world_finest', [], placeIn(ends, finest, 'end of refinement'));
   }
 
-  addPlane(normal, offset, { friction = 0.5, restitution = 0 } = {}) {
-    this.#call('cairn_world_plane', [...vector(normal, 'the normal'), offset, friction, restitution]);
+  addPlane(normal, offset, material) {
+    const where = 'addPlane';
+    const upward = vectorIn(kRanges.normal, normal, `${where}: the normal`);
+    const length = numberIn(kRanges.normalLength, Math.hypot(...upward), `${where}: the normal's length`);
+    numberIn(kRanges.place, offset, `${where}: the offset`);
+    numberIn(kRanges.place, offset / length, `${where}: the offset over the normal's length`);
+    this.#call('cairn_world_plane', [...upward, offset, ...surface(optionsOf(material, where, 'friction: 0.5'), where)]);
   }
-  addBox(halfExtents, { position = [0, 0, 0], rotation = upright, friction = 0.5, restitution = 0 } = {}) {
-    this.#call('cairn_world_box', [...vector(halfExtents, 'the list of half extents'), ...poseOf(position, rotation), friction, restitution]);
+  addBox(halfExtents, options) {
+    const where = 'addBox';
+    const given = optionsOf(options, where, 'position: [0, 1, 0]');
+    const { position = [0, 0, 0], rotation = upright } = given;
+    const size = vectorIn(kRanges.halfExtent, halfExtents, `${where}: a half extent`);
+    this.#call('cairn_world_box', [...size, ...placed(position, rotation, where), ...surface(given, where)]);
   }
-  addBody(shape, options = {}) {
-    const { position = [0, 0, 0], rotation = upright, mass = 1, friction = 0.5, restitution = 0 } = options;
+  addBody(shape, options) {
+    const where = 'addBody';
+    const given = optionsOf(options, where, 'position: [0, 1, 0]');
+    const { position = [0, 0, 0], rotation = upright, mass = 1 } = given;
     const world = this.#world;
     const handle = Shape.handleIn(this.#memory, shape);
-    this.#memory.pass(...poseOf(position, rotation), friction, restitution, mass);
+    const kilograms = mass === 0 ? 0 : numberIn(kRanges.mass, mass, `${where}: the mass`);
+    this.#memory.pass(...placed(position, rotation, where), ...surface(given, where), kilograms);
     const body = this.#exports.cairn_world_body(world, handle);
     this.#memory.check(body >= 0);
-    const { linearVelocity, angularVelocity } = options;
+    const { linearVelocity, angularVelocity } = given;
     if (linearVelocity || angularVelocity)
       this.#orUndo(() => this.setVelocity(body, linearVelocity, angularVelocity), () => this.removeBody(body));
     return body;
   }
   removeBody(body) {
-    this.#callOf(body, 'cairn_world_remove', []);
+    this.#callOf(body, 'removeBody', 'cairn_world_remove', []);
   }
   setPose(body, position, rotation = upright) {
-    this.#callOf(body, 'cairn_world_pose', poseOf(position, rotation));
+    this.#callOf(body, 'setPose', 'cairn_world_pose', placed(position, rotation, 'setPose'));
   }
   setVelocity(body, linear = [0, 0, 0], angular = [0, 0, 0]) {
-    this.#callOf(body, 'cairn_world_velocity', [...vector(linear, 'the linear velocity'), ...vector(angular, 'the angular velocity')]);
+    const along = vectorIn(kRanges.velocity, linear, 'setVelocity: the linear velocity');
+    this.#callOf(body, 'setVelocity', 'cairn_world_velocity', [...along, ...vectorIn(kRanges.turning, angular, 'setVelocity: the angular velocity')]);
   }
   drag(body, point, target) {
-    if (point === null) this.release(body);
-    else this.#callOf(body, 'cairn_world_drag', [...vector(point, 'the point'), ...vector(target, 'the target')]);
+    if (point === null) return this.release(body);
+    const held = vectorIn(kRanges.place, point, 'drag: the point');
+    return this.#callOf(body, 'drag', 'cairn_world_drag', [...held, ...vectorIn(kRanges.place, target, 'drag: the target')]);
   }
   release(body) {
-    this.#callOf(body, 'cairn_world_release', []);
+    this.#callOf(body, 'release', 'cairn_world_release', []);
   }
 
   step() {
@@ -158,7 +170,7 @@ export class World {
     return this.#list(Uint8Array, 'cairn_world_asleep');
   }
   stateHash() {
-    return this.#memory.text(this.#exports.cairn_world_hash(this.#world));
+    return String.fromCharCode(...this.#list(Uint8Array, 'cairn_world_hash'));
   }
 
   free() {

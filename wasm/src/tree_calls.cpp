@@ -22,6 +22,15 @@ cairn::Result<TreeHandle> shared(cairn::Result<cairn::SphereTree> tree) {
   return TreeHandle(std::make_shared<const cairn::SphereTree>(std::move(tree).value()));
 }
 
+// Leaves the list that `make` returns.
+template <class T, class Make>
+const T* put(std::vector<T>& place, const Make& make) {
+  return listed(place, [&]() -> cairn::Status {
+    place = make();
+    return {};
+  });
+}
+
 }  // namespace
 
 CAIRN_WASM(void*) cairn_allocate(std::size_t bytes) {
@@ -56,33 +65,25 @@ CAIRN_WASM(void) cairn_tree_free(TreeHandle* tree) {
   delete tree;
 }
 
-CAIRN_WASM(const std::uint8_t*) cairn_tree_bytes(const TreeHandle* tree) {
-  static std::vector<std::byte> bytes;
-  return reinterpret_cast<const std::uint8_t*>(leave(bytes, cairn::encodeTree(**tree)));
+CAIRN_WASM(const std::byte*) cairn_tree_bytes(const TreeHandle* tree) {
+  return put(answer().bytes, [&] { return cairn::encodeTree(**tree); });
 }
 
 /// Depth, nodes, leaves, levels with meshes, bytes, volume, centre of mass (3), inertia per kilogram (9).
-CAIRN_WASM(const double*) cairn_tree_numbers(const TreeHandle* handle) {
-  const cairn::SphereTree& tree = **handle;
-  const cairn::MassProperties& mass = tree.mass();
-  std::vector<double> list{double(tree.depth()),          double(tree.nodeCount()),   double(tree.leafCount()),
-                           double(tree.levelMeshCount()), double(tree.memoryBytes()), mass.volume,
-                           mass.centerOfMass.x,           mass.centerOfMass.y,        mass.centerOfMass.z};
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) list.push_back(mass.inertia(row, column));
-  return leave(answer().doubles, std::move(list));
+CAIRN_WASM(const double*) cairn_tree_numbers(const TreeHandle* tree) {
+  return put(answer().doubles, [&] { return numbersOf(**tree); });
 }
 
 CAIRN_WASM(const float*) cairn_tree_vertices(const TreeHandle* tree) {
-  return leave(answer().floats, meshVertices(**tree));
+  return put(answer().floats, [&] { return meshVertices(**tree); });
 }
 
 CAIRN_WASM(const std::uint32_t*) cairn_tree_triangles(const TreeHandle* tree) {
-  return leave(answer().integers, meshTriangles(**tree));
+  return put(answer().integers, [&] { return meshTriangles(**tree); });
 }
 
 CAIRN_WASM(const float*) cairn_tree_spheres(const TreeHandle* tree, int level) {
-  return leave(answer().floats, spheresOf(**tree, static_cast<std::uint32_t>(level < 0 ? 0 : level)));
+  return put(answer().floats, [&] { return spheresOf(**tree, static_cast<std::uint32_t>(level)); });
 }
 
 CAIRN_WASM(ShapeHandle*) cairn_shape_make(const TreeHandle* tree, float scale, int ofMesh, float maxContactError) {

@@ -27,6 +27,16 @@ Result<SphereTree> cutBelow(const SphereTree& tree, int depth) {
   return SphereTree::create(std::move(data));
 }
 
+std::vector<double> numbersOf(const SphereTree& tree) {
+  const MassProperties& mass = tree.mass();
+  std::vector<double> list{double(tree.depth()),          double(tree.nodeCount()),   double(tree.leafCount()),
+                           double(tree.levelMeshCount()), double(tree.memoryBytes()), mass.volume,
+                           mass.centerOfMass.x,           mass.centerOfMass.y,        mass.centerOfMass.z};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) list.push_back(mass.inertia(row, column));
+  return list;
+}
+
 std::vector<float> meshVertices(const SphereTree& tree) {
   std::vector<float> list;
   list.reserve(3 * tree.vertices().size());

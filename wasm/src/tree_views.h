@@ -12,6 +12,8 @@ namespace cairn::wasm {
 /// certified errors: contacts get coarser and cheaper. Fails for no level.
 Result<SphereTree> cutBelow(const SphereTree& tree, int depth);
 
+/// Depth, nodes, leaves, levels with meshes, bytes, volume, centre of mass (3), inertia per kilogram (9).
+std::vector<double> numbersOf(const SphereTree& tree);
 /// Vertices of the source mesh in its own frame, three numbers each.
 std::vector<float> meshVertices(const SphereTree& tree);
 /// Its triangles, three indices each.

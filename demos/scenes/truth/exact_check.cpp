@@ -126,11 +126,15 @@ class DepthSearch {
 
   void tryPoint(const Vec3d& p) {
     if (!CGAL::do_overlap(toPoint(p).bbox(), solid_.tree.bbox())) return;
-    const double distanceSq = solid_.distanceSq(p);
-    if (distanceSq > best_ * best_ && solid_.contains(p)) best_ = std::sqrt(distanceSq);
+    // Most points are outside, which is known faster than how far.
+    if (solid_.contains(p)) best_ = std::max(best_, std::sqrt(solid_.distanceSq(p)));
   }
 
   void search(const Piece& triangle) {
+    // A triangle that does not meet the surface lies on one side of it, and most lie outside.
+    const Facet facet = toFacet(triangle);
+    if (!CGAL::do_overlap(facet.bbox(), solid_.tree.bbox())) return;
+    if (!solid_.contains(triangle[0]) && !solid_.tree.do_intersect(facet)) return;
     stack_.push_back(triangle);
     while (!stack_.empty()) {
       const Piece piece = stack_.back();

@@ -2,6 +2,8 @@
 //
 // Trajectories of rocks, as `rockfall merge` writes them: trajectories.vtk, or trajectories.geojson, which has only durations.
 
+import { greatest, kFarthest, kLongest, least } from './bounds.js';
+
 const kMaxPoints = 2e6;
 const kDefaultSize = 0.5; // m, where the file does not tell how large a rock is
 const kDefaultStep = 0.1; // s between places, where a GeoJSON has no durations
@@ -23,7 +25,7 @@ function linesOf(feature) {
 /// until it slept; the rock that moved longest of its time tells the step best.
 function stepOf(found) {
   const steps = found.flatMap(({ places, duration }) => (duration > 0 ? [duration / (places.length - 1)] : []));
-  return steps.length > 0 ? Math.min(...steps) : kDefaultStep;
+  return steps.length > 0 ? least(steps) : kDefaultStep;
 }
 
 export function tracksOfGeoJson(text) {
@@ -82,7 +84,11 @@ function checked(tracks) {
   // Maps lie far from zero; the picture is drawn around the first place, with z of the map as its height.
   const [ox, oy, oz] = tracks[0].places[0];
   for (const track of tracks) track.places = track.places.map(([x, y, z]) => [x - ox, z - oz, oy - y]);
-  return { kind: 'tracks', tracks, duration: Math.max(...tracks.map(({ times }) => times.at(-1))) };
+  const isFar = (place) => place.some((c) => !(Math.abs(c) <= kFarthest));
+  if (tracks.some(({ places }) => places.some(isFar))) refuse('a place is farther than 1000 km from the first');
+  const duration = greatest(tracks, ({ times }) => times.at(-1));
+  if (!(duration <= kLongest)) refuse('a line takes longer than a day');
+  return { kind: 'tracks', tracks, duration };
 }
 
 /// Where a rock is at a time: before the start at the start, after the end at the end.
