@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <tuple>
 
 #include "cairn/core/traversal.h"
 #include "cairn/core/vec3.h"
@@ -69,10 +70,12 @@ struct Contact {
   }
 };
 
-/// Sorts the deepest first. Ties are decided by the id, so that the order depends on the pair alone.
+/// Sorts the deepest first. Ties are decided by the id, so that the order depends on the pair alone. Both ways of a
+/// locked guard have one id; their normals tell them apart.
 inline bool deeper(const Contact& x, const Contact& y) {
   if (x.separation != y.separation) return x.separation < y.separation;
-  return x.id < y.id;
+  if (x.id != y.id) return x.id < y.id;
+  return std::tie(x.normal.x, x.normal.y, x.normal.z) < std::tie(y.normal.x, y.normal.y, y.normal.z);
 }
 
 }  // namespace cairn::bullet
