@@ -6,17 +6,14 @@
 #include <utility>
 
 #include "cairn/core/state_hash.h"
+#include "simulation/ranges.h"
 
 namespace cairn::simulation {
 
 namespace {
 
-bool isFinite(const btVector3& v) {
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
 Status check(const Pose& pose) {
-  if (!isFinite(pose.position)) return Error{"the position is not three finite numbers; give x, y and z in metres"};
+  if (Status status = check(kPlaces, pose.position, "the position"); !status) return status;
   const btScalar length = pose.rotation.length();
   if (!(std::abs(length - 1) < btScalar(1e-3)))
     return Error{"the rotation is no unit quaternion; give x, y, z and w of length 1"};
@@ -24,10 +21,8 @@ Status check(const Pose& pose) {
 }
 
 Status check(const Material& material) {
-  if (material.friction >= 0 && std::isfinite(material.friction) && material.restitution >= 0 &&
-      std::isfinite(material.restitution))
-    return {};
-  return Error{"friction or restitution is negative or not finite; give numbers from 0 on"};
+  if (Status status = check(kFrictions, material.friction, "the friction"); !status) return status;
+  return check(kRestitutions, material.restitution, "the restitution");
 }
 
 // Unchanged where it is a unit already: rounding would change bits.
@@ -60,8 +55,7 @@ void addState(StateHash& hash, const btRigidBody& body) {
 }  // namespace
 
 Result<std::unique_ptr<Simulation>> Simulation::create(const btVector3& gravity, btScalar timeStep) {
-  if (!(timeStep > 0 && std::isfinite(timeStep)))
-    return Error{"the time step is not positive and finite; give seconds, such as 1/60"};
+  if (const Status status = check(kTimeSteps, timeStep, "the time step"); !status) return status.error();
   std::unique_ptr<Simulation> made(new Simulation({0, 0, 0}, timeStep));
   if (const Status status = made->setGravity(gravity); !status) return status.error();
   return made;
@@ -80,7 +74,7 @@ Simulation::~Simulation() {
 }
 
 Status Simulation::setGravity(const btVector3& gravity) {
-  if (!isFinite(gravity)) return Error{"gravity is not three finite numbers; give x, y and z in m/s^2"};
+  if (Status status = check(kGravities, gravity, "gravity"); !status) return status;
   for (const Body& body : bodies_)
     if (body.rigid) body.rigid->activate();
   world_.setGravity(gravity);  // Bullet passes over bodies that sleep
@@ -88,7 +82,9 @@ Status Simulation::setGravity(const btVector3& gravity) {
 }
 
 Status Simulation::setSolverIterations(int iterations) {
-  if (iterations < 1) return Error{"the solver needs at least one iteration; give a number from 1 on"};
+  if (iterations < 1 || iterations > kMaxIterations)
+    return Error{"the solver cannot iterate " + std::to_string(iterations) + " times; give 1 to " +
+                 std::to_string(kMaxIterations)};
   world_.getSolverInfo().m_numIterations = iterations;
   return {};
 }
@@ -106,16 +102,15 @@ Status Simulation::addObstacle(std::unique_ptr<btCollisionShape> shape, const Po
 
 Status Simulation::addPlane(const btVector3& normal, btScalar offset, const Material& material) {
   const btScalar length = normal.length();
-  if (!(length > 0 && std::isfinite(length) && std::isfinite(offset)))
-    return Error{"a plane needs a finite normal that is not zero, and a finite offset"};
+  if (Status status = check(kNormalLengths, length, "the length of a plane's normal"); !status) return status;
+  if (Status status = check(kPlaces, offset / length, "a plane's offset over its normal's length"); !status)
+    return status;
   auto shape = std::make_unique<btStaticPlaneShape>(length == 1 ? normal : normal / length, offset / length);
   return addObstacle(std::move(shape), {}, material);
 }
 
 Status Simulation::addBox(const btVector3& halfExtents, const Pose& pose, const Material& material) {
-  const btScalar least = std::min({halfExtents.x(), halfExtents.y(), halfExtents.z()});
-  if (!(least > 0 && isFinite(halfExtents)))
-    return Error{"a box's half extents are not positive and finite; give three lengths in metres"};
+  if (Status status = check(kHalfExtents, halfExtents, "half a box's extent"); !status) return status;
   return addObstacle(std::make_unique<btBoxShape>(halfExtents), pose, material);
 }
 
@@ -128,7 +123,9 @@ int Simulation::freeNumber() {
 
 Result<int> Simulation::addBody(std::shared_ptr<bullet::SphereTreeShape> shape, btScalar mass, const Pose& pose,
                                 const Material& material) {
-  if (!(mass >= 0 && std::isfinite(mass))) return Error{"the mass is negative or not finite; give kilograms"};
+  if (const Status status = check(kSizes, btScalar(shape->size()), "the body's size"); !status) return status.error();
+  if (mass != 0)
+    if (const Status status = check(kMasses, mass, "the mass"); !status) return status.error();
   if (const Status status = check(pose); !status) return status.error();
   if (const Status status = check(material); !status) return status.error();
   const int number = freeNumber();
@@ -192,8 +189,8 @@ Status Simulation::setPose(int number, const Pose& pose) {
 Status Simulation::setVelocity(int number, const btVector3& linear, const btVector3& angular) {
   const Result<Body*> found = bodyOf(number);
   if (!found) return found.error();
-  if (!isFinite(linear) || !isFinite(angular))
-    return Error{"a velocity is not three finite numbers; give m/s and rad/s"};
+  if (Status status = check(kVelocities, linear, "the velocity"); !status) return status;
+  if (Status status = check(kVelocities, angular, "the angular velocity"); !status) return status;
   btRigidBody& rigid = *found.value()->rigid;
   rigid.setLinearVelocity(linear);
   rigid.setAngularVelocity(angular);
@@ -207,9 +204,8 @@ Status Simulation::drag(int number, const btVector3& point, const btVector3& tar
   Body& body = *found.value();
   if (body.rigid->getInvMass() == 0)
     return Error{"body " + std::to_string(number) + " has no mass; drag one that moves"};
-  if (!isFinite(target) || !isFinite(point))
-    return Error{
-        "a drag's point or target is not three finite numbers; give places in the mesh's frame and in the world"};
+  if (Status status = check(kPlaces, point, "the point of a drag"); !status) return status;
+  if (Status status = check(kPlaces, target, "the target of a drag"); !status) return status;
   const btVector3 held = body.shape->bodyFromMesh() * point;
   if (!body.drag) {
     body.drag = std::make_unique<btPoint2PointConstraint>(*body.rigid, held);

@@ -18,7 +18,7 @@ namespace cairn::simulation {
 /// on; the number of a removed body is given to the next one. Units are metres, kilograms and seconds.
 class Simulation {
  public:
-  /// Fails for a time step that is not positive and finite, and for gravity that is not finite.
+  /// Fails for a time step or gravity out of range (ranges.h), as all functions do for numbers that are.
   static Result<std::unique_ptr<Simulation>> create(const btVector3& gravity, btScalar timeStep);
   ~Simulation();
   Simulation(const Simulation&) = delete;

@@ -166,6 +166,7 @@ TEST(CWorld, RefusesWhatIsOutOfRange) {
   HeapInC heap(*plainTree(ball(0.4, 2)), 1);
   CairnWorld* const w = heap.world.get();
   const float zero[3] = {0, 0, 0}, bad[3] = {0, kNan, 0}, flat[3] = {1, 0, 1}, far[3] = {0, kInfinity, 0};
+  const float up[3] = {0, 1, 0}, tiny[3] = {1e-20F, 1e-20F, 1e-20F}, huge[3] = {1e30F, 0, 0};
   const CairnPose badPlace = at(kNan, 0, 0), noRotation = {{0, 0, 0}, {0, 0, 0, 0}};
   const CairnBudget negative = {-5, CAIRN_NO_LIMIT}, nanTime = {CAIRN_NO_LIMIT, kNan};
   const CairnMaterial rough = {-1, 0};
@@ -184,6 +185,15 @@ TEST(CWorld, RefusesWhatIsOutOfRange) {
       [&] { return cairnAddBox(w, flat, &kAtOrigin, nullptr); },
       [&] { return add(-1, kAtOrigin, nullptr); },
       [&] { return add(kNan, kAtOrigin, nullptr); },
+      [&] { return add(1e-44F, kAtOrigin, nullptr); },
+      [&] { return add(1e12F, kAtOrigin, nullptr); },
+      [&] { return add(1, at(0, 1e20F, 0), nullptr); },
+      [&] { return cairnAddPlane(w, up, 1e38F, nullptr); },
+      [&] { return cairnAddPlane(w, tiny, 0, nullptr); },
+      [&] { return cairnAddBox(w, tiny, &kAtOrigin, nullptr); },
+      [&] { return cairnSetGravity(w, huge); },
+      [&] { return cairnSetVelocity(w, 0, huge, zero); },
+      [&] { return cairnDragBody(w, 0, zero, huge); },
       [&] { return add(1, badPlace, nullptr); },
       [&] { return add(1, noRotation, nullptr); },
       [&] { return add(1, kAtOrigin, &rough); },
@@ -203,11 +213,15 @@ TEST(CWorld, RefusesWhatIsOutOfRange) {
   cairnStateHash(w, after);
   EXPECT_STREQ(before, after) << "a refused call changed the world";
   CairnWorldOptions options = cairnUsualWorld();
-  options.timeStep = 0;
-  EXPECT_EQ(cairnMakeWorld(&options), nullptr);
+  for (const float step : {0.0F, 1e-9F, 10.0F}) {
+    options.timeStep = step;
+    EXPECT_EQ(cairnMakeWorld(&options), nullptr) << step;
+  }
   options = cairnUsualWorld();
-  options.solverIterations = 0;
-  EXPECT_EQ(cairnMakeWorld(&options), nullptr);
+  for (const int iterations : {0, 1'000'000}) {
+    options.solverIterations = iterations;
+    EXPECT_EQ(cairnMakeWorld(&options), nullptr) << iterations;
+  }
 }
 
 }  // namespace

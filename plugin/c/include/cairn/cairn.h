@@ -5,8 +5,9 @@
  *
  * Units are metres, kilograms, seconds and radians. A rotation is a unit quaternion x, y, z, w. A function that can
  * fail returns null, 0 or a negative number, and `cairnError` then has the reason. Trees and shapes may be used by
- * several threads, a world by one at a time. Null may be passed to every function whose name begins with `cairnFree`,
- * and to no other unless it says so.
+ * several threads, a world by one at a time. Places lie within 1e6 m, velocities and gravity within 1e4, bodies are
+ * 1e-4 to 1e5 m across: beyond them single precision loses what a step needs, and they are refused. Null may be passed
+ * to every function whose name begins with `cairnFree`, and to no other unless it says so.
  *
  *     CairnTree* tree = cairnLoadTree("rock.cairn");
  *     if (!tree) return fail(cairnError());
@@ -94,14 +95,14 @@ typedef struct CairnShapeOptions {
 /** How a world begins. */
 typedef struct CairnWorldOptions {
   float gravity[3];         /**< m/s^2; usually (0, -9.81, 0) */
-  float timeStep;           /**< s, of `cairnStep`, > 0; usually 1/60 */
-  int32_t solverIterations; /**< passes over all contacts in a step, >= 1; usually 10 */
+  float timeStep;           /**< s, of `cairnStep`, 1e-5 to 1; usually 1/60 */
+  int32_t solverIterations; /**< passes over all contacts in a step, 1 to 1000; usually 10 */
 } CairnWorldOptions;
 
 /** What a surface does to another: the values of both are multiplied. */
 typedef struct CairnMaterial {
-  float friction;    /**< >= 0; usually 0.5 */
-  float restitution; /**< >= 0; usually 0 */
+  float friction;    /**< 0 to 100; usually 0.5 */
+  float restitution; /**< 0 to 1; usually 0 */
 } CairnMaterial;
 
 /** How much work a step may do on pairs of trees. */
@@ -193,7 +194,7 @@ CAIRN_C_EXPORT void cairnFreeWorld(CairnWorld* world);
 /** The `btDiscreteDynamicsWorld`, for C++ code that uses Bullet. It lives as long as the world. */
 CAIRN_C_EXPORT void* cairnBulletWorld(CairnWorld* world);
 
-/** Sets gravity, m/s^2, and wakes all bodies. 0 where it is not finite. */
+/** Sets gravity, m/s^2, and wakes all bodies. 0 where it is out of range. */
 CAIRN_C_EXPORT int cairnSetGravity(CairnWorld* world, const float gravity[3]);
 /** Sets the budget of each step from the next on. 0 for negative amounts other than CAIRN_NO_LIMIT, and for NaN. */
 CAIRN_C_EXPORT int cairnSetBudget(CairnWorld* world, const CairnBudget* budget);
@@ -208,7 +209,8 @@ CAIRN_C_EXPORT int cairnAddPlane(CairnWorld* world, const float normal[3], float
 CAIRN_C_EXPORT int cairnAddBox(CairnWorld* world, const float halfExtents[3], const CairnPose* pose,
                                const CairnMaterial* material);
 /** Adds a body and returns its number, from 0 on; a number is used again after its body was removed. A mass of 0 makes
- * the body immovable. A null material is the usual one. Negative where a value is out of range. */
+ * the body immovable; others are 1e-6 to 1e9 kg. A null material is the usual one. Negative where a value is out of
+ * range. */
 CAIRN_C_EXPORT int32_t cairnAddBody(CairnWorld* world, const CairnShape* shape, float mass, const CairnPose* pose,
                                     const CairnMaterial* material);
 /** Removes a body. 0 where there is none of this number, as in all functions that take one. */
