@@ -87,12 +87,16 @@ void SurfaceFeatures::makeEdges(std::span<const Vec3> vertices, std::span<const 
     }
     edge.outward = unitOrZero(sum);
     edge.isConvex = true;
+    bool isHollow = !isPair;
     if (isPair) {
       // Each face's plane sees the other's far corner below it, by the sine of the bend.
       const Vec3 &n = faces_[edge.triangle[0]].normal, &m = faces_[edge.triangle[1]].normal;
       const Vec3 along = vertices[edge.opposite[1]] - vertices[edge.vertex[0]];
-      edge.isConvex = length(cross(n, m)) > kBendSine && dot(n, along) < 0;
+      const bool isBent = length(cross(n, m)) > kBendSine;
+      edge.isConvex = isBent && dot(n, along) < 0;
+      isHollow = isBent && dot(n, along) > 0;
     }
+    hasHollows_ = hasHollows_ || isHollow;
     edges_.push_back(edge);
     i += isPair ? 2 : 1;
   }

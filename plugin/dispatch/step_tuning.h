@@ -11,9 +11,9 @@ namespace cairn::bullet::step_tuning {
 /// Weight of a new complete traversal in the expected cost of others: about sixteen pairs are remembered. Without it,
 /// plans use the first guess for ever (`Budget_GoldenHash` changes).
 inline constexpr double kLearning = 1.0 / 16;
-/// Share of a step's rest, after carrying over, for coarse looks at pairs without an answer. At 0 flying bodies err by
-/// their whole size (`CoarseLook.LeavesNoFlyingPairToTheSpheresOfWholeBodies`, `ErrsLessTheMoreItIsGiven`). More leaves
-/// pairs at rest less; up to 0.9 no test tells the difference.
+/// Share of a step's rest, after carrying over, for coarse looks at pairs without an answer. At 0.9 towers fall asleep
+/// late (`Sleep.IsNotOnGuardsThatCarry`). At 0 flying bodies err by their whole size
+/// (`CoarseLook.LeavesNoFlyingPairToTheSpheresOfWholeBodies`, `ErrsLessTheMoreItIsGiven`).
 inline constexpr double kCoarseShare = 0.4;
 
 /// While budgets are scarce, a pair with an answer measures everything near once in this many steps, and only its

@@ -20,12 +20,17 @@ bool hasFallback(const TreePair& pair, bool isTimed) {
   return pair.kind == ColliderKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
 }
 
+bool hasHollows(const SphereTreeShape& tree) {
+  return tree.tree().surface().features.hasHollows();
+}
+
 // Of bodies that carried load and move fast, no motion is known to be free until they are answered: one may hang in the
 // other's hollow. Bodies that are much larger are grounds, on which others roll.
-void lockOrRelease(TreePair& pair, bool mayLock) {
+void lockOrRelease(TreePair& pair, const PairSides& sides, bool mayLock) {
   PairGuards& guards = pair.contacts.guards();
-  const bool areAlike = pair.motion.roots && pair.motion.roots->areAlike();
-  guards.lock(mayLock && areAlike && (guards.areLocked() || pair.manifolds.areLoaded()));
+  mayLock = mayLock && pair.motion.roots && pair.motion.roots->areAlike();
+  guards.lock(mayLock && (hasHollows(*sides.shape()) || hasHollows(*sides.otherTree())) &&
+              (guards.areLocked() || pair.manifolds.areLoaded()));
 }
 
 PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep) {
@@ -50,7 +55,7 @@ PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTi
   const bool isOld = pair.contacts.age().isAbsenceStale(age.moved, pair.sizes.smaller);
   age.repeatsLast = pair.contacts.holds(age.moved, pair.sizes.smaller) && !(pair.reported.contacts == 0 && isOld);
   const bool outrunsAnswers = AnswerAge::isOutrunBy(travel, pair.sizes.smaller);
-  lockOrRelease(pair, outrunsAnswers && !age.repeatsLast);
+  lockOrRelease(pair, sides, outrunsAnswers && !age.repeatsLast);
   // Guards hold the bodies in place, but are no reason to wait longer for an answer.
   const bool isUrgent = !age.repeatsLast || (pair.manifolds.hasFallback() && isOld);
   const double error = isUrgent ? kUnknownError : age.error + pair.sizes.fraction(age.moved);

@@ -46,6 +46,18 @@ TEST(SurfaceFeatures, OfADentAreNotConvex) {
   EXPECT_GT(outer, 50);
 }
 
+TEST(SurfaceFeatures, HaveHollowsWhereTheyBendInwardsOrEnd) {
+  const auto hasHollows = [](const Solid& solid) { return plainTree(solid)->surface().features.hasHollows(); };
+  EXPECT_FALSE(hasHollows(cuboid({1, 1, 1}, 3)));
+  EXPECT_FALSE(hasHollows(ball(0.4, 8)));
+  EXPECT_TRUE(hasHollows(torus(0.35, 0.12, 16)));
+  EXPECT_TRUE(hasHollows(bowl(0.7, 0.5, 24)));
+  Solid open = cuboid({1, 1, 1}, 1);
+  open.triangles.pop_back();
+  EXPECT_TRUE(
+      SurfaceFeatures(std::vector<Vec3>(open.vertices.begin(), open.vertices.end()), open.triangles).hasHollows());
+}
+
 // Every triangle's edges and every vertex's, both ways; of a mesh with a border too.
 TEST(SurfaceFeatures, AgreeWithTheTriangles) {
   const Solid solid = torus(0.3, 0.12, 10);

@@ -113,11 +113,11 @@ int asleepThatFall(std::uint64_t seed, std::int64_t operations, int& asleep) {
   }));
 }
 
-// Guards beside points that carry nothing hold a tilted slab as well as guards alone do: 48 of 360 slabs fell. A slab
+// Guards beside points that carry nothing hold a tilted slab as well as guards alone do: 32 of 360 slabs fell. A slab
 // that leans may slip by itself once woken: of thirty seeds 0 of 3519 in single precision and 1 of 3436 in double.
 TEST(Sleep, IsNotOnGuardsThatCarry) {
   int asleep = 0, fall = 0;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) fall += asleepThatFall(seed, 24000, asleep);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) fall += asleepThatFall(seed, 3000, asleep);
   EXPECT_LE(fall, asleep / 100);
   EXPECT_GT(asleep, 300) << "of 360";
 }

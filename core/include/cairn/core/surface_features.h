@@ -56,6 +56,8 @@ class CAIRN_CORE_EXPORT SurfaceFeatures {
     const SurfaceEdge& e = edges_[edge];
     return e.vertex[0] == vertex ? e.vertex[1] : e.vertex[0];
   }
+  /// Whether something may hang in the surface: an edge bends inwards by more than 0.01 rad, or there is a border.
+  bool hasHollows() const { return hasHollows_; }
   /// Bytes of memory held.
   std::size_t memoryBytes() const;
 
@@ -68,6 +70,7 @@ class CAIRN_CORE_EXPORT SurfaceFeatures {
   std::vector<SurfaceFace> faces_;
   std::vector<std::array<std::uint32_t, 3>> edgesOf_;
   std::vector<std::uint32_t> star_, firstOfStar_;
+  bool hasHollows_ = false;
 };
 
 }  // namespace cairn
