@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <tuple>
 
 #include "cairn/core/traversal.h"
@@ -24,6 +25,13 @@ struct ContactId {
   int otherPart = -1, otherIndex = -1;
 
   friend constexpr auto operator<=>(const ContactId&, const ContactId&) = default;
+};
+
+/// The part of a guard of a pair that must not move until it is resolved.
+enum class Lock : std::uint8_t {
+  none,     ///< the pair is not locked
+  guard,    ///< forbids approach, and sliding
+  opposite  ///< forbids parting, and sliding
 };
 
 /// A possible contact point between a sphere-tree and its collider, in the *pair frame*: world axes and unit, origin at
@@ -54,7 +62,7 @@ struct Contact {
   bool treeIsLarger = false;   ///< of a speculative contact: the smaller body is the collider
   bool isRootContact = false;  ///< of whole bodies: the nearest point in its direction, so its id may change
   bool isGuard = false;        ///< of spheres that must not come nearer, whether or not their contents touch
-  bool isLocked = false;       ///< of a pair that must not move at all until it is resolved
+  Lock lock = Lock::none;      ///< of a guard
 
   /// World length from the collider's point to the tree's, along the normal.
   float distance() const { return isSpeculative ? dot(normal, separationVector) : separation; }

@@ -43,6 +43,11 @@ constexpr int kExistingPoint = 1 << 30;
 // (`LinkedRings.StayLinkedOnASmallBudget`).
 constexpr btScalar kLockedFriction = 10;
 
+void lock(btManifoldPoint& point, Lock as) {
+  point.m_combinedFriction = kLockedFriction;
+  point.m_contactPointFlags |= as == Lock::opposite ? kLockedFlag | kOppositeFlag : kLockedFlag;
+}
+
 // Recomputes a point that a callback changed. For Bullet's own shapes, `refreshContactPoints` does this after the
 // callback. So the local points and the normal count; the world positions and the distance follow from them.
 void refresh(const btPersistentManifold& manifold, btManifoldPoint& point) {
@@ -188,7 +193,7 @@ void ManifoldWriter::add(btPersistentManifold& manifold, const Contact& contact)
     point.m_contactPointFlags &= ~kExistingPoint;
     if (!isThis) continue;
     if (contact.isGuard) point.m_contactPointFlags |= kGuardFlag;
-    if (contact.isLocked) point.m_combinedFriction = kLockedFriction;
+    if (contact.lock != Lock::none) lock(point, contact.lock);
     if (point.m_positionWorldOnB != reported || point.m_distance1 != distance) refresh(manifold, point);
     if (contact.isSpeculative) placeSpeculative(manifold, point, contact, origin_ + toBullet(onBody1));
     setSolverDistance(point, contact);

@@ -14,6 +14,8 @@ namespace cairn::bullet {
 
 /// Flag of a point whose contact is a guard. Bullet does not use this flag.
 inline constexpr int kGuardFlag = 1 << 29;
+/// Flags of a locked pair's points: of all, and of those that forbid parting.
+inline constexpr int kLockedFlag = 1 << 28, kOppositeFlag = 1 << 27;
 
 /// The ids of the contacts that a manifold holds now.
 struct ManifoldContacts {

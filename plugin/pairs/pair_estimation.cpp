@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pairs/body_motion.h"
+#include "pairs/pair_lock.h"
 #include "placement/bullet_math.h"
 
 namespace cairn::bullet {
@@ -18,19 +19,6 @@ constexpr double kUnknownError = 1;
 bool hasFallback(const TreePair& pair, bool isTimed) {
   if (pair.kind == ColliderKind::plane) return isTimed;
   return pair.kind == ColliderKind::terrain || (pair.motion.roots && pair.motion.roots->areAlike());
-}
-
-bool hasHollows(const SphereTreeShape& tree) {
-  return tree.tree().surface().features.hasHollows();
-}
-
-// Of bodies that carried load and move fast, no motion is known to be free until they are answered: one may hang in the
-// other's hollow. Bodies that are much larger are grounds, on which others roll.
-void lockOrRelease(TreePair& pair, const PairSides& sides, bool mayLock) {
-  PairGuards& guards = pair.contacts.guards();
-  mayLock = mayLock && pair.motion.roots && pair.motion.roots->areAlike();
-  guards.lock(mayLock && (hasHollows(*sides.shape()) || hasHollows(*sides.otherTree())) &&
-              (guards.areLocked() || pair.manifolds.areLoaded()));
 }
 
 PairEstimate estimateOf(TreePair& pair, std::uint64_t usualOperations, bool isTimed, btScalar timeStep) {

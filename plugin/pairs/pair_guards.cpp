@@ -64,8 +64,7 @@ void PairGuards::choose(std::vector<Contact>& candidates, float smallerSize, std
     if (guard.certainDepth > 0) guard.separation = std::min(guard.separation, -guard.certainDepth);
     now[i] = noted(guard, allowed);
     guard.isGuard = true;
-    guard.isLocked = isLocked_;
-    if (isLocked_ && guard.certainDepth <= 0) guard.separation = std::max(guard.separation, 0.0F);
+    lockGuard(guard);
     contacts.push_back(guard);
     if (isLocked_) contacts.push_back(oppositeOf(guard, smallerSize));
   }
@@ -103,9 +102,17 @@ float PairGuards::allowedSeparation(const Contact& guard, float smallerSize) con
   return now + sunk;
 }
 
+// Depth would push against the opposite. Both points on one place: friction then keeps angular momentum.
+void PairGuards::lockGuard(Contact& guard) const {
+  if (!isLocked_) return;
+  guard.lock = Lock::guard;
+  guard.separation = std::max(guard.separation, 0.0F);
+}
+
 // A constraint acts the same anywhere on the line of its normal.
 Contact PairGuards::oppositeOf(const Contact& guard, float smallerSize) {
   Contact opposite = guard;
+  opposite.lock = Lock::opposite;
   opposite.position += guard.normal * (kOppositeFraction * smallerSize);
   opposite.normal = -guard.normal;
   opposite.separation = 0;
@@ -118,7 +125,7 @@ Contact PairGuards::guardByRoot(Contact whole, float smallerSize) {
   const Guard* const last = lastOf(whole);
   whole.separation -= allowed;
   whole.isGuard = whole.isRootContact = true;
-  whole.isLocked = isLocked_;
+  lockGuard(whole);
   const Guard guard = noted(whole, allowed);
   if (last)
     guards_[static_cast<std::size_t>(last - guards_.data())] = guard;

@@ -33,7 +33,7 @@ class PairGuards {
   /// Makes a root contact a guard, in place of a guard with a similar normal. Its separation is the overlap gained
   /// since it was first seen.
   Contact guardByRoot(Contact whole, float smallerSize);
-  /// The other way of a locked pair's guard: its spheres may not part, but by the depth that the guard pushes them out.
+  /// The other way of a locked pair's guard: its spheres may not part.
   static Contact oppositeOf(const Contact& guard, float smallerSize);
 
  private:
@@ -46,6 +46,7 @@ class PairGuards {
     float sunk;
   };
 
+  void lockGuard(Contact& guard) const;
   static Guard noted(const Contact& guard, float allowedSeparation);
   const Guard* lastOf(const Contact& guard) const;
   float allowedSeparation(const Contact& guard, float smallerSize) const;

@@ -129,6 +129,20 @@ void PairManifolds::renewMaterials() {
   });
 }
 
+void PairManifolds::unlock() {
+  for (btPersistentManifold* m : manifolds_)
+    for (int i = m ? m->getNumContacts() : 0; i-- > 0;) {
+      btManifoldPoint& point = m->getContactPoint(i);
+      if ((point.m_contactPointFlags & kLockedFlag) == 0) continue;
+      const bool isOpposite = (point.m_contactPointFlags & kOppositeFlag) != 0;
+      point.m_contactPointFlags &= ~kLockedFlag;
+      if (isOpposite)
+        m->removeContactPoint(i);
+      else
+        renewMaterial(point, m->getBody0(), m->getBody1());
+    }
+}
+
 void PairManifolds::forgetImpulses() {
   forEachPoint(manifolds_, [](btManifoldPoint& point, const auto&) { point.m_appliedImpulse = 0; });
 }
@@ -151,10 +165,12 @@ bool PairManifolds::areGuardsLoaded() const {
   return areLoaded;
 }
 
-bool PairManifolds::areLoaded() const {
-  bool areLoaded = false;
-  forEachPoint(manifolds_, [&](const btManifoldPoint& p, const auto&) { areLoaded |= p.m_appliedImpulse > 0; });
-  return areLoaded;
+const btManifoldPoint* PairManifolds::mostLoaded() const {
+  const btManifoldPoint* most = nullptr;
+  forEachPoint(manifolds_, [&](const btManifoldPoint& p, const auto&) {
+    if (!most || p.m_appliedImpulse > most->m_appliedImpulse) most = &p;
+  });
+  return most;
 }
 
 void PairManifolds::stayAwake() const {

@@ -48,6 +48,8 @@ class PairManifolds {
   /// Asks the bodies for friction and restitution, as Bullet does for each new point.
   void renewMaterials();
   void forgetImpulses();
+  /// Lets points of a lock that ended only forbid approach: as guards of a pair that was never locked.
+  void unlock();
 
   /// Chooses the manifold for the fallback, if there is none yet: the one with fewest points, or with most if
   /// `amongFullest`.
@@ -62,8 +64,8 @@ class PairManifolds {
 
   /// Whether guards carried load in the last solver step. New guards count as if they might.
   bool areGuardsLoaded() const;
-  /// Whether any point carried load in the last solver step.
-  bool areLoaded() const;
+  /// The point that carried most load in the last solver step; null where there are no points.
+  const btManifoldPoint* mostLoaded() const;
   /// Keeps the bodies awake. A body that sinks slowly onto its guards would fall asleep in the air. Sensors keep nobody
   /// awake, and bodies that the user sends to sleep go.
   void stayAwake() const;
