@@ -68,6 +68,7 @@ void TreePair::forgetWaiting() {
   age.waited = age.error = 0;
   age.moved = age.uncounted = age.unseenMotion = 0;
   work.forget();
+  contacts.guards().lock(false);
   manifolds.endFallback();
   reported.wasSpeculative = reported.areGuardsLoaded = false;
   trajectory.forgetAnchor();

@@ -3,7 +3,7 @@
 
 #include <LinearMath/btVector3.h>
 
-#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "cairn/core/result.h"
