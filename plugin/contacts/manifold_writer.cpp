@@ -39,8 +39,8 @@ constexpr btScalar kUnreported = std::numeric_limits<btScalar>::infinity();
 // new point. Bullet does not use this flag.
 constexpr int kExistingPoint = 1 << 30;
 
-// Friction of points that must not slide: more than surfaces have. Without it rings turn through each other
-// (`LinkedRings.StayLinkedOnASmallBudget`).
+// Coefficient of friction of points that must not slide: more than surfaces have. With the bodies' own, three times as
+// many rings turn through each other (`LinkedRings.StayLinkedOnASmallBudget`).
 constexpr btScalar kLockedFriction = 10;
 
 void lock(btManifoldPoint& point, Lock as) {

@@ -16,7 +16,7 @@ namespace {
 constexpr float kUnfollowedFraction = 0.001F;
 
 // Distance between a guard's point and its opposite's, as a fraction of the smaller body's size: so far apart that
-// neither Bullet nor the choice of contacts takes both for one.
+// neither Bullet nor the choice of contacts takes both for one (`LinkedRings.StayLinkedOnASmallBudget`).
 constexpr float kOppositeFraction = 0.1F;
 
 // Order of importance: certain overlaps, root contacts, the deepest contact of each direction, the deepest of all.
