@@ -47,7 +47,7 @@ class KernelMemory {
 
   struct Listed {
     RelativePlacement at;
-    float maxSeparation, skin;  // world length; `reach`: the separation up to which the list is complete
+    float maxSeparation, skin;  // world length; `maxSeparation`: up to which the list is complete
 
     float movedBy(const RelativePlacement& placement) const {
       return static_cast<float>(placement.displacementSince(at));

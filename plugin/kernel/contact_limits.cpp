@@ -10,7 +10,7 @@ namespace cairn::bullet {
 ContactLimits ContactLimits::of(float contactDistance, float maxSeparation, float thickness, float margins) {
   const float size = contactDistance / tuning::kContactDistance;
   const float trusted = std::min(tuning::kTrustedDepth * size, tuning::kTrustedThickness * thickness);
-  return {contactDistance, maxSeparation, trusted, margins, 0, size};
+  return {contactDistance, maxSeparation, trusted, thickness, margins, 0, size};
 }
 
 float ContactLimits::besideAt(float separation) const {

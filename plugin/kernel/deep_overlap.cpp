@@ -56,7 +56,7 @@ void DeepOverlap::append(const SurfacePair& surfaces, const ContactLimits& limit
     if (direction == Vec3() || widthAlong(direction).width() < tuning::kMinWidth * limits.contactDistance) continue;
     const Vec3 out = narrowest(surfaces, direction);
     dropOpposed(region, out, limits.contactDistance, contacts);
-    appendAlong(out, contacts);
+    appendAlong(out, limits.thickness, contacts);
   }
 }
 
@@ -109,12 +109,14 @@ Vec3 DeepOverlap::narrowest(const SurfacePair& surfaces, const Vec3& way) const 
   return widthAlong(nearest).width() < widthAlong(way).width() ? nearest : way;
 }
 
-void DeepOverlap::appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const {
+// A region around a hollow body is wider than any overlap is deep.
+void DeepOverlap::appendAlong(const Vec3& normal, float thickness, std::vector<FeatureContact>& contacts) const {
   const Width width = widthAlong(normal);
   for (const OverlapPoint& point : deep_) {
     const float height = dot(normal, point.position);
-    const float depth = point.isOfA ? width.highest - height : height - width.lowest;
-    if (depth < tuning::kDeepPart * width.width()) continue;
+    const float toEnd = point.isOfA ? width.highest - height : height - width.lowest;
+    if (toEnd < tuning::kDeepPart * width.width()) continue;
+    const float depth = std::min(toEnd, thickness);
     FeatureContact contact;
     contact.position = point.position + normal * ((point.isOfA ? 0.5F : -0.5F) * depth);
     contact.normal = normal;

@@ -36,7 +36,7 @@ class DeepOverlap {
                           std::span<const FeatureContact> explaining);
   Width widthAlong(const Vec3& normal) const;
   Vec3 narrowest(const SurfacePair& surfaces, const Vec3& way) const;
-  void appendAlong(const Vec3& normal, std::vector<FeatureContact>& contacts) const;
+  void appendAlong(const Vec3& normal, float thickness, std::vector<FeatureContact>& contacts) const;
 
   std::span<const OverlapPoint> region_;  // current region
   std::vector<OverlapPoint> deep_;        // its points that need contacts

@@ -79,9 +79,10 @@ float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectW
   if (time <= 0 || !tree0 || !tree1) return 0;
   const float thinner = std::min(wallOf(*tree0), wallOf(*tree1));
   if (!std::isfinite(thinner)) return 0;
-  const float disc = static_cast<float>(tree0->getAngularMotionDisc());
-  const float travel =
-      closingSpeed(*body0.getCollisionObject(), *body1.getCollisionObject(), disc) * static_cast<float>(time);
+  const btCollisionObject &first = *body0.getCollisionObject(), &second = *body1.getCollisionObject();
+  const float speed = std::min(speedInFrameOf(second, first, static_cast<float>(tree0->getAngularMotionDisc())),
+                               speedInFrameOf(first, second, static_cast<float>(tree1->getAngularMotionDisc())));
+  const float travel = speed * static_cast<float>(time);
   const bool mayCross = travel > tuning::kTrustedThickness * thinner;
   return mayCross ? std::min(travel, tuning::kMaxWalls * thinner) : 0;
 }

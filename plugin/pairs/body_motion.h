@@ -26,7 +26,8 @@ float closingSpeed(const btCollisionObject& first, const btCollisionObject& seco
 float fastTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
 /// How far two sphere-trees may approach in `time` if one of them is a shell with a wall thinner than `kTrustedDepth`
-/// of its size. It is 0 unless they may cross half of the wall: beyond that, the wall's other side is nearer.
+/// of its own size; at most `kMaxWalls` walls. It is 0 unless they may cross half of the wall: beyond that, the wall's
+/// other side is nearer.
 float wallTravel(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1, btScalar time);
 
 /// Bound on the speed of the first body's points in the second body's frame, which may rotate; world length per second.

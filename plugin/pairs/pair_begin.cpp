@@ -31,8 +31,8 @@ void lookAhead(TreePair& pair, const PairPlacement& placement, const PairSides& 
       budget);
 }
 
-PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, btScalar timeStep) {
-  pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), threshold);
+PairPlacement place(TreePair& pair, const PairSides& sides, btScalar threshold, float ahead, btScalar timeStep) {
+  pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), threshold, ahead);
   PairPlacement placement = pair.motion.place(sides, pair.sizes);
   pair.motion.set(sides, pair.sizes, timeStep);
   const auto seconds = static_cast<float>(timeStep);
@@ -55,8 +55,8 @@ bool begin(TreePair& pair, const btCollisionObjectWrapper& body0, const btCollis
   pair.age.uncounted = pair.age.isCarriedOver ? 0 : pair.age.moved;
   if (pair.age.isCarriedOver) endWaiting(pair, sides);
   pair.trajectory.isFast = fastTravel(sides.tree, sides.other, horizon.sweptTime) > 0;
-  const auto speculative = btScalar(pair.trajectory.isFast ? 0 : wallTravel(sides.tree, sides.other, horizon.wallTime));
-  const PairPlacement placement = place(pair, sides, std::max(threshold, speculative), horizon.timeStep);
+  const float ahead = pair.trajectory.isFast ? 0 : wallTravel(sides.tree, sides.other, horizon.wallTime);
+  const PairPlacement placement = place(pair, sides, threshold, ahead, horizon.timeStep);
   pair.lookForJump(pair.motion.relative.placement, sides, horizon.timeStep);
   pair.age.isPlaced = true;
   pair.enter(PairStage::begun);

@@ -41,11 +41,12 @@ void beginCarriedOver(TreePair& pair, const CarryOverStep& step) {
   const PairSides sides = pair.sides();
   pair.adopt(sides);
   pair.manifolds.setBodies(pair.bodies.object0(), pair.bodies.object1());
-  pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), 0);
+  pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), 0, 0);
   RelativeMotion& motion = pair.motion.relative;
   motion.placement = pair.motion.seenAt = pair.motion.seenNow = PairMotion::placementOf(sides);
   motion.smallerSize = pair.sizes.smaller;
   motion.maxSeparation = pair.sizes.maxSeparation;
+  motion.reported = pair.sizes.reported;
   pair.age.isPlaced = true;
   pair.age.moved = 0;
   // The pair may have been culled a step ago, so nothing is known of the motion since.

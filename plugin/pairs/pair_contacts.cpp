@@ -216,6 +216,7 @@ void PairContacts::finish(Collider& collider, const AnswerPolicy& policy, const 
     appendFound(collider, budget, contacts);
     appendUnmeasured(collider, motion, budget, contacts);
   }
+  std::erase_if(contacts, [&](const Contact& c) { return c.separation > motion.reported && !motion.meetsSoon(c); });
   if (isDone) {
     isReported_ = true;
     age_.traversalEnded(!contacts.empty());

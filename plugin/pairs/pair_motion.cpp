@@ -26,12 +26,13 @@ Vec3d smallerCenter(const PairPlacement& placement, bool treeIsSmaller) {
 
 }  // namespace
 
-PairSizes PairSizes::of(const SphereTreeShape& tree, float otherSize, btScalar threshold) {
+PairSizes PairSizes::of(const SphereTreeShape& tree, float otherSize, btScalar threshold, float ahead) {
   const auto treeSize = static_cast<float>(tree.size());
   PairSizes sizes;
   sizes.smaller = otherSize > 0 ? std::min(treeSize, otherSize) : treeSize;
   sizes.speculative = static_cast<float>(kSpeculativeFraction) * sizes.smaller;
-  sizes.maxSeparation = sizes.speculative + static_cast<float>(threshold);
+  sizes.reported = sizes.speculative + static_cast<float>(threshold);
+  sizes.maxSeparation = std::max(sizes.reported, sizes.speculative + ahead);
   sizes.treeIsSmaller = !(otherSize > 0 && otherSize < treeSize);
   return sizes;
 }
@@ -90,6 +91,7 @@ void PairMotion::set(const PairSides& sides, const PairSizes& sizes, btScalar ti
   reducedMass = cairn::bullet::reducedMass(tree, other);
   relative.smallerSize = sizes.smaller;
   relative.maxSeparation = sizes.maxSeparation;
+  relative.reported = sizes.reported;
   relative.placement = placementOf(sides);
 }
 

@@ -15,12 +15,13 @@ namespace cairn::bullet {
 struct PairSizes {
   float smaller = 0;        ///< size of the smaller body, world length
   float speculative = 0;    ///< contact distance without a query's threshold, world length
-  float maxSeparation = 0;  ///< contacts below this separation are wanted, world length
+  float reported = 0;       ///< with the query's threshold; all contacts below this are wanted, world length
+  float maxSeparation = 0;  ///< contacts below this are wanted where the surfaces meet soon, world length
   bool treeIsSmaller = true;
 
-  /// `otherSize`: 0 for a body without a size, such as a point. `threshold`: how far beyond the speculative distance
-  /// contacts are wanted, world length.
-  static PairSizes of(const SphereTreeShape& tree, float otherSize, btScalar threshold);
+  /// `otherSize`: 0 for a body without a size, such as a point. `threshold`, `ahead`: how far beyond the speculative
+  /// distance a query wants contacts, and fast bodies near thin walls need them; world lengths.
+  static PairSizes of(const SphereTreeShape& tree, float otherSize, btScalar threshold, float ahead);
   /// A length as a fraction of the smaller body's size.
   double fraction(float length) const { return double(length / smaller); }
 };

@@ -44,8 +44,8 @@ enum class PairRest : std::uint8_t {
 
 /// All that is known of one sphere-tree and its collider from step to step, from the creation of Bullet's algorithm to
 /// its destruction. Each action on a pair is a file: pair_cull.h, pair_collect.h, pair_estimation.h, pair_reuse.h,
-/// pair_begin.h, pair_measure.h, pair_write.h, pair_carry_over.h. The first members decide whether anything has to be
-/// done in a step: for most pairs of a heap nothing else is read.
+/// pair_begin.h, pair_measure.h, pair_write.h, pair_finish.h, pair_carry_over.h. The first members decide whether
+/// anything has to be done in a step: for most pairs of a heap nothing else is read.
 struct alignas(64) TreePair {
   /// Points that follow their bodies lose their meaning after this motion, as a fraction of the smaller body's size.
   static constexpr float kMaxFollowed = 0.04F;

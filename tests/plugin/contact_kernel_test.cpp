@@ -41,6 +41,7 @@ ContactLimits limitsOf(float skin = 0) {
   ContactLimits limits;
   limits.contactDistance = limits.maxSeparation = tuning::kContactDistance * kSize;
   limits.trustedDepth = tuning::kTrustedDepth * kSize;
+  limits.thickness = kSize;
   limits.skin = skin;
   limits.size = kSize;
   return limits;

@@ -2,12 +2,15 @@
 // Pieces that fit with a little play go together, slide and stay as pieces do: facing walls that are apart are apart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "bullet_world.h"
 #include "extruded.h"
 #include "triangle_grounds.h"
+#include "turned.h"
 
 namespace cairn::test::fits_test {
 namespace {
@@ -40,8 +43,18 @@ struct Fit {
     added.setUserIndex(int(fromMesh_.size()) - 1);
     return added;
   }
-  btVector3 placeOf(const btRigidBody& body) const {
-    return (body.getWorldTransform() * fromMesh_[std::size_t(body.getUserIndex())]).getOrigin();
+  btTransform poseOf(const btRigidBody& body) const {
+    return body.getWorldTransform() * fromMesh_[std::size_t(body.getUserIndex())];
+  }
+  btVector3 placeOf(const btRigidBody& body) const { return poseOf(body).getOrigin(); }
+  double deepest() {
+    double depth = 0;
+    for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(i);
+      for (int k = 0; k < manifold.getNumContacts(); ++k)
+        depth = std::max(depth, -double(manifold.getContactPoint(k).getDistance()));
+    }
+    return depth;
   }
 
  private:
@@ -154,6 +167,84 @@ TEST(ThinWall, IsNotCrossedByWhatIsFasterThanItIsThick) {
     }
     EXPECT_GT(double(fit.placeOf(body).z()), height) << speed << " m/s";
   }
+}
+
+// Walls ahead that do not close must not take the places of the rim that does.
+TEST(ThinWall, StopsALidOnTheRimOfItsJar) {
+  constexpr double kWall = 0.01, kPlay = 0.0036;
+  const Solid jar = turnedAround({{0, 0}, {0.3, 0}, {0.3, 0.5}, {0.28, 0.5}, {0.28, 0.02}, {0, 0.02}}, 48);
+  const double in = 0.3 + kPlay, out = in + kWall, roof = 0.15 - kWall;
+  const Solid lid = turnedAround({{0, roof}, {in, roof}, {in, 0}, {out, 0}, {out, 0.15}, {0, 0.15}}, 48);
+  for (int start = 0; start < 10; ++start) {
+    Fit fit;
+    fit.add(jar, 0, btScalar(0.3), at(0, 0, 0));
+    btRigidBody& body = fit.add(lid, btScalar(0.1), btScalar(0.2), at(0.0012, 0.0003, 0.5 + 0.004 * start));
+    btScalar lowest = 1;
+    for (int step = 0; step < 100; ++step) {
+      fit.w.step();
+      lowest = std::min(lowest, fit.placeOf(body).z());
+    }
+    EXPECT_GT(double(lowest) + roof, 0.5 - 0.2 * kWall) << "from " << 0.5 + 0.004 * start;
+    EXPECT_LT(double(fit.placeOf(body).z()) + roof, 0.5 + 0.2 * kWall) << "from " << 0.5 + 0.004 * start;
+  }
+}
+
+// Its end turns by more than three walls a step, whichever of the bodies is the pair's first.
+TEST(ThinWall, TakesBallsAlongThatItTurnsInto) {
+  constexpr double kThick = 0.02, kRadius = 0.03, kSpin = 4;
+  for (const bool isFirst : {true, false}) {
+    Fit fit;
+    fit.w.world.setGravity(btVector3(0, 0, 0));
+    std::vector<btRigidBody*> balls;
+    btRigidBody* blade = nullptr;
+    const auto addBlade = [&] { blade = &fit.add(cuboid({2, kThick, 0.6}, 8), 50, 0, at(0, 0, 0)); };
+    if (isFirst) addBlade();
+    for (int i = 0; i < 6; ++i) {
+      const double far = 0.4 + 0.1 * i, angle = 0.5 + 0.1 * i;
+      balls.push_back(
+          &fit.add(ball(kRadius, 8), btScalar(0.05), 0, at(far * std::cos(angle), far * std::sin(angle), 0)));
+    }
+    if (!isFirst) addBlade();
+    btHingeConstraint hinge(*blade, btVector3(0, 0, 0), btVector3(0, 0, 1) * blade->getWorldTransform().getBasis());
+    fit.w.world.addConstraint(&hinge);
+    blade->setAngularVelocity(btVector3(0, 0, btScalar(kSpin)));
+    std::vector<bool> passed(balls.size());
+    for (int step = 0; step < 40; ++step) {
+      fit.w.step();
+      for (std::size_t i = 0; i < balls.size(); ++i) {
+        const btVector3 place = fit.poseOf(*blade).invXform(fit.placeOf(*balls[i]));
+        if (place.x() < 1 && double(place.y()) < -kThick / 2) passed[i] = true;  // and did not slide off the end
+      }
+    }
+    EXPECT_EQ(std::ranges::count(passed, true), 0) << "blade first " << isFirst;
+    fit.w.world.removeConstraint(&hinge);
+  }
+}
+
+// A push is no longer than the wall is thick, however high the wall stands around. Points that follow their bodies may
+// be a little deeper.
+TEST(ThinWall, OfACupDoesNotThrowOutTheOneThatFallsIntoIt) {
+  constexpr double kWall = 0.02;
+  const Solid cup =
+      turnedAround({{0, 0}, {0.3, 0}, {0.4, 0.6}, {0.4 - kWall, 0.6}, {0.3 - kWall, kWall}, {0, kWall}}, 32);
+  for (const double speed : {0.5, 1.5})
+    for (const double tilt : {0.0, 0.1, 0.2, 0.3})
+      for (const double aside : {0.0, 0.03, 0.06}) {
+        SCOPED_TRACE(testing::Message() << speed << " m/s, tilt " << tilt << ", aside " << aside);
+        Fit fit;
+        fit.add(cup, 0, btScalar(0.3), at(0, 0, 0));
+        const btQuaternion turn(btVector3(btScalar(0.2), 1, 0).normalized(), btScalar(tilt));
+        btRigidBody& body =
+            fit.add(cup, btScalar(0.1), btScalar(0.3), at(aside, 0.02, 0.61 + 0.3 * std::sin(tilt), turn));
+        body.setLinearVelocity(btVector3(0, 0, btScalar(-speed)));
+        double deepest = 0;
+        for (int step = 0; step < 300; ++step) {
+          fit.w.step();
+          deepest = std::max(deepest, fit.deepest());
+        }
+        EXPECT_LT(deepest, 1.2 * kWall);
+        EXPECT_NEAR(double(fit.placeOf(body).z()), kWall * std::hypot(1, 6), kWall) << "stands in it";
+      }
 }
 
 // A tongue in a groove, pulled at: it holds by its shoulders, within its play.

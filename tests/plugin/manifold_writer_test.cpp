@@ -18,7 +18,7 @@ constexpr std::array<Vec3, kMaxPoints> kCorners{{{-1, -1, 0}, {1, -1, 0}, {1, 1,
 RelativeMotion resting() {
   RelativeMotion motion;
   motion.timeStep = 1.0F / 60;
-  motion.maxSeparation = 0.002F;
+  motion.maxSeparation = motion.reported = 0.002F;
   return motion;
 }
 

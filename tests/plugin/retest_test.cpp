@@ -53,7 +53,7 @@ class TalkativeCollider final : public bullet::Collider {
 void step(bullet::PairContacts& pair, TalkativeCollider& collider, bullet::ContactScratch& scratch) {
   bullet::RelativeMotion motion;
   motion.smallerSize = 1;
-  motion.maxSeparation = 0.002F;
+  motion.maxSeparation = motion.reported = 0.002F;
   Budget budget = Budget::operations(0);
   pair.begin(collider, motion, {}, budget, scratch);
   pair.finish(collider, {.unresolved = bullet::Unresolved::guard}, motion, motion.maxSeparation, {}, budget, scratch);

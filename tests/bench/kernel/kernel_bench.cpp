@@ -71,8 +71,8 @@ ContactLimits limitsOf(const SphereTree& tree) {
   ContactLimits limits;
   limits.size = sizeOf(tree);
   limits.contactDistance = limits.maxSeparation = tuning::kContactDistance * limits.size;
-  limits.trustedDepth =
-      std::min(tuning::kTrustedDepth * limits.size, tuning::kTrustedThickness * tree.surface().thickness);
+  limits.thickness = tree.surface().thickness;
+  limits.trustedDepth = std::min(tuning::kTrustedDepth * limits.size, tuning::kTrustedThickness * limits.thickness);
   return limits;
 }
 
