@@ -6,15 +6,14 @@
 #include <array>
 #include <span>
 
+#include "cairn/bullet/contact_points.h"
 #include "contacts/contact.h"
 #include "contacts/reduction.h"
 #include "contacts/relative_motion.h"
 
 namespace cairn::bullet {
 
-/// Flag of a point whose contact is a guard. Bullet does not use this flag.
-inline constexpr int kGuardFlag = 1 << 29;
-/// Flags of a locked pair's points: of all, and of those that forbid parting.
+/// Flags of a locked pair's points, beside `kGuardFlag`: of all, and of those that forbid parting.
 inline constexpr int kLockedFlag = 1 << 28, kOppositeFlag = 1 << 27;
 
 /// The ids of the contacts that a manifold holds now.

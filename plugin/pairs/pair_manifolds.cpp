@@ -49,7 +49,7 @@ void renewMaterial(btManifoldPoint& point, const btCollisionObject* body0, const
 }
 
 bool isLoadedGuard(const btManifoldPoint& point) {
-  return (point.m_contactPointFlags & kGuardFlag) != 0 && (point.m_appliedImpulse > 0 || point.m_lifeTime == 0);
+  return isGuard(point) && (point.m_appliedImpulse > 0 || point.m_lifeTime == 0);
 }
 
 // Calls `visit` with each point and its manifold.

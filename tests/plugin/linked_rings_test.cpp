@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bullet_world.h"
+#include "cairn/bullet/contact_points.h"
 #include "random_tree.h"
 
 namespace cairn::test::linked_rings_test {
@@ -139,6 +140,7 @@ TEST(LockedPairs, AreFast) {
       for (int i = 0; i < manifold.getNumContacts(); ++i) {
         if (!holdsFast(manifold.getContactPoint(i))) continue;
         ++locked;
+        ASSERT_TRUE(bullet::isGuard(manifold.getContactPoint(i))) << "step " << step;
         const auto x = static_cast<std::size_t>(manifold.getBody0()->getUserIndex());
         const auto y = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
         ASSERT_GT(speeds[x][y], kSlow) << "step " << step;

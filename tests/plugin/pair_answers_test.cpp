@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "cairn/bullet/contact_points.h"
 #include "cairn/bullet/install.h"
 #include "walled_heap.h"
 
@@ -28,6 +29,16 @@ std::map<Objects, std::uint32_t> pointsOf(const btDispatcher& dispatcher) {
     if (manifold.getNumContacts() > 0) points[objects] += static_cast<std::uint32_t>(manifold.getNumContacts());
   }
   return points;
+}
+
+int countGuards(const btDispatcher& dispatcher) {
+  auto& manifolds = const_cast<btDispatcher&>(dispatcher);
+  int count = 0;
+  for (int i = 0; i < manifolds.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *manifolds.getManifoldByIndexInternal(i);
+    for (int k = 0; k < manifold.getNumContacts(); ++k) count += bullet::isGuard(manifold.getContactPoint(k));
+  }
+  return count;
 }
 
 void expectSums(const std::vector<PairAnswered>& answers, const StepStatistics& step) {
@@ -61,6 +72,20 @@ TEST_P(PairAnswers, AreThoseThatTheStepSumsUp) {
   }
   EXPECT_GT(contacts, 0U);
   EXPECT_EQ(unresolved > 0, GetParam().has_value());
+}
+
+// A pair that is finished over several steps keeps guards as well, for surfaces that it ruled out long ago.
+TEST_P(PairAnswers, AreGuardsOnABudgetAlone) {
+  WalledHeap heap(GetParam());
+  keepAwake(heap);
+  int guards = 0;
+  for (int step = 0; step < 150; ++step) {
+    heap.run(1);
+    const int now = countGuards(heap.w.dispatcher);
+    ASSERT_LE(now, static_cast<int>(heap.w.dispatcher.lastStep().contacts));
+    guards += now;
+  }
+  EXPECT_EQ(guards > 0, GetParam().has_value());
 }
 
 TEST_P(PairAnswers, NameTheBodiesThatTouch) {

@@ -5,6 +5,7 @@
 // (cairn/effects).
 #pragma once
 
+#include "cairn/bullet/contact_points.h"
 #include "cairn/bullet/dispatcher.h"
 #include "cairn/bullet/install.h"
 #include "cairn/bullet/ordered_solver.h"
