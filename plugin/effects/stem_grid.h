@@ -14,10 +14,13 @@ namespace cairn::effects {
 /// Stems in a uniform grid over x and y, about one to a cell, each in the cell of its axis.
 class StemGrid {
  public:
+  /// `height`: of stems without one of their own.
   StemGrid(const std::vector<SingleTrees::Stem>& stems, const GroundHeight& ground, btScalar height);
 
   std::size_t size() const { return stems_.size(); }
   btScalar diameter(std::uint32_t stem) const { return stems_[stem].diameter; }
+  /// A point of the stem's axis, at height 0.
+  btVector3 axis(std::uint32_t stem) const { return {stems_[stem].x, stems_[stem].y, 0}; }
   /// Appends the stems that a ball touches on its way from `from` to `to`, cell by cell. Linear in the stems of the
   /// cells around the way's box.
   void touchedBy(const btVector3& from, const btVector3& to, btScalar radius,

@@ -95,7 +95,7 @@ TEST(WorkOfAStem, IsWhatItCanTake) {
                                   effects::SingleTrees::Options{.height = 100, .energyRatio = 1});
   addBall(world, btVector3(0, 0, 50), btVector3(20, 0, 0));
   world.run(btScalar(0.5));
-  const double stem = effects::SingleTrees::mostEnergy(btScalar(0.2), 1);
+  const double stem = 0.98 * double(effects::SingleTrees::mostEnergy(btScalar(0.2), 1));  // hit in the middle
   EXPECT_NEAR(workOf(world, "trees").energyTaken, stem, 1e-3 * stem);
 }
 

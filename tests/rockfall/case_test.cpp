@@ -167,6 +167,11 @@ INSTANTIATE_TEST_SUITE_P(
                   {"effect": "trees", "stems": {"density_per_ha": 300, "diameter_m": [0.2, 30]}}}])",
              "case.json: /effects/1/stems/diameter_m/1: no stem is 30 m thick: give its diameter at breast height in "
              "metres, not its height, nor centimetres"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "trees", "stems":
+                  {"density_per_ha": 300, "diameter_m": [0.2, 0.3], "height_m": [25, 20]}}}])",
+             "case.json: /effects/1/stems/height_m: the smaller number comes first"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "trees", "stems": [[1, 2, 0.3, 300]]}}])",
+             "case.json: /effects/1/stems/0/3: 300 is out of range: this must be above 0 and at most 130"},
         Slip{R"([{"op": "replace", "path": "/terrain/zones/0/polygon_m", "value": [[0, 0], [4, 4], [4, 0], [0, 4]]}])",
              "case.json: /terrain/zones/0/polygon_m: the edges from corner 0 and from corner 2 cross: give the corners "
              "in order around the area, and two areas as two polygons"},

@@ -93,10 +93,12 @@ struct ForestDragOptions {
 struct Stem {
   MapPoint placeM;
   double diameterM;
+  double heightM = 0;  ///< 0: the usual one
 };
 struct StandOfTrees {
   double densityPerHa = 0;
   std::array<double, 2> diameterM{};  ///< least and greatest; uniformly distributed
+  std::array<double, 2> heightM{};    ///< likewise; 0: the usual one
   Polygon polygon;
 };
 /// Trees of a map: single ones, or stands by their classes.

@@ -21,14 +21,24 @@ double readDiameter(const Value& value) {
   return diameter;
 }
 
+double readHeight(const Value& value) {
+  constexpr Range kHeight{0, 130, true};  // m; the highest tree has 116
+  return value.number(kHeight);
+}
+
+std::array<double, 2> readEnds(const Value& value, double (*read)(const Value&)) {
+  const auto ends = value.items(2, 2);
+  if (ends.size() != 2) return {};
+  const std::array<double, 2> result{read(ends[0]), read(ends[1])};
+  if (result[1] < result[0]) value.refuse("the smaller number comes first");
+  return result;
+}
+
 StandOfTrees readStandDensity(Object& object) {
   StandOfTrees stand;
   stand.densityPerHa = object.at("density_per_ha").number(between(0, 100000));
-  const Value diameters = object.at("diameter_m");
-  if (const auto ends = diameters.items(2, 2); ends.size() == 2) {
-    stand.diameterM = {readDiameter(ends[0]), readDiameter(ends[1])};
-    if (stand.diameterM[1] < stand.diameterM[0]) diameters.refuse("the smaller diameter comes first");
-  }
+  stand.diameterM = readEnds(object.at("diameter_m"), readDiameter);
+  if (const auto heights = object.find("height_m")) stand.heightM = readEnds(*heights, readHeight);
   return stand;
 }
 
@@ -57,10 +67,10 @@ std::variant<std::vector<Stem>, StandOfTrees, MappedTrees> readStand(const Value
 std::vector<Stem> readStems(const Value& value) {
   std::vector<Stem> stems;
   for (const Value& item : value.items(0, kMaxStems)) {
-    const auto parts = item.items(3, 3);
-    if (parts.size() != 3) return stems;
+    const auto parts = item.items(3, 4);
+    if (parts.size() < 3) return stems;
     const MapPoint place{parts[0].number(between(-1e7, 1e7)), parts[1].number(between(-1e7, 1e7))};
-    stems.push_back({place, readDiameter(parts[2])});
+    stems.push_back({place, readDiameter(parts[2]), parts.size() > 3 ? readHeight(parts[3]) : 0});
   }
   return stems;
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "cairn/core/mix_bits.h"
+#include "rockfall/case/draw_stem.h"
 #include "scenes/figures/random.h"
 
 namespace cairn::rockfall {
@@ -30,8 +31,7 @@ class Planter {
     if (static_cast<double>(stems_.size()) + count > kMaxStems) return false;
     for (auto left = std::llround(count); left > 0; --left) {
       const double which = random_.uniform(), along = random_.uniform(), across = random_.uniform();
-      const double diameter = random_.uniform(stand.diameterM[0], stand.diameterM[1]);
-      stems_.push_back({places.at(which, along, across), diameter});
+      stems_.push_back(drawStem(stand, places.at(which, along, across), random_));
     }
     return true;
   }

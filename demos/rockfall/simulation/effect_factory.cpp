@@ -32,6 +32,7 @@
 #include "cairn/effects/surface_roughness.h"
 #include "cairn/effects/tangential_restitution.h"
 #include "cairn/effects/water.h"
+#include "rockfall/case/draw_stem.h"
 #include "rockfall/simulation/run_seed.h"
 #include "scenes/figures/random.h"
 
@@ -141,7 +142,7 @@ class Factory {
       stems = stemsOf(*stand);
     else if (const auto* single = std::get_if<std::vector<Stem>>(&o.stems))
       for (const Stem& stem : *single)
-        stems.push_back({scalar(stem.placeM[0]), scalar(stem.placeM[1]), scalar(stem.diameterM)});
+        stems.push_back({scalar(stem.placeM[0]), scalar(stem.placeM[1]), scalar(stem.diameterM), scalar(stem.heightM)});
     return std::make_unique<effects::SingleTrees>(std::move(stems), ground_,
                                                   effects::SingleTrees::Options{.energyRatio = scalar(o.energyRatio)});
   }
@@ -212,8 +213,9 @@ class Factory {
     std::vector<effects::SingleTrees::Stem> stems;
     for (std::uint64_t i = 0; i < count; ++i) {
       const MapPoint place{random.uniform(low[0], high[0]), random.uniform(low[1], high[1])};
-      const double diameter = random.uniform(stand.diameterM[0], stand.diameterM[1]);
-      if (contains(stand.polygon, place)) stems.push_back({scalar(place[0]), scalar(place[1]), scalar(diameter)});
+      const Stem stem = drawStem(stand, place, random);
+      if (!contains(stand.polygon, place)) continue;
+      stems.push_back({scalar(place[0]), scalar(place[1]), scalar(stem.diameterM), scalar(stem.heightM)});
     }
     return stems;
   }
