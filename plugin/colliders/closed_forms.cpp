@@ -61,6 +61,12 @@ float dotOf(const Flat& a, const Flat& b) {
   return a.out * b.out + a.up * b.up;
 }
 
+// Below 1e-19 a float's square has few digits or none: such a length counts as none.
+float lengthOf(const Flat& v) {
+  const float squared = dotOf(v, v);
+  return squared >= std::numeric_limits<float>::min() ? std::sqrt(squared) : 0;
+}
+
 struct FlatPoint {
   Flat normal;
   float distance = 0;
@@ -71,7 +77,7 @@ FlatPoint nearestOn(std::span<const Flat> corners, const Flat& p) {
   FlatPoint inside{{}, -std::numeric_limits<float>::infinity()}, outside{{}, std::numeric_limits<float>::infinity()};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const Flat side{corners[i + 1].out - corners[i].out, corners[i + 1].up - corners[i].up};
-    const float length = std::sqrt(dotOf(side, side));
+    const float length = lengthOf(side);
     if (!(length > 0)) continue;
     const Flat normal{side.up / length, -side.out / length}, to{p.out - corners[i].out, p.up - corners[i].up};
     const float height = dotOf(normal, to), along = dotOf(side, to) / (length * length);
@@ -79,15 +85,16 @@ FlatPoint nearestOn(std::span<const Flat> corners, const Flat& p) {
     if (height <= 0 || height >= outside.distance) continue;
     const float part = std::clamp(along, 0.0F, 1.0F);
     const Flat offset{to.out - side.out * part, to.up - side.up * part};
-    const float distance = part == along ? height : std::sqrt(dotOf(offset, offset));
+    const float distance = part == along ? height : lengthOf(offset);
     if (distance >= outside.distance) continue;
-    outside = {part == along ? normal : Flat{offset.out / distance, offset.up / distance}, distance};
+    const bool isCorner = part != along && distance > 0;
+    outside = {isCorner ? Flat{offset.out / distance, offset.up / distance} : normal, distance};
   }
   if (outside.distance < std::numeric_limits<float>::infinity()) return outside;
   if (inside.distance > -std::numeric_limits<float>::infinity()) return inside;
   // All corners coincide.
   const Flat offset{p.out - corners[0].out, p.up - corners[0].up};
-  const float distance = std::sqrt(dotOf(offset, offset));
+  const float distance = lengthOf(offset);
   return distance > 0 ? FlatPoint{{offset.out / distance, offset.up / distance}, distance} : FlatPoint{{1, 0}, 0};
 }
 

@@ -74,6 +74,28 @@ TEST(ConvexSurface_AnyShape, HasAUnitNormalHoweverNearTheMiddle) {
   }
 }
 
+TEST(ConvexSurface_AnyShape, HasAUnitNormalHoweverSmallItIs) {
+  std::mt19937_64 engine(7);
+  for (int power = 0; power <= 40; ++power) {
+    const btScalar size = btScalar(std::pow(10.0, -power));
+    btCylinderShape cylinder(btVector3(size, size, size));
+    btConeShape cone(size, 2 * size);
+    btCapsuleShape capsule(size, size);
+    cylinder.setMargin(size / 10);
+    cone.setMargin(size / 10);
+    for (const btConvexShape* shape :
+         {static_cast<const btConvexShape*>(&cylinder), static_cast<const btConvexShape*>(&cone),
+          static_cast<const btConvexShape*>(&capsule)})
+      for (int trial = 0; trial < 40; ++trial) {
+        // Near it and far from it, as its own size and the world's are.
+        const Vec3 p(randomPoint(engine) * (trial % 2 ? 3 * double(size) : 1.0));
+        const std::optional<NearestPoint> nearest = nearestOnRound(*shape, p);
+        ASSERT_TRUE(nearest.has_value());
+        EXPECT_NEAR(length(Vec3d(nearest->normal)), 1, 1e-5) << shape->getName() << ", 1e-" << power;
+      }
+  }
+}
+
 // Whatever the shape, all of it lies behind the plane through the nearest point: that is what makes a contact's depth
 // valid.
 TEST(ConvexSurface_AnyShape, LiesBehindThePlaneOfItsNearestPoint) {
