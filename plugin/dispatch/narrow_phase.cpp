@@ -34,8 +34,7 @@ Status NarrowPhase::setFrameBudget(const StepBudget& budget) {
   return impl_->setFrameBudget(budget);
 }
 void NarrowPhase::expectPairs(const ExpectedPairs& pairs) {
-  impl_->reserve(
-      {pairs.trees, pairs.planes, pairs.convexShapes, pairs.triangleMeshes, pairs.distanceFields, pairs.terrains});
+  impl_->reserve(countsByKind(pairs));
 }
 void NarrowPhase::beginFrame(int steps) {
   impl_->beginFrame(steps);

@@ -84,7 +84,7 @@ const StepStatistics& NarrowPhase::Impl::lastStep() {
 
 // A user's callback may set a budget, even in every step.
 void NarrowPhase::Impl::reserveFor(const StepBudget& budget) {
-  if (budget.microseconds && !std::exchange(hasRoomForDeadlines_, true)) reserve(kReserved);
+  if (budget.microseconds && !std::exchange(hasRoomForDeadlines_, true)) reserve(countsByKind(kReserved));
 }
 
 void NarrowPhase::Impl::reserve(const PairCounts& pairs) {

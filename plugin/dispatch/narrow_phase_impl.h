@@ -69,9 +69,9 @@ class NarrowPhase::Impl final : public std::enable_shared_from_this<NarrowPhase:
   void reserveFor(const StepBudget& budget);
   void endAnswering();
 
-  // Made in advance for users with a deadline, about five megabytes: trees, planes, convex shapes, triangles, fields,
-  // terrains.
-  static constexpr PairCounts kReserved{256, 128, 32, 32, 32, 128};
+  // Made in advance for users with a deadline, about five megabytes.
+  static constexpr ExpectedPairs kReserved{
+      .trees = 256, .planes = 128, .convexShapes = 32, .triangleMeshes = 32, .distanceFields = 32, .terrains = 128};
 
   StepState step_;
   StepCarryOver carryOver_{step_};

@@ -23,6 +23,18 @@ void PairPool::giveBack(TreePair& pair) {
   idle_[static_cast<std::size_t>(pair.kind)].push_back(&pair);
 }
 
+PairCounts countsByKind(const ExpectedPairs& pairs) {
+  PairCounts counts{};
+  const auto set = [&](ColliderKind kind, std::size_t count) { counts[static_cast<std::size_t>(kind)] = count; };
+  set(ColliderKind::tree, pairs.trees);
+  set(ColliderKind::plane, pairs.planes);
+  set(ColliderKind::convex, pairs.convexShapes);
+  set(ColliderKind::triangles, pairs.triangleMeshes);
+  set(ColliderKind::field, pairs.distanceFields);
+  set(ColliderKind::terrain, pairs.terrains);
+  return counts;
+}
+
 std::size_t PairPool::reserve(const PairCounts& pairs) {
   for (std::size_t kind = 0; kind < pairs.size(); ++kind) {
     idle_[kind].reserve(pairs[kind]);

@@ -5,12 +5,15 @@
 #include <memory>
 #include <vector>
 
+#include "cairn/bullet/step.h"
 #include "pairs/collider_kinds.h"
 #include "pairs/tree_pair.h"
 
 namespace cairn::bullet {
 
 using PairCounts = std::array<std::size_t, kColliderKinds>;
+/// The same numbers by kind.
+PairCounts countsByKind(const ExpectedPairs& pairs);
 
 /// Owner of all pairs. It frees none before its own end: a pair that returns costs no allocation, unless it was at
 /// rest.

@@ -2,11 +2,16 @@
 // Steps whose time is up before anything was done: what was said stays, but nothing gets past anything.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <set>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "bullet_world.h"
 #include "counting_new.h"
+#include "terrains.h"
+#include "triangle_grounds.h"
 
 namespace cairn::test::late_step_test {
 namespace {
@@ -15,6 +20,12 @@ constexpr btScalar kRadius = btScalar(0.3);
 
 std::shared_ptr<bullet::SphereTreeShape> roundShape() {
   return treeShape(plainTree(ball(double(kRadius), 6)));
+}
+
+std::shared_ptr<btCollisionShape> flatTerrain() {
+  auto shape = bullet::TerrainShape::create(terrainGrid({3, 3, 2}, [](double, double) { return 0.0; }));
+  if (!shape) throw std::runtime_error(shape.error().message);
+  return std::move(shape).value();
 }
 
 // It is seen one step late at most, and what stands in where it is first seen forgives how deep it is by then.
@@ -143,6 +154,34 @@ TEST(LateSteps, PairsThatWereExpectedAreNotMadeInTheStep) {
   };
   const std::size_t unexpected = inFirstStep(false), expected = inFirstStep(true);
   EXPECT_GE(unexpected, expected + 3 * (kTrees + kBalls)) << expected;
+}
+
+// One ball and one ground of each kind: expected as itself it saves lists, expected as another kind it does not.
+TEST(LateSteps, ExpectedPairsAreOfTheKindThatTheyAreNamedBy) {
+  using bullet::ExpectedPairs;
+  const std::vector<btVector3> corners{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  const std::vector<std::pair<std::shared_ptr<btCollisionShape>, ExpectedPairs>> grounds{
+      {std::make_shared<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), {.planes = 8}},
+      {std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.001))), {.convexShapes = 8}},
+      {meshOf(corners), {.triangleMeshes = 8}},
+      {flatTerrain(), {.terrains = 8}}};
+  const auto inFirstStep = [](const std::shared_ptr<btCollisionShape>& ground, const ExpectedPairs& expected) {
+    BulletWorld<> w;
+    w.add(ground, 0, btVector3(0, 0, 0));
+    w.dispatcher.expectPairs(expected);
+    w.add(roundShape(), 1, btVector3(0, 0, btScalar(0.9) * kRadius));
+    const std::size_t before = allocations();
+    w.world.performDiscreteCollisionDetection();
+    EXPECT_EQ(w.dispatcher.lastStep().pairs, 1U);
+    return allocations() - before;
+  };
+  for (const auto& [ground, own] : grounds) {
+    inFirstStep(ground, own);  // what a shape makes once
+    const std::size_t asItself = inFirstStep(ground, own);
+    for (const auto& [other, others] : grounds)
+      if (other != ground)
+        EXPECT_GT(inFirstStep(ground, others), asItself) << ground->getName() << ", expected " << other->getName();
+  }
 }
 
 #endif
