@@ -24,8 +24,8 @@ class UnservedWatch {
  private:
   void look(const btTransform& pose, btScalar size);
 
-  std::atomic_flag isLooking_ = ATOMIC_FLAG_INIT;  // several threads may cast
-  const btTransform* watched_ = nullptr;           // only compared
+  std::atomic_flag isLooking_;            // several threads may cast
+  const btTransform* watched_ = nullptr;  // only compared
   btVector3 last_{0, 0, 0};
   int moves_ = 0;
   int others_ = 0;  // boxes at other poses since then
