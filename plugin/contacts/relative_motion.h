@@ -34,8 +34,10 @@ struct RelativeMotion {
     return dot(c.normal, other - tree);
   }
 
-  /// Whether the surfaces close at least half of their gap in this step. The other half is for what the solver adds.
-  bool meetsSoon(const Contact& c) const { return closingSpeed(c) * timeStep >= 0.5F * c.separation; }
+  /// Part of a gap that surfaces must close in a step to meet soon. The rest is for what the solver adds. Without it
+  /// facing walls take a rim's places (`ThinWall.StopsALidOnTheRimOfItsJar`).
+  static constexpr float kClosedPart = 0.5F;
+  bool meetsSoon(const Contact& c) const { return closingSpeed(c) * timeStep >= kClosedPart * c.separation; }
 
   /// World length to add to a contact's separation for the solver, because a surface that rotates moves away from its
   /// tangent. A point of a rotating body moves on an arc, and the solver moves it straight.

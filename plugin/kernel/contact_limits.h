@@ -8,7 +8,7 @@ struct ContactLimits {
   float contactDistance = 0;  ///< scale of all tolerances, even for queries that look farther
   float maxSeparation = 0;    ///< contacts up to this separation are wanted; at least `contactDistance`
   float trustedDepth = 0;     ///< deeper overlap, without margins, is not a local minimum of the distance
-  float thickness = 0;        ///< of the thinner body; no overlap is deeper than that
+  float thickness = 0;        ///< of the thinner body; overlap counts as no deeper
   float margins = 0;          ///< sum of both surfaces' margins
   /// Lists stay complete until a point of one body has moved this far against the other.
   float skin = 0;

@@ -5,7 +5,8 @@
 
 namespace cairn::bullet {
 
-/// Flag in `m_contactPointFlags`, which Bullet does not use: the point is a guard.
+/// Flag in `m_contactPointFlags`: the point is a guard. Bullet's own flags end at bit 4; Cairn's are bits 27 to 30
+/// (`PairAnswers.AreGuardsOnABudgetAlone`).
 inline constexpr int kGuardFlag = 1 << 29;
 
 /// Whether a manifold's point is a guard: a bound between two spheres, which stands for a pair that had too little
