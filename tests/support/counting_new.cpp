@@ -17,7 +17,17 @@ std::size_t cairn::test::allocations() {
   return gAllocations;
 }
 
-#ifndef __SANITIZE_ADDRESS__
+#ifdef __SANITIZE_ADDRESS__
+
+bool cairn::test::countsAllocations() {
+  return false;
+}
+
+#else
+
+bool cairn::test::countsAllocations() {
+  return true;
+}
 
 namespace {
 #if defined(_WIN32)  // where memory with an alignment is freed by a function of its own
