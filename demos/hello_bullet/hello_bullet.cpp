@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
   btRigidBody ground(0, nullptr, &plane);
   std::deque<btRigidBody> rocks;
   btDefaultCollisionConfiguration configuration;
-  cairn::bullet::Dispatcher<> dispatcher(&configuration);                          // Cairn
-  if (!dispatcher.setBudget({.operations = 20000, .microseconds = {}})) return 1;  // Cairn
+  cairn::bullet::Dispatcher<> dispatcher(&configuration);                         // Cairn
+  if (!dispatcher.setBudget({.operations = 4000, .microseconds = {}})) return 1;  // Cairn
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
