@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <iterator>
@@ -21,6 +22,7 @@
 #include "import/flat_patch.h"
 #include "import/one_line.h"
 #include "import/settle.h"
+#include "surface/mass_properties.h"
 
 namespace cairn::builder {
 namespace {
@@ -118,11 +120,27 @@ void faceAsMost(TriangleMesh& mesh, const TriangleMesh& source) {
     if (kept[bodies.ofTriangle[t]] < 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
+/// A sheet's only filling may be the sheet itself, seen from behind.
+Status checkFilling(const TriangleMesh& mesh, std::size_t sourceTriangles) {
+  for (const Body& body : separated(mesh, bodiesOf(mesh))) {
+    const Vec3d size = body.bounds.upper - body.bounds.lower, where = body.mesh.vertices[0];
+    // As `checkMesh` has it.
+    const double rounding = 0x1p-50 * static_cast<double>(body.triangles.size()) * size.x * size.y * size.z;
+    if (body.triangles.back() < sourceTriangles || std::abs(signedVolume(body.mesh)) > rounding) continue;
+    return Error{
+        fmt::format("the sheet at ({:.6g}, {:.6g}, {:.6g}) encloses nothing when its border is filled; give it "
+                    "thickness or remove it",
+                    where.x, where.y, where.z)};
+  }
+  return {};
+}
+
 Result<TriangleMesh> closed(const TriangleMesh& source, RepairCounts& counts) {
   TriangleMesh mesh = isBalanced(source) ? source : oriented(source);
   if (Status s = fillHoles(mesh, counts); !s) return s.error();
   if (!isBalanced(mesh)) mesh = oriented(mesh);  // patches face either way
   if (!isBalanced(mesh)) return mesh;            // `checkMesh` will name the edge
+  if (Status s = checkFilling(mesh, source.triangles.size()); !s) return s.error();
   faceAsMost(mesh, source);
   faceOutward(mesh, bodiesOf(mesh));
   for (std::uint32_t t = 0; t < source.triangles.size(); ++t)

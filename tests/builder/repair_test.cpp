@@ -250,6 +250,9 @@ TEST(Repair, NamesWhatItCannotMend) {
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   sheet.name = "sheet";
   expectRefused(sheet, "sheet: after repair");
+  expectRefused(sheet, "the sheet at (0, 0, 0) encloses nothing");
+  const TriangleMesh above = test::moved(sheet, [](const Vec3d& v) { return v + Vec3d{-0.5, -0.5, 0.25}; });
+  expectRefused(test::joined(box(1), above), "the sheet at (-0.5, -0.5, 0.25) encloses nothing");
   // Two lobes of one surface that crosses itself: no side of it is out.
   TriangleMesh bow = box(1);
   for (Vec3d& v : bow.vertices)
