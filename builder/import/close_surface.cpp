@@ -5,25 +5,24 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <iterator>
 #include <utility>
 #include <vector>
 
+#include "import/bodies.h"
 #include "import/border.h"
 #include "import/flat_patch.h"
 #include "import/one_line.h"
-#include "import/self_intersection.h"
 #include "import/settle.h"
+#include "surface/mass_properties.h"
 
 namespace cairn::builder {
 namespace {
@@ -31,7 +30,6 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
 using Corners = std::array<Vec3d, 3>;
 
 Point pointOf(const Vec3d& v) {
@@ -105,24 +103,6 @@ Status fillHoles(TriangleMesh& mesh, RepairCounts& counts) {
   return {};
 }
 
-Vec3d positionOf(const Surface& surface, Surface::Vertex_index v) {
-  const Point& p = surface.point(v);
-  return {p.x(), p.y(), p.z()};
-}
-
-/// Faces keep the order of their creation, so those of the source keep their numbers. Vertices are those of the
-/// surface.
-TriangleMesh meshOf(const Surface& surface) {
-  TriangleMesh mesh;
-  for (const Surface::Vertex_index v : surface.vertices()) mesh.vertices.push_back(positionOf(surface, v));
-  for (const Surface::Face_index f : surface.faces()) {
-    Triangle& t = mesh.triangles.emplace_back();
-    auto corner = t.begin();
-    for (const Surface::Vertex_index v : CGAL::vertices_around_face(surface.halfedge(f), surface)) *corner++ = v;
-  }
-  return mesh;
-}
-
 bool sameSide(const Corners& a, const Corners& b) {
   for (std::size_t turn = 0; turn < 3; ++turn) {
     if (a[0] == b[turn] && a[1] == b[(turn + 1) % 3] && a[2] == b[(turn + 2) % 3]) return true;
@@ -130,27 +110,39 @@ bool sameSide(const Corners& a, const Corners& b) {
   return false;
 }
 
-/// Empty when the surface is not closed. Precondition: no triangles intersect, because the nesting of shells is
-/// undefined then.
-Surface outwardSurface(const TriangleMesh& mesh) {
-  const OrientedSoup soup(mesh);
-  Surface surface;
-  if (!pmp::is_polygon_soup_a_polygon_mesh(soup.faces)) return {};
-  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.faces, surface);
-  if (!CGAL::is_closed(surface)) return {};
-  pmp::orient_to_bound_a_volume(surface);
-  return surface;
+/// Which side was out is a matter of the source's triangles: of each body, the side that most of them faced.
+void faceAsMost(TriangleMesh& mesh, const TriangleMesh& source) {
+  const Shells bodies = bodiesOf(mesh);
+  std::vector<std::ptrdiff_t> kept(bodies.count);
+  for (std::uint32_t t = 0; t < source.triangles.size(); ++t)
+    kept[bodies.ofTriangle[t]] += sameSide(source.corners(t), mesh.corners(t)) ? 1 : -1;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (kept[bodies.ofTriangle[t]] < 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+}
+
+/// A sheet's only filling may be the sheet itself, seen from behind.
+Status checkFilling(const TriangleMesh& mesh, std::size_t sourceTriangles) {
+  for (const Body& body : separated(mesh, bodiesOf(mesh))) {
+    const Vec3d size = body.bounds.upper - body.bounds.lower, where = body.mesh.vertices[0];
+    // As `checkMesh` has it.
+    const double rounding = 0x1p-50 * static_cast<double>(body.triangles.size()) * size.x * size.y * size.z;
+    if (body.triangles.back() < sourceTriangles || std::abs(signedVolume(body.mesh)) > rounding) continue;
+    return Error{
+        fmt::format("the sheet at ({:.6g}, {:.6g}, {:.6g}) encloses nothing when its border is filled; give it "
+                    "thickness or remove it",
+                    where.x, where.y, where.z)};
+  }
+  return {};
 }
 
 Result<TriangleMesh> closed(const TriangleMesh& source, RepairCounts& counts) {
-  TriangleMesh filled = oriented(source);
-  if (Status s = fillHoles(filled, counts); !s) return s.error();
-  if (const auto pair = findSelfIntersection(filled))
-    return Error{
-        fmt::format("triangles {} and {} of the closed surface intersect; separate them", pair->first, pair->second)};
-  const Surface surface = outwardSurface(filled);
-  if (surface.is_empty()) return filled;  // `checkMesh` will name the edge
-  TriangleMesh mesh = meshOf(surface);
+  TriangleMesh mesh = isBalanced(source) ? source : oriented(source);
+  if (Status s = fillHoles(mesh, counts); !s) return s.error();
+  if (!isBalanced(mesh)) mesh = oriented(mesh);  // patches face either way
+  if (!isBalanced(mesh)) return mesh;            // `checkMesh` will name the edge
+  if (Status s = checkFilling(mesh, source.triangles.size()); !s) return s.error();
+  faceAsMost(mesh, source);
+  faceOutward(mesh, bodiesOf(mesh));
   for (std::uint32_t t = 0; t < source.triangles.size(); ++t)
     counts.turnedTriangles += !sameSide(source.corners(t), mesh.corners(t));
   return mesh;

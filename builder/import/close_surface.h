@@ -7,9 +7,9 @@
 
 namespace cairn::builder {
 
-/// Makes the triangles' sides consistent, fills the holes between them, and turns every shell to face away from the
-/// solid. Where no consistent sides exist, the result has edges that `checkMesh` refuses. Uses CGAL's
-/// Polygon_mesh_processing. Fails, without the mesh's name, when a hole cannot be filled and when triangles intersect.
+/// Makes the triangles' sides consistent, fills the holes between them, and turns bodies as `faceOutward` does. Bodies
+/// may still cross. Where no consistent sides exist, the result has edges that `checkMesh` refuses. Uses CGAL's
+/// Polygon_mesh_processing. Fails, without the mesh's name, when a hole cannot be filled.
 /// Precondition: the mesh is stitched, without repeated triangles and without unused vertices.
 Result<TriangleMesh> closeSurface(const TriangleMesh& mesh, RepairCounts& counts);
 

@@ -89,6 +89,17 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(cons
   return found;
 }
 
+std::vector<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersections(const TriangleMesh& mesh) {
+  std::vector<Box> boxes = boxesOf(mesh);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax(a.info(), b.info());
+    if (intersects(align(mesh, pair.first, pair.second))) found.push_back(pair);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::optional<std::pair<std::uint32_t, std::uint32_t>> findCrossing(const TriangleMesh& first,
                                                                     const TriangleMesh& second) {
   const auto triangleOf = [](const TriangleMesh& mesh, std::uint32_t t) {

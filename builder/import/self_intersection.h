@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "cairn/builder/triangle_mesh.h"
 
@@ -13,6 +14,9 @@ namespace cairn::builder {
 /// predicates decide. Contact without a shared vertex counts. Precondition: indices are in range, no triangle is
 /// degenerate. O(n log^2 n) for meshes with triangles of similar size.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersection(const TriangleMesh& mesh);
+
+/// Returns all such pairs, in order.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> findSelfIntersections(const TriangleMesh& mesh);
 
 /// Returns the first pair of triangles, one of each mesh, that meet, contact included. The meshes never share vertices.
 /// Preconditions and cost are those of `findSelfIntersection`.

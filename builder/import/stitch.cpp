@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "import/bodies.h"
 #include "import/border.h"
 #include "import/weld.h"
 
@@ -132,15 +133,30 @@ std::size_t splitOnce(TriangleMesh& mesh, double tolerance) {
   return split;
 }
 
+/// Drops every triangle with the same key as an earlier one. Returns their number.
+template <class Key>
+std::size_t dropRepeated(TriangleMesh& mesh, const Key& keyOf) {
+  std::set<Triangle> seen;
+  return std::erase_if(mesh.triangles, [&](const Triangle& t) { return !seen.insert(keyOf(t)).second; });
+}
+
 }  // namespace
 
 void dropDuplicates(TriangleMesh& mesh, RepairCounts& counts) {
-  std::set<Triangle> seen;
-  const auto isRepeated = [&](Triangle t) {
-    std::sort(t.begin(), t.end());
-    return !seen.insert(t).second;
-  };
-  counts.duplicateTriangles += std::erase_if(mesh.triangles, isRepeated);
+  TriangleMesh thinned = mesh;
+  std::size_t dropped = dropRepeated(thinned, [](Triangle t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+  });
+  const bool isBalancedAsItIs = isBalanced(mesh);
+  if (isBalancedAsItIs && !isBalanced(thinned)) return;  // bodies that share a face
+  if (!isBalancedAsItIs && !isBalanced(thinned))
+    dropped += dropRepeated(thinned, [](Triangle t) {
+      std::sort(t.begin(), t.end());
+      return t;
+    });
+  counts.duplicateTriangles += dropped;
+  mesh = std::move(thinned);
 }
 
 void joinBorders(TriangleMesh& mesh, double tolerance, RepairCounts& counts) {

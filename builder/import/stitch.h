@@ -6,7 +6,9 @@
 
 namespace cairn::builder {
 
-/// Drops every triangle with the same three vertices as an earlier one, whichever way it faces.
+/// Drops every triangle with the same three vertices as an earlier one that faces the same way. Where triangles do not
+/// cancel at all edges then, it drops them whichever way they face. Where they cancel only as they are, all stay:
+/// bodies share a face.
 void dropDuplicates(TriangleMesh& mesh, RepairCounts& counts);
 
 /// Joins border vertices within `tolerance` of each other to the one with the lowest number. Triangles that lose their

@@ -35,10 +35,10 @@ Status certify(const RobotSolid& solid, const ProgressCallback& progress, SolidC
 }
 
 /// How far balls may grow to cover what was named. A skin encloses it at its distance; triangles deep inside, where
-/// bodies of a file overlap, are not worth more. A repair moves vertices by `kStitchTolerance` and rounds to floats.
+/// bodies of a file overlap, are not worth more. A repair moves faces by about the weld and rounds to floats.
 double mostGrowth(const RobotSolid& solid) {
   const bool isRepaired = solid.source == SolidSource::repaired;
-  return isRepaired ? 10 * kStitchTolerance * boundsOf(solid.solid).diagonal() : solid.offOriginal;
+  return isRepaired ? 2 * RepairOptions{}.weld * boundsOf(solid.solid).diagonal() : solid.offOriginal;
 }
 
 /// Lets balls of a solid that was changed grow until they cover the named surface too, if that keeps `maxError`.

@@ -16,18 +16,18 @@
 namespace cairn::tool {
 namespace {
 
-Result<MeshSource> repaired(const builder::TriangleMesh& surface) {
+Result<MeshSource> repaired(const builder::TriangleMesh& surface, const builder::RepairOptions& options) {
   builder::RepairCounts counts;
-  Result<builder::TriangleMesh> mesh = builder::repair(surface, &counts);
-  if (!mesh) return Error{mesh.error().message + "; try --wrap"};
-  return MeshSource{std::move(mesh).value(), counts, {}, {}};
+  Result<builder::TriangleMesh> mesh = builder::repair(surface, &counts, options);
+  if (!mesh) return Error{mesh.error().message + "; try --wrap, or a larger --weld where parts are apart"};
+  return MeshSource{std::move(mesh).value(), counts, options, {}, {}};
 }
 
 Result<MeshSource> wrapped(const builder::TriangleMesh& surface, const builder::WrapOptions& options,
                            const builder::ProgressCallback& progress) {
   Result<builder::Wrap> wrap = builder::wrap(surface, options, progress);
   if (!wrap) return wrap.error();
-  MeshSource source{std::exchange(wrap.value().mesh, {}), {}, {}, options};
+  MeshSource source{std::exchange(wrap.value().mesh, {}), {}, {}, {}, options};
   source.wrap = std::move(wrap).value();
   return source;
 }
@@ -38,14 +38,21 @@ double originalMaxFraction(const MeshSource& source, const builder::LevelFit& fi
   return fit.certifiedMaxFraction + source.wrap->farthestUpper / boundsOf(source.mesh).diagonal();
 }
 
-Json repairJson(const builder::RepairCounts& counts) {
-  return {{"duplicate_triangles", counts.duplicateTriangles},
+Json repairJson(const builder::RepairCounts& counts, const builder::RepairOptions& options) {
+  return {{"weld_fraction", options.weld},
+          {"duplicate_triangles", counts.duplicateTriangles},
           {"joined_vertices", counts.joinedVertices},
           {"split_triangles", counts.splitTriangles},
           {"collapsed_triangles", counts.collapsedTriangles},
           {"filled_holes", counts.filledHoles},
           {"added_triangles", counts.addedTriangles},
-          {"turned_triangles", counts.turnedTriangles}};
+          {"turned_triangles", counts.turnedTriangles},
+          {"moved_triangles", counts.movedTriangles},
+          {"closed_gaps", counts.closedGaps},
+          {"united_bodies", counts.unitedBodies},
+          {"enclosed_bodies", counts.enclosedBodies},
+          {"cut_triangles", counts.cutTriangles},
+          {"thickened_edges", counts.beadedEdges}};
 }
 
 Json wrapJson(const MeshSource& source) {
@@ -74,12 +81,18 @@ void addMeshSource(CLI::App& command, MeshSourceOptions& options) {
                   "Triangle mesh: OBJ, OFF, PLY, STL, glTF, ...; closed, unless repaired or wrapped")
       ->required();
   CLI::Option* repair = command.add_flag("--repair", options.repair,
-                                         "Stitch borders, drop duplicate triangles, make sides consistent and fill "
-                                         "holes first; the certificate is then about the repaired mesh");
+                                         "Stitch borders, drop duplicate triangles, make sides consistent, fill holes "
+                                         "and unite bodies first; the certificate is then about the repaired mesh");
   CLI::Option* wrap = command.add_flag("--wrap", options.wrap,
                                        "Build on a closed skin around the mesh, which may be open or cross itself; the "
                                        "certificate is then about the skin, the report adds its distance to the mesh");
   repair->excludes(wrap);
+  command
+      .add_option("--weld", options.repairOptions.weld,
+                  "Gaps between parts of at most this fraction of the diagonal are closed; 0 for none")
+      ->check(isWithin(0, builder::kMaxWeld))
+      ->needs(repair)
+      ->capture_default_str();
   command
       .add_option("--wrap-alpha", options.wrapOptions.alpha,
                   "Openings narrower than about this fraction of the diagonal are closed")
@@ -117,14 +130,14 @@ Result<MeshSource> readMeshSource(const MeshSourceOptions& options, const builde
   if (counts.degenerateTriangles > 0)
     fmt::print(stderr, "cairn: {}: left out {} triangles without area\n", surface.value().name,
                counts.degenerateTriangles);
-  if (options.repair) return repaired(surface.value());
+  if (options.repair) return repaired(surface.value(), options.repairOptions);
   if (options.wrap) return wrapped(surface.value(), options.wrapOptions, progress);
-  return MeshSource{std::move(surface).value(), {}, {}, {}};
+  return MeshSource{std::move(surface).value(), {}, {}, {}, {}};
 }
 
 void reportMeshSource(const MeshSource& source, const std::vector<builder::LevelFit>& fits, Json& json) {
   json["certified_mesh"] = source.repair ? "repaired" : source.wrap ? "wrap" : "original";
-  if (source.repair) json["repair"] = repairJson(*source.repair);
+  if (source.repair) json["repair"] = repairJson(*source.repair, source.repairOptions);
   if (!source.wrap) return;
   json["wrap"] = wrapJson(source);
   for (std::size_t i = 0; i < fits.size(); ++i)

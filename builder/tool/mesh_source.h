@@ -20,11 +20,12 @@ namespace cairn::tool {
 struct MeshSourceOptions {
   std::string path;
   bool repair = false, wrap = false;
+  builder::RepairOptions repairOptions;
   builder::WrapOptions wrapOptions;
   std::string output;  ///< where the solid is written, as PLY; empty: nowhere
 };
 
-/// Adds MESH, `--repair`, `--wrap` with its lengths, and `--mesh-output`.
+/// Adds MESH, `--repair` and `--wrap` with their lengths, and `--mesh-output`.
 void addMeshSource(CLI::App& command, MeshSourceOptions& options);
 
 /// Checks combinations of options; throws as the parser does.
@@ -34,6 +35,7 @@ void checkMeshSource(const MeshSourceOptions& options);
 struct MeshSource {
   builder::TriangleMesh mesh;  ///< has passed `checkMesh`
   std::optional<builder::RepairCounts> repair;
+  builder::RepairOptions repairOptions;
   std::optional<builder::Wrap> wrap;  ///< without its mesh, which is the one above
   builder::WrapOptions wrapOptions;
 };

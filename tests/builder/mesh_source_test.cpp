@@ -49,6 +49,9 @@ class MeshSource : public testing::Test {
 
 TEST_F(MeshSource, AFaultyMeshIsRefusedWithTheWayOut) {
   expectRefused(build("open.obj", ""), 1, "try --repair or --wrap");
+  expectRefused(build("crossed.obj", ""), 1, "try --repair or --wrap");
+  // A fin on a cube: an edge of three triangles.
+  test::writeText(path("crossed.obj"), test::objText(test::meshOf(test::cuboid({1, 1, 1}, 1))) + "v 2 2 2\nf 1 2 9\n");
   expectRefused(build("crossed.obj", "--mesh-output " + quoted("m.ply") + " --repair"), 1, "try --wrap");
 }
 
@@ -67,6 +70,19 @@ TEST_F(MeshSource, RepairBuildsAndReportsWhatItDid) {
   const ProgramResult proof = test::runProgram("cairn", "certify " + quoted("mesh.ply") + " " + quoted("out.cairn"));
   EXPECT_EQ(proof.exitCode, 0) << proof.errors;
   EXPECT_EQ(proof.errors, "") << "the tree knows the file";
+}
+
+TEST_F(MeshSource, RepairUnitesBodiesAndSaysSo) {
+  const ProgramResult result = build("crossed.obj", "--repair --weld 1e-4 --json " + quoted("report.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  EXPECT_NE(result.output.find("2 bodies united, 12 triangles cut where surfaces met"), std::string::npos)
+      << result.output;
+  const Json repair = json("report.json").at("repair");
+  EXPECT_EQ(repair.at("weld_fraction"), 1e-4);
+  EXPECT_EQ(repair.at("united_bodies"), 2);
+  EXPECT_EQ(repair.at("cut_triangles"), 12);
+  for (const char* none : {"moved_triangles", "closed_gaps", "enclosed_bodies", "thickened_edges"})
+    EXPECT_EQ(repair.at(none), 0) << none;
 }
 
 TEST_F(MeshSource, WrapBuildsAndReportsTheErrorAgainstTheOriginal) {
@@ -101,6 +117,9 @@ TEST_F(MeshSource, AGoodMeshIsReportedAsTheOriginal) {
 TEST_F(MeshSource, ImpossibleOptionsAreWrongUsage) {
   expectRefused(build("open.obj", "--repair --wrap"), 2, "--wrap");
   expectRefused(build("open.obj", "--wrap-alpha 0.1"), 2, "--wrap");
+  expectRefused(build("open.obj", "--weld 0.001"), 2, "--repair");
+  expectRefused(build("open.obj", "--repair --weld 0.5"), 2, "--weld");
+  expectRefused(build("open.obj", "--repair --weld nan"), 2, "--weld");
   expectRefused(build("open.obj", "--wrap --wrap-alpha 0"), 2, "--wrap-alpha");
   expectRefused(build("open.obj", "--wrap --wrap-alpha 1.5"), 2, "--wrap-alpha");
   expectRefused(build("open.obj", "--wrap --wrap-alpha nan"), 2, "--wrap-alpha");

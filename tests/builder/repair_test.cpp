@@ -172,11 +172,41 @@ TEST(Repair, ClosesTJunctions) {
   EXPECT_NEAR(signedVolume(result), 8, 8 * kFloatVolume);
 }
 
-TEST(Repair, MakesAnInnerShellACavity) {
+// What a shell inside another one is, the ways they face tell: a hollow, or a second body.
+TEST(Repair, KeepsACavityHoweverTheMeshIsTurned) {
+  for (const bool isInsideOut : {false, true}) {
+    TriangleMesh hollow = test::joined(box(3), test::flipped(box(2)));
+    if (isInsideOut) hollow = test::flipped(hollow);
+    RepairCounts counts;
+    const TriangleMesh result = repaired(hollow, counts);
+    EXPECT_EQ(counts.turnedTriangles, isInsideOut ? hollow.triangles.size() : 0);
+    EXPECT_NEAR(signedVolume(result), 27 - 8, 27 * kFloatVolume);
+  }
+}
+
+TEST(Repair, FindsTheCavityAmongTurnedTriangles) {
+  TriangleMesh hollow = test::joined(box(3), test::flipped(box(2)));
+  std::size_t turned = 0;
+  for (std::size_t t = 0; t < hollow.triangles.size(); t += 3, ++turned)
+    std::swap(hollow.triangles[t][0], hollow.triangles[t][1]);
+  RepairCounts counts;
+  EXPECT_NEAR(signedVolume(repaired(hollow, counts)), 27 - 8, 27 * kFloatVolume);
+  EXPECT_EQ(counts.turnedTriangles, turned);
+}
+
+TEST(Repair, LeavesOutABodyInsideAnother) {
   RepairCounts counts;
   const TriangleMesh result = repaired(test::joined(box(3), box(2)), counts);
-  EXPECT_EQ(counts.turnedTriangles, box(2).triangles.size());
-  EXPECT_NEAR(signedVolume(result), 27 - 8, 27 * kFloatVolume);
+  EXPECT_EQ(counts.enclosedBodies, 1U);
+  EXPECT_EQ(counts.turnedTriangles, 0U);
+  EXPECT_NEAR(signedVolume(result), 27, 27 * kFloatVolume);
+}
+
+TEST(Repair, ABodyInAHollowStays) {
+  RepairCounts counts;
+  const TriangleMesh nested = test::joined(test::joined(box(3), test::flipped(box(2))), box(1));
+  EXPECT_NEAR(signedVolume(repaired(nested, counts)), 27 - 8 + 1, 27 * kFloatVolume);
+  EXPECT_FALSE(counts.any()) << counts.text();
 }
 
 TEST(Repair, GivesTheMeshItsFileHolds) {
@@ -220,8 +250,14 @@ TEST(Repair, NamesWhatItCannotMend) {
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   sheet.name = "sheet";
   expectRefused(sheet, "sheet: after repair");
-  const TriangleMesh shifted = test::moved(box(1), [](const Vec3d& v) { return v + Vec3d{0.4, 0.3, 0.2}; });
-  expectRefused(test::joined(box(1), shifted), "intersect");
+  expectRefused(sheet, "the sheet at (0, 0, 0) encloses nothing");
+  const TriangleMesh above = test::moved(sheet, [](const Vec3d& v) { return v + Vec3d{-0.5, -0.5, 0.25}; });
+  expectRefused(test::joined(box(1), above), "the sheet at (-0.5, -0.5, 0.25) encloses nothing");
+  // Two lobes of one surface that crosses itself: no side of it is out.
+  TriangleMesh bow = box(1);
+  for (Vec3d& v : bow.vertices)
+    if (v.x < -0.25) v = {v.x, v.y, -v.z};
+  expectRefused(bow, "winds backwards around a place at (-0.5, ");
   TriangleMesh fin = box(1, 1);  // a third triangle at an edge
   fin.vertices.push_back({2, 2, 2});
   fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1], 8});

@@ -14,6 +14,14 @@ struct OverlappingBoxes {
   Vec3d lowerA{-0.05, -0.05, 0}, upperA{0.05, 0.05, 0.3}, lowerB{-0.03, -0.03, 0.2}, upperB{0.15, 0.03, 0.26};
 };
 
+/// With a triangle from an edge to a point inside: an edge of three triangles, which only a wrap mends.
+inline builder::TriangleMesh withInnerWall(builder::TriangleMesh mesh, const Vec3d& inside) {
+  const builder::Triangle first = mesh.triangles.front();
+  mesh.triangles.push_back({first[0], first[1], static_cast<std::uint32_t>(mesh.vertices.size())});
+  mesh.vertices.push_back(inside);
+  return mesh;
+}
+
 inline builder::TriangleMesh boxBetween(const Vec3d& lower, const Vec3d& upper) {
   const Vec3d middle = (lower + upper) * 0.5;
   return moved(meshOf(cuboid(upper - lower, 1)), [&](const Vec3d& v) { return v + middle; });
@@ -97,7 +105,8 @@ inline std::filesystem::path writeGeneratedRobot(const std::filesystem::path& fo
   std::filesystem::create_directories(package / "meshes");
   std::filesystem::create_directories(package / "urdf");
   writeText(package / "meshes/cad.obj",
-            objText(joined(boxBetween(boxes.lowerA, boxes.upperA), boxBetween(boxes.lowerB, boxes.upperB))));
+            objText(withInnerWall(
+                joined(boxBetween(boxes.lowerA, boxes.upperA), boxBetween(boxes.lowerB, boxes.upperB)), {0, 0, 0.1})));
   writeText(package / "meshes/lump.ply", plyText(lumpyBall(2, 7)));
   writeText(package / "meshes/tube.stl", stlText(openTube(0.04, 0.1, 16)));
   writeText(package / "meshes/finger.obj", objText(finger()));

@@ -18,6 +18,12 @@ struct RepairCounts {
   std::size_t filledHoles = 0;         ///< borders closed with new triangles
   std::size_t addedTriangles = 0;      ///< triangles that fill the holes
   std::size_t turnedTriangles = 0;     ///< triangles turned to face away from the solid
+  std::size_t movedTriangles = 0;      ///< triangles moved outward where surfaces nearly coincided
+  std::size_t closedGaps = 0;          ///< pairs of bodies closer than the tolerance whose gap was filled
+  std::size_t unitedBodies = 0;        ///< bodies that became one with another one
+  std::size_t enclosedBodies = 0;      ///< bodies inside others; left out
+  std::size_t cutTriangles = 0;        ///< triangles cut where surfaces met
+  std::size_t beadedEdges = 0;         ///< edges where solids only touched; thickened
 
   /// True when anything was changed.
   bool any() const;
@@ -25,27 +31,37 @@ struct RepairCounts {
   std::string text() const;
 };
 
-/// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
-/// orientation made consistent and holes filled. Every shell is turned to face away from the solid; a shell inside
-/// another becomes a cavity. The filling of a hole is a guess. A certificate is about the repaired mesh, not about the
-/// file.
-///
-/// The result has passed `checkMesh`, and its coordinates are floats. It equals the mesh that `importMesh` reads from
-/// `plyBytes`, and carries the SHA-256 of these bytes. Fails, with the place, for edges of more than two triangles,
-/// surfaces without a consistent side and triangles that cross. Also fails for holes of more than `kMaxHoleEdges` edges
-/// and for holes that cannot be filled. `wrap` accepts all of these.
-///
-/// `counts` may be null. Precondition: a mesh of `importSurface`. Single thread. O(n log n) plus the square of a
-/// border's length. Source: see docs/algorithms/repair.md.
-///
-///     RepairCounts counts;
-///     Result<TriangleMesh> mesh = repair(importSurface("scan.ply").value(), &counts);
-Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = nullptr);
-
-/// Border vertices closer than this fraction of the bounding box's diagonal are joined. It is a few units of float
-/// rounding.
+/// Border vertices closer than this fraction of the bounding box's diagonal are joined first. It is a few units of
+/// float rounding.
 inline constexpr double kStitchTolerance = 1e-6;
 /// A border of more edges counts as the rim of an open sheet, not as a hole.
 inline constexpr std::size_t kMaxHoleEdges = 5000;
+inline constexpr double kMaxWeld = 0.01;  ///< greatest `RepairOptions::weld`
+
+/// Options of `repair`.
+struct RepairOptions {
+  /// Gaps of at most this fraction of the bounding box's diagonal are closed: between borders that
+  /// `kStitchTolerance` left open, and between bodies; 0..kMaxWeld, 0 for none.
+  double weld = 2e-5;
+};
+
+/// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
+/// orientation made consistent and holes filled. Bodies that overlap, touch or are closer than the weld become one. A
+/// body inside another one is left out if both face the same way, and stays a hollow if not. The filling of a hole is a
+/// guess. A certificate is about the repaired mesh, not about the file.
+///
+/// The result has passed `checkMesh`, and its coordinates are floats. It equals the mesh that `importMesh` reads from
+/// `plyBytes`, and carries the SHA-256 of these bytes. No point of a body is farther outside of it than twice the weld.
+/// Fails, with the place, for edges of three triangles, surfaces without a consistent side and surfaces that wind
+/// backwards. Also fails for holes of more than `kMaxHoleEdges` edges and for holes that cannot be filled. `wrap`
+/// accepts all of these.
+///
+/// `counts` may be null. Precondition: a mesh of `importSurface`. Single thread. O(n log n) plus the square of a
+/// border's length, and about a millisecond for each triangle that crosses others. Source: docs/algorithms/import.md.
+///
+///     RepairCounts counts;
+///     Result<TriangleMesh> mesh = repair(importSurface("scan.ply").value(), &counts);
+Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts = nullptr,
+                            const RepairOptions& options = {});
 
 }  // namespace cairn::builder

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/merge_bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "import/self_intersection.h"
+#include "import/settle.h"
+#include "import/shell_orientation.h"
+#include "import/united_surface.h"
+#include "import/weld.h"
+#include "surface/edges.h"
+
+namespace cairn::builder {
+namespace {
+
+/// An edge of more than two triangles from each of its ends, once.
+std::vector<HalfEdge> crowdedEdges(const std::vector<HalfEdge>& halfEdges) {
+  std::vector<HalfEdge> crowded;
+  for (std::size_t first = 0, last = 0; first < halfEdges.size(); first = last) {
+    for (last = first; last < halfEdges.size() && halfEdges[last].sameEdge(halfEdges[first]);) ++last;
+    if (last - first > 2) crowded.push_back(halfEdges[first]);
+  }
+  return crowded;
+}
+
+/// A square tube around an edge, a radius longer at each end.
+void addBead(LabelledMesh& labelled, const HalfEdge& edge, double radius) {
+  TriangleMesh& mesh = labelled.mesh;
+  const Vec3d from = mesh.vertices[edge.from], to = mesh.vertices[edge.to];
+  const Vec3d along = normalized(to - from);
+  int least = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::abs(along[axis]) < std::abs(along[least])) least = axis;
+  Vec3d helper;
+  helper[least] = 1;
+  const Vec3d u = normalized(cross(along, helper)), v = cross(along, u);
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3d& end : {from - along * radius, to + along * radius})
+    for (const Vec3d& aside : {u, v, u * -1.0, v * -1.0}) mesh.vertices.push_back(end + aside * radius);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.triangles.push_back({first + a, first + b, first + c});
+    labelled.body.push_back(kBead);
+  };
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t j = (i + 1) % 4;
+    add(i, j, j + 4);
+    add(i, j + 4, i + 4);
+  }
+  add(0, 2, 1);
+  add(0, 3, 2);
+  add(4, 5, 6);
+  add(4, 6, 7);
+}
+
+/// Rounds to multiples of a float's unit and drops triangles that lost their area; the others keep their labels.
+void roundTo(double unit, LabelledMesh& labelled) {
+  TriangleMesh& mesh = labelled.mesh;
+  for (Vec3d& v : mesh.vertices)
+    for (int axis = 0; axis < 3; ++axis) v[axis] = unit * std::nearbyint(v[axis] / unit) + 0.0;
+  std::size_t kept = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (isDegenerate(mesh.corners(t))) continue;
+    labelled.body[kept] = labelled.body[t];
+    mesh.triangles[kept++] = mesh.triangles[t];
+  }
+  labelled.body.resize(kept);
+  mesh.triangles.resize(kept);
+  mesh = settled(mesh);
+}
+
+Status uniteOnce(LabelledMesh& labelled, double unit, bool isFirst) {
+  if (isFirst) roundTo(unit, labelled);
+  Result<UnitedSurface> surface = unitedSurface(labelled.mesh);
+  if (!surface) return surface.error();
+  if (const auto& place = surface.value().insideOut; isFirst && place)
+    return Error{
+        fmt::format("the surface winds backwards around a place at ({:.6g}, {:.6g}, {:.6g}), so that it has "
+                    "no inside there; separate the sheets that cross",
+                    place->x, place->y, place->z)};
+  if (isFirst) labelled.cutTriangles = surface.value().cutTriangles;
+  std::vector<std::uint32_t> body;
+  for (const std::uint32_t t : surface.value().source) body.push_back(labelled.body[t]);
+  labelled.mesh = std::move(surface.value().mesh);
+  labelled.body = std::move(body);
+  roundTo(unit, labelled);
+  return {};
+}
+
+}  // namespace
+
+double unitOf(const TriangleMesh& mesh) {
+  double farthest = 0;
+  for (const Vec3d& v : mesh.vertices)
+    for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(v[axis]));
+  return std::ldexp(1.0, std::ilogb(farthest) - 23);
+}
+
+Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
+  // Rounding moves vertices by less than a unit of floats. What it makes meet is smaller each time; two rounds are
+  // usual. Where they do not help, pieces multiply.
+  constexpr int kMaxRounds = 12, kMostPieces = 4;
+  LabelledMesh labelled = std::move(source);
+  const double unit = unitOf(labelled.mesh);
+  std::size_t pieces = 0;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<HalfEdge> halfEdges = sortedHalfEdges(labelled.mesh);
+    const std::vector<HalfEdge> crowded = crowdedEdges(halfEdges);
+    const bool crosses = findSelfIntersection(labelled.mesh).has_value();
+    if (!crosses && round > 0) {
+      for (const HalfEdge& edge : crowded) addBead(labelled, edge, beadRadius);
+      labelled.beads += crowded.size();
+    }
+    if (!crosses && crowded.empty() && !findMisplacedShell(labelled.mesh, shellsOf(labelled.mesh, halfEdges)))
+      return labelled;
+    if (Status s = uniteOnce(labelled, unit, round == 0); !s) return s.error();
+    if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
+    if (labelled.mesh.triangles.size() > pieces) break;
+  }
+  const auto pair = findSelfIntersection(labelled.mesh);
+  const Vec3d where = pair ? labelled.mesh.corners(pair->first)[0] : Vec3d();
+  return Error{
+      fmt::format("its bodies are united, but near ({:.6g}, {:.6g}, {:.6g}) parts of them are finer than "
+                  "single precision; move the mesh nearer to its origin or unite them in a modelling program",
+                  where.x, where.y, where.z)};
+}
+
+}  // namespace cairn::builder

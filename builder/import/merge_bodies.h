@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "cairn/builder/triangle_mesh.h"
+#include "cairn/core/result.h"
+
+namespace cairn::builder {
+
+/// A mesh whose triangles know the body they come from.
+struct LabelledMesh {
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> body;  ///< for each triangle; `kBead` for those of none
+  std::size_t cutTriangles = 0;     ///< triangles of the source that were divided
+  std::size_t beads = 0;            ///< edges of more than two triangles that got a bead
+};
+inline constexpr std::uint32_t kBead = std::numeric_limits<std::uint32_t>::max();
+
+/// The unit of floats at the farthest coordinate. Near the origin floats are finer, and rounding to them would leave
+/// triangles that are nearly without area.
+double unitOf(const TriangleMesh& mesh);
+
+/// Unites what overlaps or touches, in floats: the exact union is rounded, and united again where rounding made
+/// triangles meet. Around edges at which solids only touch, a bead of this radius is laid. A mesh that needs nothing
+/// keeps its triangles. Preconditions and failures are those of `unite`.
+Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius);
+
+}  // namespace cairn::builder
