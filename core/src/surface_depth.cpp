@@ -173,7 +173,7 @@ SurfaceDepth SurfaceDepthSearch::at(const SurfaceView& surface, const Vec3& poin
   const double distance = std::sqrt(nearest.distanceSq);
   const Vec3d normal = normalAt(surface, nearest);
   const bool isInside = dot(normal, nearest.away) < -kDoubt * length(normal) * distance;
-  return {isInside ? distance : -distance, nearest.triangle};
+  return {isInside ? distance : -distance, nearest.away, nearest.triangle};
 }
 
 }  // namespace cairn

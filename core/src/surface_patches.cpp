@@ -15,6 +15,9 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Contacts lean out of the cone of a patch's normals by as much as their own cones open: 0.2 rad, and rounding.
 constexpr float kLean = 0.25F;
 
+// Triangles around a patch: room for them at once.
+constexpr std::size_t kUsuallyTouched = 256;
+
 constexpr Box kNothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
 void makeUnique(std::vector<std::uint32_t>& list) {
@@ -41,7 +44,10 @@ class SurfacePatches::Maker {
  public:
   Maker(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
         const SurfaceFeatures& features, SurfacePatches& out)
-      : meshVertices_(vertices), meshTriangles_(triangles), features_(features), out_(out) {}
+      : meshVertices_(vertices), meshTriangles_(triangles), features_(features), out_(out) {
+    touched_.reserve(kUsuallyTouched);
+    seenBy_.assign(triangles.size(), 0);
+  }
 
   void run() {
     out_.ofVertices_.assign(meshVertices_.size(), SurfaceEdge::kNone);
@@ -240,14 +246,18 @@ class SurfacePatches::Maker {
   // The patch's, and all others that meet in its own vertices and edges.
   void findTrianglesAround(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> ownVertices,
                            std::span<const std::uint32_t> ownEdges) {
-    touched_.assign(triangles.begin(), triangles.end());
-    const auto addOf = [&](std::uint32_t edge) {
-      for (const std::uint32_t t : features_.edges()[edge].triangle)
-        if (t != SurfaceEdge::kNone) touched_.push_back(t);
+    touched_.clear();
+    ++search_;
+    const auto add = [&](std::uint32_t t) {
+      if (t == SurfaceEdge::kNone || seenBy_[t] == search_) return;
+      seenBy_[t] = search_;
+      touched_.push_back(t);
     };
+    const auto addOf = [&](std::uint32_t edge) { std::ranges::for_each(features_.edges()[edge].triangle, add); };
+    std::ranges::for_each(triangles, add);
     for (const std::uint32_t v : ownVertices) std::ranges::for_each(features_.edgesAround(v), addOf);
     std::ranges::for_each(ownEdges, addOf);
-    makeUnique(touched_);
+    std::ranges::sort(touched_);
   }
 
   Vec3 facingOf(std::span<const std::uint32_t> triangles) const {
@@ -332,6 +342,8 @@ class SurfacePatches::Maker {
   const SurfaceFeatures& features_;
   SurfacePatches& out_;
   std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> seenBy_;  // of each triangle, the last search that found it
+  std::uint32_t search_ = 0;
 };
 
 SurfacePatches::SurfacePatches(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,

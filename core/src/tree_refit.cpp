@@ -18,9 +18,9 @@ namespace {
 
 // As `SphereTree::create` allows: squares of longer ones leave float's range.
 constexpr float kMaxLength = 1e15F;
-// Of the largest coordinate: half an ulp of a float, for places that are kept as such, and room for all roundings of
-// doubles besides.
-constexpr double kRounding = 0x1p-24;
+// Of the largest coordinate: half an ulp of a float, for places that are kept as such, room for all roundings of
+// doubles besides, and the room that `certify` needs to prove a cover.
+constexpr double kRounding = 0x1p-23;
 
 Error refused(const std::string& what) {
   return Error{"a tree cannot follow its mesh: " + what};

@@ -36,7 +36,10 @@ bool TreePair::adopt(const PairSides& sides) {
     return false;
   }
   if (subject.is(*tree, sides.otherShape())) return true;
-  if (subject.isKnown()) forget();  // else there is nothing to forget, and much to write
+  if (subject.isMoved(*tree, sides.otherShape()))
+    forgetPlaces();
+  else if (subject.isKnown())
+    forget();  // else there is nothing to forget, and much to write
   if (*newKind != kind) {
     kind = *newKind;
     trajectory.sweep.reset();
@@ -48,11 +51,16 @@ bool TreePair::adopt(const PairSides& sides) {
 
 void TreePair::forget() {
   contacts.reset();
+  forgetPlaces();
+  subject.forget();
+  clearManifolds();
+}
+
+void TreePair::forgetPlaces() {
+  contacts.forgetPlaces();
   forgetWaiting();
   collider->reset();
   work.wasDone = true;
-  subject.forget();
-  clearManifolds();
 }
 
 void TreePair::lookAtRest() {

@@ -88,9 +88,13 @@ struct alignas(64) TreePair {
   bool mayRepeatLast() const { return motion.roots && age.repeatsLast && !trajectory.isFast; }
 
   /// Takes these shapes and forgets knowledge about others. False, and nothing known, where the shapes cannot meet.
+  /// Where only vertices moved, manifolds keep their points, whose impulses the next contacts of the same features
+  /// inherit.
   bool adopt(const PairSides& sides);
   /// Forgets all knowledge about the shapes; contacts end.
   void forget();
+  /// Forgets where the surfaces were; contacts stay as they are.
+  void forgetPlaces();
   /// Called now and then: a pair at rest gives unused memory back.
   void lookAtRest();
   void forgetWaiting();

@@ -12,6 +12,7 @@ namespace cairn {
 /// The distance from a point to a surface, and its side.
 struct SurfaceDepth {
   double depth = 0;            ///< positive inside; never more than the true one, up to rounding in doubles
+  Vec3d away;                  ///< from the nearest point of the surface to the point asked for
   std::uint32_t triangle = 0;  ///< one that is nearest
 };
 
