@@ -52,13 +52,14 @@ bool TreePair::adopt(const PairSides& sides) {
 void TreePair::forget() {
   contacts.reset();
   forgetPlaces();
+  trajectory.forgetAnchor();
   subject.forget();
   clearManifolds();
 }
 
 void TreePair::forgetPlaces() {
   contacts.forgetPlaces();
-  forgetWaiting();
+  forgetAges();
   collider->reset();
   work.wasDone = true;
 }
@@ -72,6 +73,11 @@ void TreePair::lookAtRest() {
 }
 
 void TreePair::forgetWaiting() {
+  forgetAges();
+  trajectory.forgetAnchor();
+}
+
+void TreePair::forgetAges() {
   age.isPlaced = age.isCarriedOver = false;
   age.waited = age.error = 0;
   age.moved = age.uncounted = age.unseenMotion = 0;
@@ -79,7 +85,6 @@ void TreePair::forgetWaiting() {
   contacts.guards().lock(false);
   manifolds.endFallback();
   reported.wasSpeculative = reported.areGuardsLoaded = false;
-  trajectory.forgetAnchor();
 }
 
 // An impulse that stopped a body does not predict the impulse that holds it now.

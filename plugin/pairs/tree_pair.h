@@ -93,8 +93,10 @@ struct alignas(64) TreePair {
   bool adopt(const PairSides& sides);
   /// Forgets all knowledge about the shapes; contacts end.
   void forget();
-  /// Forgets where the surfaces were; contacts stay as they are.
+  /// Forgets where the surfaces were. Contacts stay as they are, and a body that has sunk in is still looked for from
+  /// where it had not.
   void forgetPlaces();
+  void forgetAges();
   /// Called now and then: a pair at rest gives unused memory back.
   void lookAtRest();
   void forgetWaiting();

@@ -49,10 +49,10 @@ TEST_P(MovingTree, IsProvedWhereverItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, MovingTree,
                          testing::Values(builder::Method::combined, builder::Method::octree, builder::Method::adaptive),
-                         [](const auto& info) { return std::string(builder::methodName(info.param)); });
+                         [](const auto& method) { return std::string(builder::methodName(method.param)); });
 
 // Balls that hold their parts by no more than rounding: cutting a triangle may let a ball grow, by this much at most.
-TEST(MovingTree, GrowsLittleWhereNothingMoves) {
+TEST(MovedTree, GrowsLittleWhereNothingMoves) {
   constexpr float kMostGrown = 1.5F;
   const auto first = std::make_shared<const SphereTree>(quickTree(meshOf(cuboid({1, 1, 1}, 1)), 3));
   auto refit = TreeRefit::bind(first);

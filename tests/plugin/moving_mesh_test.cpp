@@ -247,6 +247,27 @@ TYPED_TEST(SettledPair, KeepsContactsOfTheSameFeatures) {
   EXPECT_GT(oldest, 100);
 }
 
+// Its way in a step is five times the slab's thickness. Where it sinks in a little, it is stopped again from where it
+// had not.
+TYPED_TEST(SettledPair, StopsAFastBodyWhereTheSurfaceIs) {
+  BulletWorld<TypeParam> w;
+  const Solid slab = cuboid({2, 2, 0.4}, 6);
+  const auto wall = treeShape(plainTree(slab, 4));
+  addKinematic(w, wall);
+  btRigidBody& body = w.add(treeShape(plainTree(ball(0.1, 4))), 1, btVector3(0, 0, 3));
+  body.setCcdMotionThreshold(btScalar(0.05));
+  for (int step = 0; step < 200; ++step) {
+    const double top = 0.2 + 0.1 * std::sin(0.05 * step);
+    moveTo(*wall, slabUpTo(slab, top));
+    if (step % 20 == 0) {
+      body.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 3)));
+      body.setLinearVelocity(btVector3(0, 0, -120));
+    }
+    w.step(1);
+    ASSERT_GT(body.getWorldTransform().getOrigin().z(), top) << "step " << step;
+  }
+}
+
 // --- bodies that are carried ---
 
 // How deep a vertex of either mesh lies in the other.
