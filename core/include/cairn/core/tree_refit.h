@@ -21,11 +21,13 @@ namespace cairn {
 /// A leaf's new ball holds the corners of its parts, and so do the balls of its ancestors. That is the invariant of
 /// `SphereTree`, whatever the motion.
 ///
-/// **Error.** A centre moves with its region, by a rotation, a scale and a translation. Let c be the new centre, r the
-/// new radius and s the distance from c to the moved surface, negative outside. If c is inside, the ball of radius s
-/// around c lies in the solid. Then a point of the node's ball is at most r - s from the solid. If c is outside, it is
-/// at most r + |s| from the nearest point of the surface. So max(0, r - s) is certified, as is the inner radius s.
-/// All steps are rounded outwards. This bound uses the moved mesh alone: errors of earlier steps do not add up.
+/// **Error.** A centre moves with its region, by a rotation, a scale and a translation. Where its ball then comes out
+/// of the solid elsewhere, it moves on, away from there. How it moves decides how tight the error is, not whether it
+/// holds. Let c be the new centre, r the new radius and s the distance from c to the moved surface, negative outside.
+/// If c is inside, the ball of radius s around c lies in the solid. Then a point of the node's ball is at most r - s
+/// from the solid. If c is outside, it is at most r + |s| from the nearest point of the surface. So max(0, r - s) is
+/// certified, as is the inner radius s. All steps are rounded outwards. This bound uses the moved mesh alone: errors of
+/// earlier steps do not add up.
 ///
 /// **Self-intersection.** Balls cover the surface all the same. A point counts as inside when the surface nearest to it
 /// faces away from it. Errors and inner radii then refer to those points.
@@ -44,9 +46,9 @@ class CAIRN_CORE_EXPORT TreeRefit {
   /// The tree with its vertices moved to these places: tree frame, in the order of `SphereTree::vertices()`. Only the
   /// bound tree and the vertices decide its bits. Nodes keep their names.
   ///
-  /// Nobody sees a tree change: memory of an earlier result is used again only when nobody holds that result. After
-  /// some calls, nothing is allocated. Cost: linear in vertices, triangles and parts, times the depth; and for each
-  /// node one search for the nearest triangle.
+  /// Nobody sees a tree change: memory of an earlier result is used again only when nobody holds that result. Calls
+  /// then allocate a few short-lived lists. Cost: linear in vertices, triangles and parts, times the depth; and for
+  /// each node a search for the nearest triangle, up to five for balls that come out elsewhere.
   ///
   /// Fails for another number of vertices, for one that is not finite or beyond 1e15, for a triangle that lost its
   /// area, and for a mesh turned inside out.
