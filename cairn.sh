@@ -43,6 +43,8 @@ Cairn: collision detection that keeps its deadline.
                              several threads save, as tables and a figure (--help lists the options)
   ./cairn.sh bench worlds [OPTIONS] what thousands of bodies that lie still cost beside a hundred that move, time and bytes
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
+  ./cairn.sh bench moving [OPTIONS] what it costs a tree to follow a moving mesh, and how much wider its errors are than those of
+                             a tree built anew
   ./cairn.sh bench builder [OPTIONS] [MESH...]
                              how long trees take to build, method by method, beside the thesis author's toolkit
                              (tests/bench/builder.sh --help lists the options)
@@ -275,7 +277,7 @@ bench() {
     queries) bench_program query "${@:2}"; return ;;
     budgets) bench_budgets "${@:2}"; return ;;
     covers) bench_covers "${@:2}"; return ;;
-    effects | fits | interrupted | kernel | laws | matrix | memory | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
+    effects | fits | interrupted | kernel | laws | matrix | memory | moving | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
   esac
   build release
   local mesh

@@ -59,10 +59,7 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   for (std::uint32_t record = 0; record < nodeCount(); ++record) packNode(record);
   for (const NodeId id : nodeAt_) packChildLanes(id);
   flatness_.resize(slots, 0);
-  for (const NodeId id : nodeAt_) {
-    if (isLeaf(id) && facesOnly(id)) flatness_[id] |= kFaceted;
-    if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
-  }
+  for (const NodeId id : nodeAt_) packFlatness(id);
   listCorners();
   surface_ = surfaceOf(data_.vertices, data_.triangles);
   for (const LevelMesh& mesh : data_.levelMeshes) levelSurfaces_.push_back(surfaceOf(mesh.vertices, mesh.triangles));
@@ -100,11 +97,8 @@ void SphereTree::linkFamilies() {
 void SphereTree::packNode(std::uint32_t record) {
   const NodeData& n = data_.nodes[record];
   const NodeId id = nodeAt_[record];
-  families_[id / kFamilyWidth].set(id % kFamilyWidth, {n.center, n.radius});
-  traversalNodes_[id] = {n.center, n.radius, 0, n.error, 0, n.innerRadius};
   recordIndex_[id] = record;
-  support_[id] = packSupport(supportPoints(id));
-  extent_ = std::max(extent_, length(n.center) + n.radius);
+  packBall(record);
   ++leafCount_;
   if (record == 0) return;
   const NodeId parent = nodeAt_[n.parent];
@@ -112,6 +106,22 @@ void SphereTree::packNode(std::uint32_t record) {
   traversalNodes_[parent].childFamily = id / kFamilyWidth;
   level_[id] = static_cast<std::uint8_t>(level_[parent] + 1);
   depth_ = std::max<std::uint32_t>(depth_, level_[id]);
+}
+
+void SphereTree::packBall(std::uint32_t record) {
+  const NodeData& n = data_.nodes[record];
+  const NodeId id = nodeAt_[record];
+  families_[id / kFamilyWidth].set(id % kFamilyWidth, {n.center, n.radius});
+  TraversalNode& node = traversalNodes_[id];
+  node = {n.center, n.radius, node.childFamily, n.error, node.childLanes, n.innerRadius};
+  support_[id] = packSupport(supportPoints(id));
+  extent_ = std::max(extent_, length(n.center) + n.radius);
+}
+
+void SphereTree::packFlatness(NodeId id) {
+  flatness_[id] = 0;
+  if (isLeaf(id) && facesOnly(id)) flatness_[id] |= kFaceted;
+  if (node(id).normalCone.cosine >= kPlanarCosine) flatness_[id] |= kPlanar;
 }
 
 void SphereTree::packChildLanes(NodeId id) {

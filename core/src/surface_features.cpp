@@ -49,7 +49,7 @@ SurfaceFeatures::SurfaceFeatures(std::span<const Vec3> vertices, std::span<const
 
 // In doubles: a sliver's normal is a difference of large products.
 void SurfaceFeatures::makeFaces(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
-  faces_.resize(triangles.size());
+  faces_.assign(triangles.size(), {});
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     std::array<Vec3d, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) corner[k] = Vec3d(vertices[triangles[t][k]]);
@@ -77,29 +77,41 @@ void SurfaceFeatures::makeEdges(std::span<const Vec3> vertices, std::span<const 
         i + 1 < halves.size() && halves[i].low == halves[i + 1].low && halves[i].high == halves[i + 1].high;
     SurfaceEdge edge;
     edge.vertex = {halves[i].low, halves[i].high};
-    Vec3 sum;
     for (std::size_t k = 0; k < (isPair ? 2U : 1U); ++k) {
       const HalfEdge& half = halves[i + k];
       edge.triangle[k] = half.triangle;
       edge.opposite[k] = triangles[half.triangle][(half.side + 2) % 3];
       edgesOf_[half.triangle][half.side] = static_cast<std::uint32_t>(edges_.size());
-      sum += faces_[half.triangle].normal;
     }
-    edge.outward = unitOrZero(sum);
-    edge.isConvex = true;
-    bool isHollow = !isPair;
-    if (isPair) {
-      // Each face's plane sees the other's far corner below it, by the sine of the bend.
-      const Vec3 &n = faces_[edge.triangle[0]].normal, &m = faces_[edge.triangle[1]].normal;
-      const Vec3 along = vertices[edge.opposite[1]] - vertices[edge.vertex[0]];
-      const bool isBent = length(cross(n, m)) > kBendSine;
-      edge.isConvex = isBent && dot(n, along) < 0;
-      isHollow = isBent && dot(n, along) > 0;
-    }
-    hasHollows_ = hasHollows_ || isHollow;
+    bendEdge(edge, vertices);
     edges_.push_back(edge);
     i += isPair ? 2 : 1;
   }
+}
+
+void SurfaceFeatures::bendEdge(SurfaceEdge& edge, std::span<const Vec3> vertices) {
+  const bool isPair = edge.triangle[1] != SurfaceEdge::kNone;
+  Vec3 sum;
+  sum += faces_[edge.triangle[0]].normal;
+  if (isPair) sum += faces_[edge.triangle[1]].normal;
+  edge.outward = unitOrZero(sum);
+  edge.isConvex = true;
+  bool isHollow = !isPair;
+  if (isPair) {
+    // Each face's plane sees the other's far corner below it, by the sine of the bend.
+    const Vec3 &n = faces_[edge.triangle[0]].normal, &m = faces_[edge.triangle[1]].normal;
+    const Vec3 along = vertices[edge.opposite[1]] - vertices[edge.vertex[0]];
+    const bool isBent = length(cross(n, m)) > kBendSine;
+    edge.isConvex = isBent && dot(n, along) < 0;
+    isHollow = isBent && dot(n, along) > 0;
+  }
+  hasHollows_ = hasHollows_ || isHollow;
+}
+
+void SurfaceFeatures::follow(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+  makeFaces(vertices, triangles);
+  hasHollows_ = false;
+  for (SurfaceEdge& edge : edges_) bendEdge(edge, vertices);
 }
 
 void SurfaceFeatures::makeStars(std::size_t vertexCount) {

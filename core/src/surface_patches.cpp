@@ -15,6 +15,9 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Contacts lean out of the cone of a patch's normals by as much as their own cones open: 0.2 rad, and rounding.
 constexpr float kLean = 0.25F;
 
+// Triangles around a patch: room for them at once.
+constexpr std::size_t kUsuallyTouched = 256;
+
 constexpr Box kNothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
 void makeUnique(std::vector<std::uint32_t>& list) {
@@ -42,15 +45,29 @@ class SurfacePatches::Maker {
   Maker(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
         const SurfaceFeatures& features, SurfacePatches& out)
       : meshVertices_(vertices), meshTriangles_(triangles), features_(features), out_(out) {
-    out_.ofVertices_.assign(vertices.size(), SurfaceEdge::kNone);
-    out_.ofEdges_.assign(features.edges().size(), SurfaceEdge::kNone);
-    out_.ofTriangles_.assign(triangles.size(), SurfaceEdge::kNone);
+    touched_.reserve(kUsuallyTouched);
+    seenBy_.assign(triangles.size(), 0);
   }
 
   void run() {
+    out_.ofVertices_.assign(meshVertices_.size(), SurfaceEdge::kNone);
+    out_.ofEdges_.assign(features_.edges().size(), SurfaceEdge::kNone);
+    out_.ofTriangles_.assign(meshTriangles_.size(), SurfaceEdge::kNone);
     std::vector<std::uint32_t> triangles(meshTriangles_.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
     out_.box_ = addFamily(triangles).box;
+  }
+
+  // Families come after those that hold them.
+  void follow() {
+    out_.numbers_.clear();
+    for (Record& record : out_.records_) place(record);
+    for (std::size_t i = out_.families_.size(); i-- > 0;) {
+      PatchFamily& family = out_.families_[i];
+      for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane)
+        if (family.lower[0][lane] <= family.upper[0][lane]) setLane(family, lane, boundsOf(family, lane));
+    }
+    out_.box_ = boundsOfAll(out_.families_[0]).box;
   }
 
  private:
@@ -106,14 +123,36 @@ class SurfacePatches::Maker {
       const Bounds part = isLast ? addPatch(parts[lane]) : addFamily(parts[lane]);
       PatchFamily& family = out_.families_[self];
       family.patches |= static_cast<std::uint32_t>(isLast) << lane;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int k = static_cast<int>(axis);
-        family.lower[axis][lane] = part.box.lower[k];
-        family.upper[axis][lane] = part.box.upper[k];
-        family.normalLower[axis][lane] = part.normals.lower[k];
-        family.normalUpper[axis][lane] = part.normals.upper[k];
-      }
+      setLane(family, lane, part);
       all = {joined(all.box, part.box), joined(all.normals, part.normals)};
+    }
+    return all;
+  }
+
+  static void setLane(PatchFamily& family, std::uint32_t lane, const Bounds& part) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int k = static_cast<int>(axis);
+      family.lower[axis][lane] = part.box.lower[k];
+      family.upper[axis][lane] = part.box.upper[k];
+      family.normalLower[axis][lane] = part.normals.lower[k];
+      family.normalUpper[axis][lane] = part.normals.upper[k];
+    }
+  }
+
+  Bounds boundsOf(const PatchFamily& family, std::uint32_t lane) const {
+    const std::uint32_t child = family.child[lane];
+    if (!family.isPatch(lane)) return boundsOfAll(out_.families_[child]);
+    return {out_.records_[child].box, out_.records_[child].normals};
+  }
+
+  static Bounds boundsOfAll(const PatchFamily& family) {
+    Bounds all{kNothing, kNothing};
+    for (std::uint32_t lane = 0; lane < PatchFamily::kWidth; ++lane) {
+      if (!(family.lower[0][lane] <= family.upper[0][lane])) continue;
+      const auto at = [&](const float(&rows)[3][PatchFamily::kWidth]) {
+        return Vec3(rows[0][lane], rows[1][lane], rows[2][lane]);
+      };
+      all = {joined(all.box, family.box(lane)), joined(all.normals, {at(family.normalLower), at(family.normalUpper)})};
     }
     return all;
   }
@@ -145,39 +184,54 @@ class SurfacePatches::Maker {
     for (const std::uint32_t t : triangles) out_.ofTriangles_[t] = out_.count();
     const auto firstForeign = ownFirst(vertices, out_.ofVertices_);
     edges.erase(ownFirst(edges, out_.ofEdges_), edges.end());
-    const auto isConvex = [&](std::uint32_t e) { return features_.edges()[e].isConvex; };
-    const auto firstFlat = std::stable_partition(edges.begin(), edges.end(), isConvex);
     Record record;
     record.firstIndex = static_cast<std::uint32_t>(out_.indices_.size());
     record.firstEnd = static_cast<std::uint32_t>(out_.ends_.size());
-    record.firstNumber = static_cast<std::uint32_t>(out_.numbers_.size());
     record.vertices = static_cast<std::uint16_t>(vertices.size());
     record.ownVertices = static_cast<std::uint16_t>(firstForeign - vertices.begin());
     record.edges = static_cast<std::uint16_t>(edges.size());
     record.triangles = static_cast<std::uint16_t>(triangles.size());
-    record.convexEdges = static_cast<std::uint16_t>(firstFlat - edges.begin());
+    for (const auto& list :
+         {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
+      out_.indices_.insert(out_.indices_.end(), list.begin(), list.end());
+    out_.ends_.resize(out_.ends_.size() + edges.size());
+    place(record);
+    out_.records_.push_back(record);
+    return {record.box, record.normals};
+  }
+
+  // All of a patch that depends on where its vertices are.
+  void place(Record& record) {
+    const std::span<std::uint32_t> all(out_.indices_);
+    const std::span<const std::uint32_t> vertices = all.subspan(record.firstIndex, record.vertices);
+    const std::span<std::uint32_t> edges = all.subspan(record.firstIndex + record.vertices, record.edges);
+    const std::span<const std::uint32_t> triangles =
+        all.subspan(record.firstIndex + record.vertices + record.edges, record.triangles);
+    record.convexEdges = convexFirst(edges);
+    record.firstNumber = static_cast<std::uint32_t>(out_.numbers_.size());
     record.box = kNothing;
     for (const std::uint32_t v : vertices) record.box.add(meshVertices_[v]);
-    const std::vector<std::uint32_t> touched =
-        trianglesAround(triangles, std::span(vertices).first(record.ownVertices), edges);
-    const Vec3 mean = facingOf(touched);
-    record.normals = normalsOf(touched, mean);
-    record.facing = isBent(touched, mean) ? Vec3() : mean;
+    findTrianglesAround(triangles, vertices.first(record.ownVertices), edges);
+    const Vec3 mean = facingOf(touched_);
+    record.normals = normalsOf(touched_, mean);
+    record.facing = isBent(touched_, mean) ? Vec3() : mean;
     record.lowest = kInfinity;
     record.highest = -kInfinity;
     for (const std::uint32_t v : vertices) {
       record.lowest = std::min(record.lowest, dot(record.facing, meshVertices_[v]));
       record.highest = std::max(record.highest, dot(record.facing, meshVertices_[v]));
     }
-    for (const auto& list :
-         {std::span<const std::uint32_t>(vertices), std::span<const std::uint32_t>(edges), triangles})
-      out_.indices_.insert(out_.indices_.end(), list.begin(), list.end());
-    addEnds(vertices, edges);
+    listEnds(vertices, edges, std::span(out_.ends_).subspan(record.firstEnd, record.edges));
     addVertices(vertices);
     addFaces(triangles);
-    addEdges(std::span(edges).first(record.convexEdges));
-    out_.records_.push_back(record);
-    return {record.box, record.normals};
+    addEdges(edges.first(record.convexEdges));
+  }
+
+  // Ascending, the convex ones before the others; returns how many these are.
+  std::uint16_t convexFirst(std::span<std::uint32_t> edges) const {
+    std::ranges::sort(edges, {}, [&](std::uint32_t e) { return std::pair(!features_.edges()[e].isConvex, e); });
+    return static_cast<std::uint16_t>(
+        std::ranges::count_if(edges, [&](std::uint32_t e) { return features_.edges()[e].isConvex; }));
   }
 
   // Moves what no patch owns yet to the front, and gives it to the one at hand.
@@ -190,18 +244,20 @@ class SurfacePatches::Maker {
   }
 
   // The patch's, and all others that meet in its own vertices and edges.
-  std::vector<std::uint32_t> trianglesAround(std::span<const std::uint32_t> triangles,
-                                             std::span<const std::uint32_t> ownVertices,
-                                             std::span<const std::uint32_t> ownEdges) const {
-    std::vector<std::uint32_t> all(triangles.begin(), triangles.end());
-    const auto addOf = [&](std::uint32_t edge) {
-      for (const std::uint32_t t : features_.edges()[edge].triangle)
-        if (t != SurfaceEdge::kNone) all.push_back(t);
+  void findTrianglesAround(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> ownVertices,
+                           std::span<const std::uint32_t> ownEdges) {
+    touched_.clear();
+    ++search_;
+    const auto add = [&](std::uint32_t t) {
+      if (t == SurfaceEdge::kNone || seenBy_[t] == search_) return;
+      seenBy_[t] = search_;
+      touched_.push_back(t);
     };
+    const auto addOf = [&](std::uint32_t edge) { std::ranges::for_each(features_.edges()[edge].triangle, add); };
+    std::ranges::for_each(triangles, add);
     for (const std::uint32_t v : ownVertices) std::ranges::for_each(features_.edgesAround(v), addOf);
     std::ranges::for_each(ownEdges, addOf);
-    makeUnique(all);
-    return all;
+    std::ranges::sort(touched_);
   }
 
   Vec3 facingOf(std::span<const std::uint32_t> triangles) const {
@@ -223,11 +279,12 @@ class SurfacePatches::Maker {
     Box box{{-1, -1, -1}, {1, 1, 1}};
     if (mean == Vec3()) return box;
     const auto angleOf = [](float cosine) { return std::acos(double(std::clamp(cosine, -1.0F, 1.0F))); };
-    double angle = 0;
+    float least = 1;
     for (const std::uint32_t t : triangles) {
       const Vec3& normal = features_.faces()[t].normal;
-      if (normal != Vec3()) angle = std::max(angle, angleOf(dot(normal, mean)));
+      if (normal != Vec3()) least = std::min(least, dot(normal, mean));
     }
+    const double angle = angleOf(least);
     for (int axis = 0; axis < 3; ++axis) {
       const double own = angleOf(mean[axis]);
       box.lower[axis] = static_cast<float>(std::cos(std::min(own + angle + double(kLean), std::numbers::pi)));
@@ -236,13 +293,14 @@ class SurfacePatches::Maker {
     return box;
   }
 
-  void addEnds(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> edges) {
+  void listEnds(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> edges,
+                std::span<std::array<std::uint8_t, 2>> ends) const {
     const auto place = [&](std::uint32_t v) {
       return static_cast<std::uint8_t>(std::ranges::find(vertices, v) - vertices.begin());
     };
-    for (const std::uint32_t e : edges) {
-      const SurfaceEdge& edge = features_.edges()[e];
-      out_.ends_.push_back({place(edge.vertex[0]), place(edge.vertex[1])});
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const SurfaceEdge& edge = features_.edges()[edges[i]];
+      ends[i] = {place(edge.vertex[0]), place(edge.vertex[1])};
     }
   }
 
@@ -283,11 +341,19 @@ class SurfacePatches::Maker {
   std::span<const std::array<std::uint32_t, 3>> meshTriangles_;
   const SurfaceFeatures& features_;
   SurfacePatches& out_;
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> seenBy_;  // of each triangle, the last search that found it
+  std::uint32_t search_ = 0;
 };
 
 SurfacePatches::SurfacePatches(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
                                const SurfaceFeatures& features) {
   Maker(vertices, triangles, features, *this).run();
+}
+
+void SurfacePatches::follow(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+                            const SurfaceFeatures& features) {
+  Maker(vertices, triangles, features, *this).follow();
 }
 
 std::size_t SurfacePatches::memoryBytes() const {

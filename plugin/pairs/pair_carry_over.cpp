@@ -40,6 +40,7 @@ double fallbackErrorFraction(const TreePair& pair) {
 void beginCarriedOver(TreePair& pair, const CarryOverStep& step) {
   const PairSides sides = pair.sides();
   pair.adopt(sides);
+  pair.clearManifolds();  // points that are left mean nothing where a surface moved
   pair.manifolds.setBodies(pair.bodies.object0(), pair.bodies.object1());
   pair.sizes = PairSizes::of(*sides.shape(), pair.collider->size(sides.otherShape()), 0, 0);
   RelativeMotion& motion = pair.motion.relative;

@@ -14,10 +14,14 @@ void PairContacts::expectInterruptions() {
 }
 
 void PairContacts::reset() {
+  normals_.forget();
+  forgetPlaces();
+}
+
+void PairContacts::forgetPlaces() {
   known_.reset();
   found_.clear();
   guards_.clear();
-  normals_.forget();
   seenLeafPairs_ = 0;
   age_ = {};
   started_ = false;

@@ -41,6 +41,8 @@ class PairContacts {
  public:
   /// Forgets everything, for a new pair.
   void reset();
+  /// Forgets everything but the clusters' normals, for surfaces that moved: a cluster keeps its manifold.
+  void forgetPlaces();
 
   /// The bodies are too far apart for contacts, which counts as an answer. Everything else is forgotten. `centers`:
   /// from the other body's centre to the tree's.

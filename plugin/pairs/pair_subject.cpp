@@ -31,6 +31,7 @@ void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& othe
   treeMargin_ = tree.getMargin();
   treeFrame_ = tree.bodyFrame();
   treeContactError_ = tree.maxContactError();
+  treeShape_ = &tree;
   otherShape_ = &other;
   if (const SphereTreeShape* const otherTree = asSphereTree(&other)) {
     otherTree_ = otherTree->sharedTree();
@@ -47,16 +48,29 @@ void PairSubject::take(const SphereTreeShape& tree, const btCollisionShape& othe
 }
 
 bool PairSubject::is(const SphereTreeShape& tree, const btCollisionShape& other) const {
-  if (tree_.get() != &tree.tree() || treeScale_ != tree.scale() || treeMargin_ != tree.getMargin() ||
-      treeFrame_ != tree.bodyFrame() || treeContactError_ != tree.maxContactError() || otherShape_ != &other)
+  if (tree_.get() != &tree.tree() || !isButForTrees(tree, other)) return false;
+  return !otherTree_ || otherTree_.get() == &asSphereTree(&other)->tree();
+}
+
+// Another shape may have the same address, but hardly a mesh with as many vertices.
+bool PairSubject::isMoved(const SphereTreeShape& tree, const btCollisionShape& other) const {
+  const auto isLike = [](const SphereTree& known, const SphereTree& now) {
+    return known.vertices().size() == now.vertices().size();
+  };
+  return treeShape_ == &tree && isButForTrees(tree, other) && isLike(*tree_, tree.tree()) &&
+         (!otherTree_ || isLike(*otherTree_, asSphereTree(&other)->tree()));
+}
+
+bool PairSubject::isButForTrees(const SphereTreeShape& tree, const btCollisionShape& other) const {
+  if (treeScale_ != tree.scale() || treeMargin_ != tree.getMargin() || treeFrame_ != tree.bodyFrame() ||
+      treeContactError_ != tree.maxContactError() || otherShape_ != &other)
     return false;
   if (const btStaticPlaneShape* const plane = asPlane(other))
     return !otherTree_ && planeNormal_ == plane->getPlaneNormal() && planeConstant_ == plane->getPlaneConstant();
   const SphereTreeShape* const otherTree = asSphereTree(&other);
   if (!otherTree) return !otherTree_ && fieldFingerprint_ == fieldFingerprint(other);
-  return otherTree_.get() == &otherTree->tree() && otherScale_ == otherTree->scale() &&
-         otherMargin_ == otherTree->getMargin() && otherFrame_ == otherTree->bodyFrame() &&
-         otherContactError_ == otherTree->maxContactError();
+  return otherTree_ && otherScale_ == otherTree->scale() && otherMargin_ == otherTree->getMargin() &&
+         otherFrame_ == otherTree->bodyFrame() && otherContactError_ == otherTree->maxContactError();
 }
 
 float PairSubject::rootErrors() const {

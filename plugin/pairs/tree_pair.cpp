@@ -36,7 +36,10 @@ bool TreePair::adopt(const PairSides& sides) {
     return false;
   }
   if (subject.is(*tree, sides.otherShape())) return true;
-  if (subject.isKnown()) forget();  // else there is nothing to forget, and much to write
+  if (subject.isMoved(*tree, sides.otherShape()))
+    forgetPlaces();
+  else if (subject.isKnown())
+    forget();  // else there is nothing to forget, and much to write
   if (*newKind != kind) {
     kind = *newKind;
     trajectory.sweep.reset();
@@ -48,11 +51,17 @@ bool TreePair::adopt(const PairSides& sides) {
 
 void TreePair::forget() {
   contacts.reset();
-  forgetWaiting();
-  collider->reset();
-  work.wasDone = true;
+  forgetPlaces();
+  trajectory.forgetAnchor();
   subject.forget();
   clearManifolds();
+}
+
+void TreePair::forgetPlaces() {
+  contacts.forgetPlaces();
+  forgetAges();
+  collider->reset();
+  work.wasDone = true;
 }
 
 void TreePair::lookAtRest() {
@@ -64,6 +73,11 @@ void TreePair::lookAtRest() {
 }
 
 void TreePair::forgetWaiting() {
+  forgetAges();
+  trajectory.forgetAnchor();
+}
+
+void TreePair::forgetAges() {
   age.isPlaced = age.isCarriedOver = false;
   age.waited = age.error = 0;
   age.moved = age.uncounted = age.unseenMotion = 0;
@@ -71,7 +85,6 @@ void TreePair::forgetWaiting() {
   contacts.guards().lock(false);
   manifolds.endFallback();
   reported.wasSpeculative = reported.areGuardsLoaded = false;
-  trajectory.forgetAnchor();
 }
 
 // An impulse that stopped a body does not predict the impulse that holds it now.

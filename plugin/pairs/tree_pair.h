@@ -88,9 +88,15 @@ struct alignas(64) TreePair {
   bool mayRepeatLast() const { return motion.roots && age.repeatsLast && !trajectory.isFast; }
 
   /// Takes these shapes and forgets knowledge about others. False, and nothing known, where the shapes cannot meet.
+  /// Where only vertices moved, manifolds keep their points, whose impulses the next contacts of the same features
+  /// inherit.
   bool adopt(const PairSides& sides);
   /// Forgets all knowledge about the shapes; contacts end.
   void forget();
+  /// Forgets where the surfaces were. Contacts stay as they are, and a body that has sunk in is still looked for from
+  /// where it had not.
+  void forgetPlaces();
+  void forgetAges();
   /// Called now and then: a pair at rest gives unused memory back.
   void lookAtRest();
   void forgetWaiting();

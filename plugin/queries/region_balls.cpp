@@ -27,7 +27,7 @@ struct Bounds {
 
 }  // namespace
 
-RegionBalls::RegionBalls(const SphereTree& tree) : tree_(tree), firstFamily_(tree.traversalNodes().size(), kNone) {
+RegionBalls::RegionBalls(const SphereTree& tree) : tree_(&tree), firstFamily_(tree.traversalNodes().size(), kNone) {
   for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
     const NodeId leaf = tree.nodeAt(record);
     const auto region = tree.regionTriangles(leaf);
@@ -55,6 +55,26 @@ std::uint32_t RegionBalls::addFamily(Part whole) {
   return family;
 }
 
+void RegionBalls::follow(const SphereTree& moved) {
+  tree_ = &moved;
+  for (std::uint32_t family = 0; family < families_.size(); ++family)
+    for (std::uint32_t lanes = living_[family]; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      const Part part = parts_[family * kFamilyWidth + lane];
+      families_[family].set(lane, ballAround(part.count == 0 ? wholeOf(part.first) : part));
+    }
+}
+
+// Lanes hold what was cut apart, one after the other.
+RegionBalls::Part RegionBalls::wholeOf(std::uint32_t family) const {
+  const auto partOf = [&](std::uint32_t lane) {
+    const Part part = parts_[family * kFamilyWidth + lane];
+    return part.count == 0 ? wholeOf(part.first) : part;
+  };
+  const Part first = partOf(0), last = partOf(static_cast<std::uint32_t>(std::bit_width(living_[family])) - 1);
+  return {first.first, last.first + last.count - first.first};
+}
+
 // Cuts each part along its longest axis, into equal numbers of triangles, so that the same mesh gives the same balls.
 std::uint32_t RegionBalls::halve(Part* parts, std::uint32_t count) {
   for (std::uint32_t i = count; i-- > 0;) {
@@ -77,7 +97,7 @@ Sphere RegionBalls::ballAround(Part part) const {
   Bounds bounds;
   const auto forEachCorner = [&](const auto& visit) {
     for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
-      for (const std::uint32_t corner : tree_.triangles()[order_[i]]) visit(tree_.vertices()[corner]);
+      for (const std::uint32_t corner : tree_->triangles()[order_[i]]) visit(tree_->vertices()[corner]);
   };
   forEachCorner([&](const Vec3& p) { bounds.add(p); });
   Sphere ball{(bounds.lower + bounds.upper) * 0.5F, 0};
@@ -87,8 +107,8 @@ Sphere RegionBalls::ballAround(Part part) const {
 }
 
 Vec3 RegionBalls::middle(std::uint32_t triangle) const {
-  const auto& t = tree_.triangles()[triangle];
-  return (tree_.vertices()[t[0]] + tree_.vertices()[t[1]] + tree_.vertices()[t[2]]) / 3.0F;
+  const auto& t = tree_->triangles()[triangle];
+  return (tree_->vertices()[t[0]] + tree_->vertices()[t[1]] + tree_->vertices()[t[2]]) / 3.0F;
 }
 
 }  // namespace cairn::bullet

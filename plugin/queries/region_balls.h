@@ -21,6 +21,10 @@ class RegionBalls {
   /// triangle in leaves of more than `kAtOnce`.
   explicit RegionBalls(const SphereTree& tree);
 
+  /// Moves the balls to another tree of the same triangles and regions, and refers to it from now on. Its triangles
+  /// stay in the balls they are in. Cost: as many steps as there are triangles in all balls, one inside the other.
+  void follow(const SphereTree& moved);
+
   /// Bytes this object holds.
   std::size_t memoryBytes() const {
     return sizeof *this + families_.capacity() * sizeof(Family) + parts_.capacity() * sizeof(Part) +
@@ -35,7 +39,7 @@ class RegionBalls {
   template <class EntriesOf, class End, class Visit>
   void visitTriangles(NodeId leaf, const EntriesOf& entries, const End& end, const Visit& visit) const {
     if (firstFamily_[leaf] == kNone) {
-      for (const std::uint32_t triangle : tree_.regionTriangles(leaf)) visit(triangle);
+      for (const std::uint32_t triangle : tree_->regionTriangles(leaf)) visit(triangle);
       return;
     }
     visitFamily(firstFamily_[leaf], entries, end, visit);
@@ -63,11 +67,12 @@ class RegionBalls {
   }
 
   std::uint32_t addFamily(Part whole);
+  Part wholeOf(std::uint32_t family) const;
   std::uint32_t halve(Part* parts, std::uint32_t count);
   Sphere ballAround(Part part) const;
   Vec3 middle(std::uint32_t triangle) const;
 
-  const SphereTree& tree_;
+  const SphereTree* tree_;
   std::vector<std::uint32_t> firstFamily_;  // by NodeId
   std::vector<Family> families_;
   std::vector<std::uint32_t> living_;  // by family

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <limits>
 
+#include "cairn/core/family.h"
+
 namespace cairn::bullet {
 
 namespace {
@@ -42,9 +44,22 @@ ExtremePoints::ExtremePoints(std::span<const Vec3> points)
   assert(!points.empty());
   const std::vector<std::uint32_t> hull = hullVertices(points);
   assert(!hull.empty());
-  blocks_.resize((hull.size() + kLanes - 1) / kLanes);
+  pack(hull.size(), [&](std::size_t i) { return points[hull[i]]; });
+}
+
+ExtremePoints ExtremePoints::all(std::span<const Vec3> points) {
+  ExtremePoints extremes;
+  extremes.diagonal_ = boxDiagonal(points);
+  extremes.slack_ = extremes.diagonal_ * kOverlapSlack;
+  extremes.pack(points.size(), [&](std::size_t i) { return points[i]; });
+  return extremes;
+}
+
+template <class PointAt>
+void ExtremePoints::pack(std::size_t count, const PointAt& pointAt) {
+  blocks_.resize((count + kLanes - 1) / kLanes);
   for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
-    const Vec3& p = points[hull[std::min(i, hull.size() - 1)]];
+    const Vec3 p = pointAt(std::min(i, count - 1));
     Block& block = blocks_[i / kLanes];
     block.x[i % kLanes] = p.x;
     block.y[i % kLanes] = p.y;

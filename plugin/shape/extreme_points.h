@@ -25,6 +25,10 @@ class ExtremePoints {
   /// Precondition: `points` not empty, finite. Cost: a convex hull, O(n log n).
   explicit ExtremePoints(std::span<const Vec3> points);
 
+  /// All of the points: of a mesh that moves, a hull would take longer than it saves. `slack()` is rounding then.
+  /// Linear. Precondition: `points` not empty, finite.
+  static ExtremePoints all(std::span<const Vec3> points);
+
   struct Interval {
     float lower, upper;
   };
@@ -41,6 +45,9 @@ class ExtremePoints {
 
  private:
   static constexpr std::size_t kLanes = 8;
+  ExtremePoints() = default;
+  template <class PointAt>
+  void pack(std::size_t count, const PointAt& pointAt);
   struct Block {
     std::array<float, kLanes> x, y, z;
   };

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cairn/core/log.h"
+#include "cairn/core/tree_refit.h"
 #include "placement/bullet_math.h"
 #include "queries/leaf_balls.h"
 #include "queries/region_balls.h"
@@ -85,7 +86,7 @@ Result<std::unique_ptr<SphereTreeShape>> SphereTreeShape::create(std::shared_ptr
 SphereTreeShape::SphereTreeShape(std::shared_ptr<const SphereTree> tree, BodyFrame frame, btScalar scale)
     : tree_(std::move(tree)),
       extremes_(std::make_unique<ExtremePoints>(tree_->vertices())),
-      regionBalls_(std::make_unique<const RegionBalls>(*tree_)),
+      regionBalls_(std::make_unique<RegionBalls>(*tree_)),
       unserved_(std::make_unique<UnservedWatch>()),
       frame_(frame) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
@@ -128,6 +129,26 @@ std::uint32_t SphereTreeShape::contactLevel(btScalar smallerSize) const {
   for (std::uint32_t level = 1; level <= tree_->levelMeshCount(); ++level)
     if (tree_->levelMesh(level).distance <= most) return level;
   return 0;
+}
+
+// All that may fail comes first.
+Status SphereTreeShape::setVertices(std::span<const Vec3> vertices) {
+  if (!refit_) {
+    Result<TreeRefit> refit = TreeRefit::bind(tree_);
+    if (!refit) return refit.error();
+    refit_ = std::make_unique<TreeRefit>(std::move(refit).value());
+  }
+  Result<std::shared_ptr<const SphereTree>> moved = refit_->refitMesh(vertices);
+  if (!moved) return moved.error();
+  const float diagonal = boxDiagonal(moved.value()->vertices());
+  if (Status status = checkSize(diagonal, scale_); !status) return status;
+  if (Status status = checkMargin(getMargin(), btScalar(diagonal) * scale_); !status) return status;
+  tree_ = std::move(moved).value();
+  extremes_ = std::make_unique<const ExtremePoints>(ExtremePoints::all(tree_->vertices()));
+  regionBalls_->follow(*tree_);
+  if (leafBalls_) leafBalls_ = std::make_unique<const LeafBalls>(*tree_);
+  applyScale(scale_);
+  return {};
 }
 
 Status SphereTreeShape::setScale(const btVector3& scaling) {

@@ -218,11 +218,14 @@ class CAIRN_CORE_EXPORT SphereTree {
   std::size_t memoryBytes() const;
 
  private:
+  friend class TreeRefit;  // moves the nodes of a copy that nobody else has seen
   static constexpr std::uint8_t kFaceted = 1, kPlanar = 2;
 
   explicit SphereTree(SphereTreeData data);
   void linkFamilies();
   void packNode(std::uint32_t record);
+  void packBall(std::uint32_t record);
+  void packFlatness(NodeId id);
   void packChildLanes(NodeId node);
   bool facesOnly(NodeId leaf) const;
   void listCorners();

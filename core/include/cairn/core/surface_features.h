@@ -62,8 +62,12 @@ class CAIRN_CORE_EXPORT SurfaceFeatures {
   std::size_t memoryBytes() const;
 
  private:
+  friend class TreeRefit;
+  /// The same as a new object of the same triangles, in linear time and without new memory.
+  void follow(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
   void makeFaces(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
   void makeEdges(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
+  void bendEdge(SurfaceEdge& edge, std::span<const Vec3> vertices);
   void makeStars(std::size_t vertexCount);
 
   std::vector<SurfaceEdge> edges_;

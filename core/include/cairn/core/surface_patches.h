@@ -114,6 +114,11 @@ class CAIRN_CORE_EXPORT SurfacePatches {
   std::size_t memoryBytes() const;
 
  private:
+  friend class TreeRefit;
+  /// Keeps the triangles of each patch and moves all else with the vertices, in linear time. The features are those of
+  /// the moved mesh, with the same triangles as at first.
+  void follow(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+              const SurfaceFeatures& features);
   struct Record {
     Box box, normals;
     Vec3 facing;

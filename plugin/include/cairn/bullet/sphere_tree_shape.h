@@ -6,12 +6,17 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "cairn/core/export.h"
 
 #include "cairn/core/result.h"
 #include "cairn/core/sphere_tree.h"
+
+namespace cairn {
+class TreeRefit;
+}  // namespace cairn
 
 namespace cairn::bullet {
 
@@ -137,6 +142,11 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
   /// Spheres stay spheres only under uniform scale. A scale that is not uniform, or that `create` would refuse, fails
   /// and leaves the shape unchanged.
   Status setScale(const btVector3& scaling);
+  /// Moves the mesh's vertices (mesh frame, unscaled, in the order of `tree().vertices()`). From now on, `tree()` is
+  /// another tree: the first one refitted and certified again, as `TreeRefit` says. Pairs, casts and boxes notice. Mass
+  /// and frames stay those of the first mesh, and level meshes are gone. The solver learns no velocity of the surface.
+  /// A failure leaves the shape unchanged. Cost: linear; the first call also binds. Do not call during a step.
+  Status setVertices(std::span<const Vec3> vertices);
   /// Calls `setScale` and logs a failure (`cairn::setLog`), because Bullet's interface cannot return it. A compound
   /// hands an uneven scale on to its children; it then moves its trees and does not resize them.
   void setLocalScaling(const btVector3& scaling) override;
@@ -190,9 +200,10 @@ class CAIRN_BULLET_EXPORT SphereTreeShape final : public btConcaveShape {
 
   std::shared_ptr<const SphereTree> tree_;
   std::unique_ptr<const ExtremePoints> extremes_;
-  std::unique_ptr<const RegionBalls> regionBalls_;
+  std::unique_ptr<RegionBalls> regionBalls_;
   std::unique_ptr<const LeafBalls> leafBalls_;  // null unless casts hit spheres
   std::unique_ptr<UnservedWatch> unserved_;
+  std::unique_ptr<TreeRefit> refit_;  // null until vertices move
   BodyFrame frame_;
   std::uint32_t compoundLevel_ = kDefaultCompoundLevel;
   btScalar maxContactError_ = 0;
