@@ -322,6 +322,9 @@ struct Carried {
 
 TEST(CarriedBody, RidesOnABreathingBall) {
   Carried ride(breathingBall(8), cuboid({0.4, 0.4, 0.2}, 3), btVector3(0, 0, btScalar(1.11)));
+  // On top of a ball nothing holds it sideways, so rounding would decide when it falls off.
+  ride.body->setLinearFactor(btVector3(0, 0, 1));
+  ride.body->setAngularFactor(btScalar(0));
   double lowest = 10, highest = 0, deepest = 0;
   for (int step = 0; step < 1000; ++step) {
     ride.step(0.02 * step, 0.02 * (step + 1));
