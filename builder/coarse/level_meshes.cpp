@@ -11,9 +11,9 @@
 
 #include "cairn/builder/import.h"
 #include "cairn/builder/simplify.h"
+#include "cairn/core/outward_rounding.h"
 #include "coarse/collapse_by_distance.h"
 #include "coarse/mesh_distance.h"
-#include "surface/outward_rounding.h"
 
 namespace cairn::builder {
 namespace {

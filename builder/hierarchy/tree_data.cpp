@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cairn/core/outward_rounding.h"
 #include "certify/protrusion.h"
 #include "regions/region_normals.h"
 #include "regions/support_points.h"
 #include "surface/mass_properties.h"
-#include "surface/outward_rounding.h"
 
 namespace cairn::builder {
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "import/across_edge.h"
 #include "import/self_intersection.h"
 #include "surface/mass_properties.h"
 #include "surface/winding_number.h"
@@ -54,12 +55,7 @@ struct Spoke {
 
 Spoke spokeOf(const TriangleMesh& mesh, const HalfEdge& h) {
   const Vec3d from = mesh.vertices[h.low()], along = normalized(mesh.vertices[h.high()] - from);
-  int least = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (std::abs(along[axis]) < std::abs(along[least])) least = axis;
-  Vec3d helper;
-  helper[least] = 1;
-  const Vec3d u = normalized(cross(along, helper)), v = cross(along, u);
+  const auto [u, v] = acrossEdge(along);
   const Vec3d out = mesh.vertices[mesh.triangles[h.triangle][(h.side + 2) % 3]] - from;
   return {std::atan2(dot(out, v), dot(out, u)), directionOf(h) < 0, h.triangle};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/across_edge.h"
 #include "import/self_intersection.h"
 #include "import/settle.h"
 #include "import/shell_orientation.h"
@@ -32,12 +33,7 @@ void addBead(LabelledMesh& labelled, const HalfEdge& edge, double radius) {
   TriangleMesh& mesh = labelled.mesh;
   const Vec3d from = mesh.vertices[edge.from], to = mesh.vertices[edge.to];
   const Vec3d along = normalized(to - from);
-  int least = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (std::abs(along[axis]) < std::abs(along[least])) least = axis;
-  Vec3d helper;
-  helper[least] = 1;
-  const Vec3d u = normalized(cross(along, helper)), v = cross(along, u);
+  const auto [u, v] = acrossEdge(along);
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Vec3d& end : {from - along * radius, to + along * radius})
     for (const Vec3d& aside : {u, v, u * -1.0, v * -1.0}) mesh.vertices.push_back(end + aside * radius);

@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
 #include "cairn/builder/view.h"
 
+#include "cairn/core/outward_rounding.h"
+
 namespace cairn::builder {
-namespace {
-
-/// An upper bound stays one when a page stores it as float.
-float roundedUp(double value) {
-  const auto nearest = static_cast<float>(value);
-  return nearest < value ? std::nextafter(nearest, INFINITY) : nearest;
-}
-
-float roundedDown(double value) {
-  const auto nearest = static_cast<float>(value);
-  return nearest > value ? std::nextafter(nearest, 0.0F) : nearest;
-}
-
-}  // namespace
-
 ViewLink viewLink(const SphereTree& tree) {
   const SphereTreeData& data = tree.data();
   TriangleMesh mesh;  // for its bounding box
@@ -57,8 +42,8 @@ ViewLink viewLink(const TriangleMesh& mesh, const Cover& cover) {
     const BallProof& proof = cover.certificate.balls[i];
     link.spheres.push_back({.center = Vec3(cover.balls[i].center - link.origin),
                             .radius = static_cast<float>(cover.balls[i].radius),
-                            .error = roundedUp(proof.protrusion.upper),
-                            .innerRadius = roundedDown(proof.innerRadius),
+                            .error = roundUp(proof.protrusion.upper),
+                            .innerRadius = roundDown(proof.innerRadius),
                             .parent = i});
   }
   return link;

@@ -5,33 +5,18 @@
 #include <cmath>
 #include <limits>
 
+#include "cairn/core/outward_rounding.h"
+#include "refit_tuning.h"
+
 namespace cairn {
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Of a cone's cosine: some roundings of a unit vector's coordinates and of a product.
-constexpr float kConeRounding = 1e-6F;
-// Of a ball's centre, at most. Twice as many make the errors of `moving_bench` smaller by 2 % at most.
-constexpr int kMaxShifts = 4;
-// In errors of the ball: a shorter shift is not worth another search for the nearest triangle.
-constexpr double kWorthAShift = 0.05;
-
-// The next float that is no less.
-float roundedUp(double x) {
-  const auto f = static_cast<float>(x);
-  return double(f) < x ? std::nextafter(f, kInfinity) : f;
-}
-float roundedDown(double x) {
-  const auto f = static_cast<float>(x);
-  return double(f) > x ? std::nextafter(f, -kInfinity) : f;
-}
 
 float leastCosine(const MovedMesh& mesh, std::span<const std::uint32_t> region, const Vec3& axis) {
   float least = 1;
   for (const std::uint32_t triangle : region) {
     const Vec3& normal = mesh.surface.features().faces()[triangle].normal;
-    if (normal != Vec3()) least = std::min(least, dot(normal, axis) - kConeRounding);
+    if (normal != Vec3()) least = std::min(least, dot(normal, axis) - refit::kConeRounding);
   }
   return std::max(least, -1.0F);
 }
@@ -68,10 +53,10 @@ Fit fitAround(const MovedMesh& mesh, std::uint32_t record, const Vec3& center, s
     nearestSq = std::min(nearestSq, sq);
   }
   fit.nearestPlace = std::sqrt(nearestSq);
-  fit.radius = roundedUp(std::sqrt(farthestSq) + mesh.rounding);
+  fit.radius = roundUp(std::sqrt(farthestSq) + mesh.rounding);
   fit.surface = search.at(mesh.surface, center, guess);
   fit.depth = fit.surface.depth - mesh.rounding;
-  fit.error = std::max(0.0F, roundedUp(double(fit.radius) - fit.depth));
+  fit.error = std::max(0.0F, roundUp(double(fit.radius) - fit.depth));
   return fit;
 }
 
@@ -80,9 +65,9 @@ Fit fitAround(const MovedMesh& mesh, std::uint32_t record, const Vec3& center, s
 Fit bestFit(const MovedMesh& mesh, std::uint32_t record, const Vec3& center, SurfaceDepthSearch& search) {
   const std::span<const std::uint32_t> region = mesh.first.regionTriangles(mesh.first.nodeAt(record));
   Fit best = fitAround(mesh, record, center, mesh.binding.nodes[record].nearest, search);
-  for (int i = 0; i < kMaxShifts; ++i) {
+  for (int i = 0; i < refit::kMaxShifts; ++i) {
     const double free = best.depth, more = (best.nearestPlace - free) / 2;
-    if (!(free > 0) || more < kWorthAShift * double(best.error)) break;
+    if (!(free > 0) || more < refit::kWorthAShift * double(best.error)) break;
     if (std::ranges::find(region, best.surface.triangle) != region.end()) break;
     const Vec3 shifted(Vec3d(best.center) + best.surface.away * (more / length(best.surface.away)));
     const Fit fit = fitAround(mesh, record, shifted, best.surface.triangle, search);
@@ -124,7 +109,7 @@ NodeData refittedNode(const MovedMesh& mesh, std::uint32_t record, SurfaceDepthS
   n.center = fit.center;
   n.radius = fit.radius;
   n.error = fit.error;
-  n.innerRadius = std::clamp(roundedDown(fit.depth), 0.0F, n.radius);
+  n.innerRadius = std::clamp(roundDown(fit.depth), 0.0F, n.radius);
   n.normalCone = coneOf(mesh, record, motion);
   return n;
 }

@@ -6,17 +6,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "refit_tuning.h"
+
 namespace cairn {
 
 namespace {
-
-// In radii of the ball: what sticks out no farther is not cut. The ball grows by as much.
-constexpr double kFits = 1e-3;
-// In radii of the ball: the side of a part that is not cut again. Without an end, cutting would go on for ever where
-// only the borders of balls meet.
-constexpr double kSmallest = 0.125;
-// Halvings of a triangle at most. Places are then multiples of 2^-20, so that products of two have no rounding.
-constexpr int kMaxHalvings = 20;
 
 struct Part {
   std::array<FixedPlace, 3> corners;
@@ -81,7 +75,8 @@ class Cutter {
     for (std::size_t k = 1; k < 3; ++k)
       if (side(k) > side(longest)) longest = k;
     const double radius = double(tree_.node(tree_.nodeAt(best)).radius);
-    if (leaves.size() == 1 || least <= kFits || part.halvings == kMaxHalvings || side(longest) <= kSmallest * radius)
+    if (leaves.size() == 1 || least <= 0 || part.halvings == refit::kMaxHalvings ||
+        side(longest) <= refit::kSmallest * radius)
       out_[best].insert(out_[best].end(), part.corners.begin(), part.corners.end());
     else
       halve(part, longest);

@@ -6,17 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "refit_tuning.h"
+
 namespace cairn {
 
 namespace {
-
-// What squares of distances to boxes lose to rounding in floats: some units of 2^-24.
-constexpr float kBoxRounding = 1 - 0x1p-20F;
-// Of the largest coordinate: what a height above a plane loses to a float's rounding of four terms, of the plane's own
-// four numbers and of products. Some ten units of 2^-24, and room.
-constexpr float kFaceRounding = 0x1p-19F;
-// Cosine of the angle to a normal above which a point is not said to lie behind it.
-constexpr double kDoubt = 1e-9;
 
 struct Nearest {
   double distanceSq = std::numeric_limits<double>::infinity();
@@ -107,7 +101,7 @@ Lanes boxDistancesSq(const PatchFamily& family, const Vec3& p) {
       const float more = below > above ? below : above, apart = more > 0 ? more : 0;
       sums[lane] += apart * apart;
     }
-  for (float& sum : sums) sum *= kBoxRounding;
+  for (float& sum : sums) sum *= refit::kBoxRounding;
   return sums;
 }
 
@@ -129,7 +123,7 @@ Lanes faceDistancesSq(const SurfacePatch& patch, const Vec3& p, float slack) {
     float inside = first[lane] < second[lane] ? first[lane] : second[lane];
     inside = third[lane] < inside ? third[lane] : inside;
     const float up = off > slack ? off - slack : 0, beside = -inside > slack ? -inside - slack : 0;
-    sums[lane] = (up * up + beside * beside) * kBoxRounding;
+    sums[lane] = (up * up + beside * beside) * refit::kBoxRounding;
   }
   return sums;
 }
@@ -146,7 +140,7 @@ float largestCoordinate(const SurfacePatches& patches, const Vec3& p) {
 SurfaceDepth SurfaceDepthSearch::at(const SurfaceView& surface, const Vec3& point, std::uint32_t guess) {
   const Vec3d p(point);
   const SurfacePatches& patches = surface.patches();
-  const float slack = kFaceRounding * largestCoordinate(patches, point);
+  const float slack = refit::kFaceRounding * largestCoordinate(patches, point);
   Nearest nearest;
   meet(surface, guess, p, nearest);
   waiting_.assign(1, {0, 0, false});
@@ -172,7 +166,7 @@ SurfaceDepth SurfaceDepthSearch::at(const SurfaceView& surface, const Vec3& poin
   }
   const double distance = std::sqrt(nearest.distanceSq);
   const Vec3d normal = normalAt(surface, nearest);
-  const bool isInside = dot(normal, nearest.away) < -kDoubt * length(normal) * distance;
+  const bool isInside = dot(normal, nearest.away) < -refit::kDoubt * length(normal) * distance;
   return {isInside ? distance : -distance, nearest.away, nearest.triangle};
 }
 

@@ -82,7 +82,7 @@ Vec3d pointOn(const SolidOracle& solid, std::uint32_t triangle, std::mt19937_64&
 }
 
 // The invariant of SphereTree on random points of triangles and on all vertices' triangles; then errors and inner
-// radii of random nodes on random points of their balls.
+// radii of random nodes on random points of their balls, and their normal cones.
 void check(const SphereTree& tree, std::mt19937_64& random) {
   const SolidOracle solid{tree.vertices(), tree.triangles()};
   for (int i = 0; i < 40; ++i) {
@@ -93,6 +93,13 @@ void check(const SphereTree& tree, std::mt19937_64& random) {
   for (int i = 0; i < 4; ++i) {
     const NodeId node = tree.nodeAt(static_cast<std::uint32_t>(random() % tree.nodeCount()));
     const Sphere ball = tree.sphere(node);
+    const NormalCone& cone = tree.node(node).normalCone;
+    const auto region = cone.cosine > -1 ? tree.regionTriangles(node) : std::span<const std::uint32_t>();
+    for (const std::uint32_t triangle : region) {
+      const auto c = solid.corners(triangle);
+      const Vec3d normal = normalized(cross(c[1] - c[0], c[2] - c[0]));
+      ASSERT_GE(dot(normal, Vec3d(cone.axis)), double(cone.cosine)) << "node " << node;
+    }
     const Vec3d outwards = normalized(randomPoint(random));
     const Vec3d inBall = Vec3d(ball.center) + outwards * double(ball.radius);
     ASSERT_LE(solid.toSolid(inBall), double(tree.error(node)) + kRounding) << "node " << node;
@@ -250,6 +257,17 @@ TEST(TreeRefit, KeepsErrorsOfARigidMotion) {
     EXPECT_LE(still->error(node), tree->error(node) + rounding) << "the trivial bound of a plain tree is no tighter";
     EXPECT_NEAR(moved->node(node).normalCone.cosine, still->node(node).normalCone.cosine, rounding);
   }
+}
+
+// What is not cut sticks out by no more than its longest side, an eighth of the ball's radius.
+TEST(TreeRefit, GivesLeavesWhatTheyHold) {
+  const auto tree = cubeInOctants();
+  TreeRefit refit = bound(tree);
+  const auto still = refitted(refit, tree->vertices());
+  float most = 0;
+  for (std::uint32_t record = 1; record < tree->nodeCount(); ++record)
+    most = std::max(most, still->sphere(tree->nodeAt(record)).radius / tree->sphere(tree->nodeAt(record)).radius);
+  EXPECT_LE(most, 1.125F);
 }
 
 TEST(TreeRefit, LeavesTreesAloneThatSomebodyHolds) {

@@ -169,79 +169,83 @@ std::vector<Vec3d> slabUpTo(const Solid& slab, double height) {
   return moved;
 }
 
+// A small cube above a slab that can be stretched; `height`: of the cube's middle.
+template <class Dispatcher>
+struct CubeOverSlab {
+  BulletWorld<Dispatcher> w;
+  Solid slab = cuboid({2, 2, 0.4}, 6);
+  std::shared_ptr<SphereTreeShape> ground = treeShape(plainTree(slab, 4));
+  btRigidBody& body;
+
+  explicit CubeOverSlab(double height) : body(cubeAt(height)) {}
+  void raiseTo(double top) { moveTo(*ground, slabUpTo(slab, top)); }
+  std::size_t contacts() const { return w.dispatcher.lastStep().contacts; }
+  double height() const { return double(body.getWorldTransform().getOrigin().z()); }
+
+ private:
+  btRigidBody& cubeAt(double height) {
+    addKinematic(w, ground);
+    return w.add(treeShape(plainTree(cuboid({0.3, 0.3, 0.3}, 2))), 1, btVector3(0, 0, btScalar(height)));
+  }
+};
+
 CAIRN_FRONT_END_SUITE(SettledPair, EveryFrontEnd);
 
 // Nothing moves but vertices: what the pair knows of poses is as it was.
 TYPED_TEST(SettledPair, NoticesThatTheSurfaceLeft) {
-  BulletWorld<TypeParam> w;
-  const Solid slab = cuboid({2, 2, 0.4}, 6);
-  const auto ground = treeShape(plainTree(slab, 4));
-  addKinematic(w, ground);
-  btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.3, 0.3, 0.3}, 2))), 1, btVector3(0, 0, btScalar(0.351)));
-  w.step(200);
-  ASSERT_NEAR(body.getWorldTransform().getOrigin().z(), 0.35, 0.002) << "it lies on the slab";
-  ASSERT_GT(w.dispatcher.lastStep().contacts, 0U);
-  moveTo(*ground, slabUpTo(slab, 0.1));
-  w.step(1);
-  EXPECT_EQ(w.dispatcher.lastStep().contacts, 0U) << "the top is a decimetre lower";
-  w.step(200);
-  EXPECT_NEAR(body.getWorldTransform().getOrigin().z(), 0.25, 0.002) << "it fell";
+  CubeOverSlab<TypeParam> scene(0.351);
+  scene.w.step(200);
+  ASSERT_NEAR(scene.height(), 0.35, 0.002) << "it lies on the slab";
+  ASSERT_GT(scene.contacts(), 0U);
+  scene.raiseTo(0.1);
+  scene.w.step(1);
+  EXPECT_EQ(scene.contacts(), 0U) << "the top is a decimetre lower";
+  scene.w.step(200);
+  EXPECT_NEAR(scene.height(), 0.25, 0.002) << "it fell";
 }
 
 TYPED_TEST(SettledPair, NoticesThatTheSurfaceCame) {
-  BulletWorld<TypeParam> w;
-  w.world.setGravity(btVector3(0, 0, 0));
-  const Solid slab = cuboid({2, 2, 0.4}, 6);
-  const auto ground = treeShape(plainTree(slab, 4));
-  addKinematic(w, ground);
-  btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.3, 0.3, 0.3}, 2))), 1, btVector3(0, 0, btScalar(0.38)));
-  w.step(100);
-  ASSERT_EQ(w.dispatcher.lastStep().contacts, 0U) << "three centimetres apart";
-  moveTo(*ground, slabUpTo(slab, 0.235));
-  w.step(1);
-  EXPECT_GE(w.dispatcher.lastStep().contacts, 3U) << "half a centimetre deep";
-  w.step(100);
-  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 0.383) << "it was pushed up";
+  CubeOverSlab<TypeParam> scene(0.38);
+  scene.body.setGravity(btVector3(0, 0, 0));
+  scene.w.step(100);
+  ASSERT_EQ(scene.contacts(), 0U) << "three centimetres apart";
+  scene.raiseTo(0.235);
+  scene.w.step(1);
+  EXPECT_GE(scene.contacts(), 3U) << "half a centimetre deep";
+  scene.w.step(100);
+  EXPECT_GT(scene.height(), 0.383) << "it was pushed up";
 }
 
 // The surface comes and goes by turns, so that trees are used again: a pair must not take one for the other.
 TYPED_TEST(SettledPair, NoticesEveryStep) {
-  BulletWorld<TypeParam> w;
-  w.world.setGravity(btVector3(0, 0, 0));
-  const Solid slab = cuboid({2, 2, 0.4}, 6);
-  const auto ground = treeShape(plainTree(slab, 4));
-  addKinematic(w, ground);
-  const btTransform place(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.38)));
-  btRigidBody& body = w.add(treeShape(plainTree(cuboid({0.3, 0.3, 0.3}, 2))), 1, place.getOrigin());
+  CubeOverSlab<TypeParam> scene(0.38);
+  scene.body.setGravity(btVector3(0, 0, 0));
+  const btTransform place = scene.body.getWorldTransform();
   for (int step = 0; step < 60; ++step) {
     const bool touches = step % 3 == 2;
-    moveTo(*ground, slabUpTo(slab, touches ? 0.235 : 0.2));
-    body.setWorldTransform(place);
-    body.setLinearVelocity(btVector3(0, 0, 0));
-    body.setAngularVelocity(btVector3(0, 0, 0));
-    w.step(1);
+    scene.raiseTo(touches ? 0.235 : 0.2);
+    scene.body.setWorldTransform(place);
+    scene.body.setLinearVelocity(btVector3(0, 0, 0));
+    scene.body.setAngularVelocity(btVector3(0, 0, 0));
+    scene.w.step(1);
     if (touches)
-      EXPECT_GE(w.dispatcher.lastStep().contacts, 3U) << "step " << step;
+      EXPECT_GE(scene.contacts(), 3U) << "step " << step;
     else
-      EXPECT_EQ(w.dispatcher.lastStep().contacts, 0U) << "step " << step;
+      EXPECT_EQ(scene.contacts(), 0U) << "step " << step;
   }
 }
 
 // So the solver starts from the impulses of the step before.
 TYPED_TEST(SettledPair, KeepsContactsOfTheSameFeatures) {
-  BulletWorld<TypeParam> w;
-  const Solid slab = cuboid({2, 2, 0.4}, 6);
-  const auto ground = treeShape(plainTree(slab, 4));
-  addKinematic(w, ground);
-  w.add(treeShape(plainTree(cuboid({0.3, 0.3, 0.3}, 2))), 1, btVector3(0, 0, btScalar(0.351)))
-      .setActivationState(DISABLE_DEACTIVATION);
+  CubeOverSlab<TypeParam> scene(0.351);
+  scene.body.setActivationState(DISABLE_DEACTIVATION);
   for (int step = 0; step < 200; ++step) {
-    moveTo(*ground, slabUpTo(slab, 0.2 - 1e-5 * step));
-    w.step(1);
+    scene.raiseTo(0.2 - 1e-5 * step);
+    scene.w.step(1);
   }
   int oldest = 0;
-  for (int i = 0; i < w.dispatcher.getNumManifolds(); ++i) {
-    const btPersistentManifold& m = *w.dispatcher.getManifoldByIndexInternal(i);
+  for (int i = 0; i < scene.w.dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& m = *scene.w.dispatcher.getManifoldByIndexInternal(i);
     for (int k = 0; k < m.getNumContacts(); ++k) oldest = std::max(oldest, m.getContactPoint(k).getLifeTime());
   }
   EXPECT_GT(oldest, 100);

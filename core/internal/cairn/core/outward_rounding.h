@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Zlib
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-namespace cairn::builder {
+namespace cairn {
 
 /// The least float that is no less than a number: a proved upper bound stays one.
 inline float roundUp(double v) {
@@ -18,4 +18,4 @@ inline float roundDown(double v) {
   return static_cast<double>(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
 }
 
-}  // namespace cairn::builder
+}  // namespace cairn
