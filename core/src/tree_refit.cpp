@@ -93,7 +93,7 @@ std::shared_ptr<SphereTree> TreeRefit::State::spare() {
 }
 
 void TreeRefit::State::move(SphereTree& tree, std::span<const Vec3> vertices) {
-  std::ranges::copy(vertices, tree.data_.vertices.begin());
+  std::copy(vertices.begin(), vertices.end(), tree.data_.vertices.begin());
   binding.move(tree, vertices, places);
   TreeSurface& surface = tree.surface_;
   surface.features.follow(tree.vertices(), tree.triangles());

@@ -40,7 +40,9 @@ class CAIRN_CORE_EXPORT TreeRefit {
   static Result<TreeRefit> bind(std::shared_ptr<const SphereTree> tree);
 
   ~TreeRefit();
+  /// A moved-from `TreeRefit` may only be assigned to or destroyed.
   TreeRefit(TreeRefit&&) noexcept;
+  /// As the constructor above.
   TreeRefit& operator=(TreeRefit&&) noexcept;
 
   /// The tree with its vertices moved to these places: tree frame, in the order of `SphereTree::vertices()`. Only the
