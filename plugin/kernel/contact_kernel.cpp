@@ -23,12 +23,23 @@ float skinOr0(float skin, float moved) {
   return skin < moved ? 0 : skin;
 }
 
+// Whether the contact tells how deep the point is in the other body. The other body's face tells it of all points. The
+// body's own face does not: all its points are equally deep behind it, even where the other body tilts away. The plane
+// of two edges may be as good as such a face, so it tells of these edges alone.
+bool tellsDepth(const FeatureContact& contact, const OverlapPoint& point) {
+  if (contact.kind != FeatureKind::edgeOnEdge)
+    return contact.kind == (point.isOfA ? FeatureKind::vertexOnFace : FeatureKind::faceOnVertex);
+  return point.isCrossing && point.feature == (point.isOfA ? contact.featureA : contact.featureB);
+}
+
 // Whether some point overlaps by more than the shallow depth, unless these contacts account for it.
 bool isAnyDeeper(std::span<const OverlapRegion> regions, std::span<const FeatureContact> contacts,
                  const ContactLimits& limits) {
   const float depth = limits.margins + shallowDepth(limits);
   const auto isKnown = [&](const OverlapPoint& point) {
-    return isUnderAny(contacts, point.position, point.isOfA, limits, [&](const FeatureContact&) { return depth; });
+    return isUnderAny(contacts, point.position, point.isOfA, limits, [&](const FeatureContact& contact) {
+      return tellsDepth(contact, point) ? depth : -std::numeric_limits<float>::infinity();
+    });
   };
   return std::ranges::any_of(regions,
                              [&](const OverlapRegion& region) { return !std::ranges::all_of(region.points, isKnown); });
@@ -68,12 +79,17 @@ std::optional<ContactKernel::Answer> ContactKernel::answer(const SurfacePair& su
   const float moved = memory.features_->movedBy(placement) + limits.rounding();
   FeatureContacts(surfaces, placed_, shallow).append(*lists, moved, contacts_);
   appendCrossings(surfaces, placed_, *lists, moved, crossings_);
-  const std::span<const OverlapRegion> regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
-  if (!appendDeeper(surfaces, limits, regions, budget)) return {};
+  const auto regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
+  if (!regions || !appendDeeper(surfaces, limits, *regions, budget)) return {};
+  shallow.overlap = deepestOf(contacts_);
+  if (shallow.overlap > limits.contactDistance) {
+    budget.forceCharge(kOverlapTestCost * (memory.listed_ + deepLists_.size()));
+    findTilted(surfaces, limits, shallow, *lists, moved);
+  }
   dropDeeper(contacts_, shallow_, limits, [&](const FeatureContact& contact, const FeatureContact& other) {
     return staysInside(surfaces, limits, contact, other);
   });
-  deepOverlap_.append(surfaces, limits, regions, contacts_);
+  deepOverlap_.append(surfaces, limits, *regions, contacts_);
   memory.overlapCost_ = budget.used() - before;
   if (!memory.patches_.empty()) return Answer{contacts_, -std::numeric_limits<float>::infinity()};
   return Answer{contacts_, memory.minSeparation_ - memory.near_->movedBy(placement)};
@@ -90,6 +106,7 @@ std::optional<ContactKernel::Answer> ContactKernel::run(const PlacedSurface& sur
 // Contacts deeper than the lists reach lie where surfaces cross, so only those patches are searched again.
 bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits,
                                  std::span<const OverlapRegion> regions, Budget& budget) {
+  deepLists_.clear();
   if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
   ContactLimits deeper = limits;
   deeper.maxSeparation = -limits.margins - shallowDepth(limits);
@@ -100,6 +117,17 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
   if (!budget.charge(kOverlapTestCost * deepLists_.size())) return false;
   FeatureContacts(surfaces, placed_, deeper).append(deepLists_, 0, contacts_);
   return true;
+}
+
+// Finds the contacts again, at the same cost, now that `shallow` knows the deepest overlap.
+void ContactKernel::findTilted(const SurfacePair& surfaces, const ContactLimits& limits, const ContactLimits& shallow,
+                               const FeatureSpans& lists, float moved) {
+  contacts_.clear();
+  FeatureContacts(surfaces, placed_, shallow).append(lists, moved, contacts_);
+  ContactLimits deeper = limits;
+  deeper.maxSeparation = -limits.margins - shallowDepth(limits);
+  deeper.overlap = shallow.overlap;
+  FeatureContacts(surfaces, placed_, deeper).append(deepLists_, 0, contacts_);
 }
 
 // Features are listed several times from the same patches: a narrow skin means fewer tests in each step. The skin is at
@@ -140,7 +168,7 @@ std::optional<FeatureSpans> ContactKernel::list(const SurfacePair& surfaces, con
 // more.
 bool ContactKernel::staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,
                                 const FeatureContact& other) {
-  const float more = tuning::kBeside * limits.contactDistance;
+  const float more = tuning::kExplainedSlack * limits.contactDistance;
   const Vec3 displacement = other.normal * (std::max(-other.separation, 0.0F) + more);
   const Vec3 toSurface = contact.normal * (0.5F * (contact.separation - limits.margins));
   if (contact.kind == FeatureKind::faceOnVertex)

@@ -98,6 +98,8 @@ class ContactKernel {
                                const RelativePlacement& placement, Budget& budget);
   std::optional<FeatureSpans> list(const SurfacePair& surfaces, const ContactLimits& limits, KernelMemory& memory,
                                    const RelativePlacement& placement, Budget& budget);
+  void findTilted(const SurfacePair& surfaces, const ContactLimits& limits, const ContactLimits& shallow,
+                  const FeatureSpans& lists, float moved);
   bool appendDeeper(const SurfacePair& surfaces, const ContactLimits& limits, std::span<const OverlapRegion> regions,
                     Budget& budget);
   bool staysInside(const SurfacePair& surfaces, const ContactLimits& limits, const FeatureContact& contact,

@@ -19,8 +19,8 @@ float ContactLimits::besideAt(float separation) const {
 }
 
 float ContactLimits::belowAt(float separation, float neighbourDistance) const {
-  const float opening = separation < 0 ? std::min(-separation, tuning::kConeOpening * neighbourDistance) : 0;
-  return contactDistance + opening;
+  const float depth = std::max({overlap - contactDistance, -separation, 0.0F});
+  return contactDistance + std::min(depth, tuning::kConeOpening * neighbourDistance);
 }
 
 }  // namespace cairn::bullet

@@ -12,7 +12,8 @@ struct ContactLimits {
   float margins = 0;          ///< sum of both surfaces' margins
   /// Lists stay complete until a point of one body has moved this far against the other.
   float skin = 0;
-  float size = 0;  ///< of the smaller body
+  float size = 0;     ///< of the smaller body
+  float overlap = 0;  ///< depth of the deepest local minimum, if it is known already
 
   /// `thickness`: of the thinner body, see `TreeSurface`. Minima are trusted to half of it, and to at most
   /// `tuning::kTrustedDepth` of the size. All arguments in world lengths.
@@ -28,7 +29,8 @@ struct ContactLimits {
   bool trusts(float separation) const { return separation <= maxSeparation && separation + margins >= -trustedDepth; }
   /// How far beside a feature a point at this separation may be and still touch it.
   float besideAt(float separation) const;
-  /// How far a neighbour at this distance may be on the wrong side of the contact's tangent plane.
+  /// How far a neighbour at this distance may be on the wrong side of the contact's tangent plane. Bodies that overlap
+  /// may tilt by the deepest overlap: their shallow side holds them too.
   float belowAt(float separation, float neighbourDistance) const;
 };
 

@@ -53,7 +53,12 @@ std::optional<std::span<const FeatureContact>> ConvexContacts::find(const Placed
                                                                     Budget& budget) {
   begin(surface, body, limits, surfaceMargin);
   if (!listPatches(budget)) return {};
-  for (const std::uint32_t patch : patches_) appendOf(surface.patches().patch(patch));
+  appendAll();
+  limits_.overlap = deepestOf(contacts_);
+  if (limits_.overlap > limits.contactDistance) {
+    budget.forceCharge(costOfPatches());
+    appendAll();
+  }
   if (isSwallowed()) {
     appendWayOut();
     return contacts_;
@@ -72,7 +77,6 @@ void ConvexContacts::begin(const PlacedSurface& surface, ConvexBody& body, const
   surfaceMargin_ = surfaceMargin;
   middleOfBody_ = body.middle();
   isDeep_ = false;
-  contacts_.clear();
   facingAlong_ = {};
   seen_.begin(surface.mesh.vertices.size());
 }
@@ -103,7 +107,7 @@ bool ConvexContacts::listPatches(Budget& budget) {
         patches_.push_back(family.child[lane]);
     }
   }
-  return budget.charge(kOverlapTestCost * SurfacePatch::kMaxTriangles * patches_.size());
+  return budget.charge(costOfPatches());
 }
 
 // Whether the body's middle is inside the surface, and no contact reports an overlap.
@@ -162,10 +166,14 @@ bool ConvexContacts::isNear(const Box& box) {
          radius + limits_.maxSeparation + limits_.rounding();
 }
 
-void ConvexContacts::appendOf(const SurfacePatch& patch) {
-  for (const std::uint32_t vertex : patch.vertices.first(patch.ownVertices)) appendVertex(vertex);
-  for (const std::uint32_t edge : patch.edges.first(patch.convexEdges)) appendEdge(edge);
-  for (const std::uint32_t face : patch.triangles) appendFace(face);
+void ConvexContacts::appendAll() {
+  contacts_.clear();
+  for (const std::uint32_t index : patches_) {
+    const SurfacePatch& patch = surface_->patches().patch(index);
+    for (const std::uint32_t vertex : patch.vertices.first(patch.ownVertices)) appendVertex(vertex);
+    for (const std::uint32_t edge : patch.edges.first(patch.convexEdges)) appendEdge(edge);
+    for (const std::uint32_t face : patch.triangles) appendFace(face);
+  }
 }
 
 // Trusts a separation that `ContactLimits` trusts. Trusts deeper overlap too, as long as the other body's middle is

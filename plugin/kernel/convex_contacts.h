@@ -59,7 +59,8 @@ class ConvexContacts {
   void appendWayOut();
   Vec3 nearestOnSurface(const Vec3& inMesh);
   bool isNear(const Box& box);
-  void appendOf(const SurfacePatch& patch);
+  std::uint64_t costOfPatches() const { return kOverlapTestCost * SurfacePatch::kMaxTriangles * patches_.size(); }
+  void appendAll();
   const Seen& seen(std::uint32_t vertex);
   float separationOf(float distance) const { return distance - surfaceMargin_; }
   bool isTrusted(float separation, float outside) const;

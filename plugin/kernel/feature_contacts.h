@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Zlib
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/contact_limits.h"
@@ -34,6 +36,13 @@ struct FeatureContact {
   FeatureKind kind = FeatureKind::vertexOnFace;
   std::uint32_t featureA = 0, featureB = 0;  ///< indices of the mesh; unused for the other body of a deep vertex
 };
+
+/// Depth of the deepest of these contacts; 0 where nothing overlaps.
+inline float deepestOf(std::span<const FeatureContact> contacts) {
+  float deepest = 0;
+  for (const FeatureContact& c : contacts) deepest = std::max(deepest, -c.separation);
+  return deepest;
+}
 
 /// Whether a point (the surface's own frame and unit) is over a face, or at most `beside` from its sides. The distance
 /// to the sides themselves counts, because past a sharp corner a point can be near two sides' lines and far away.

@@ -44,18 +44,19 @@ void OverlapRegions::join(std::uint32_t x, std::uint32_t y) {
   parent_[std::max(rootX, rootY)] = std::min(rootX, rootY);
 }
 
-std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces, const ContactLimits& limits,
-                                                    std::span<const FeatureContact> contacts,
-                                                    std::vector<Crossing>& crossings, Budget& budget) {
+std::optional<std::span<const OverlapRegion>> OverlapRegions::find(const SurfacePair& surfaces,
+                                                                   const ContactLimits& limits,
+                                                                   std::span<const FeatureContact> contacts,
+                                                                   std::vector<Crossing>& crossings, Budget& budget) {
   points_.clear();
-  rayCount_ = 0;
+  isCut_ = false;
   regions_.clear();
-  if (crossings.empty()) return {};
+  if (crossings.empty()) return regions_;
   std::ranges::sort(crossings, {}, &Crossing::place);
   crossings.erase(std::unique(crossings.begin(), crossings.end(), isSamePlace), crossings.end());
   parent_.resize(crossings.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
-  const Question question{surfaces, limits, contacts, crossings};
+  const Question question{surfaces, limits, contacts, crossings, budget};
   nearCrossings_ = {crossings[0].position, crossings[0].position};
   for (const Crossing& c : crossings) nearCrossings_.add(c.position);
   nearCrossings_ = nearCrossings_.grown(limits.contactDistance);
@@ -65,7 +66,7 @@ std::span<const OverlapRegion> OverlapRegions::find(const SurfacePair& surfaces,
     points_.push_back({c.position, c.isEdgeOfA, true, c.edge, c.face, i});
   }
   flood(question);
-  budget.forceCharge(kRayCost * rayCount_);
+  if (isCut_) return {};
   gather(question);
   return regions_;
 }
@@ -143,7 +144,10 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
   if (isInside != isOutside) return isInside;
   // A contact's plane has no end, so explanations count only near the crossings.
   if (nearCrossings_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
-  ++rayCount_;
+  if (!question.budget.charge(kRayCost)) {
+    isCut_ = true;
+    return false;
+  }
   return ray_.isInside(other.mesh, side.toOther * side.vertex(vertex));
 }
 

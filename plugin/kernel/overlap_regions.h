@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,11 +39,11 @@ struct OverlapRegion {
 class OverlapRegions {
  public:
   /// Sorts `crossings` and removes duplicates. A vertex is inside if the crossings of its edges say so. If they
-  /// disagree, or there are none, it is inside if a contact explains it; else a ray decides. Valid until the next call.
-  /// Charges the rays even beyond the budget.
-  std::span<const OverlapRegion> find(const SurfacePair& surfaces, const ContactLimits& limits,
-                                      std::span<const FeatureContact> contacts, std::vector<Crossing>& crossings,
-                                      Budget& budget);
+  /// disagree, or there are none, it is inside if a contact explains it; else a ray decides. Empty when the budget does
+  /// not suffice for the rays. Valid until the next call.
+  std::optional<std::span<const OverlapRegion>> find(const SurfacePair& surfaces, const ContactLimits& limits,
+                                                     std::span<const FeatureContact> contacts,
+                                                     std::vector<Crossing>& crossings, Budget& budget);
 
  private:
   // The arguments of `find`, for its duration.
@@ -51,6 +52,7 @@ class OverlapRegions {
     const ContactLimits& limits;
     std::span<const FeatureContact> contacts;
     std::span<const Crossing> crossings;
+    Budget& budget;
 
     const PlacedSurface& side(bool isOfA) const { return isOfA ? surfaces.a : surfaces.b; }
     const SurfaceEdge& edgeOf(const Crossing& c) const { return side(c.isEdgeOfA).features().edges()[c.edge]; }
@@ -75,9 +77,9 @@ class OverlapRegions {
     float sum = 0;
   };
   static void addArea(Area& area, const Vec3& part);
-  std::vector<Area> areas_;     // by crossing that is the root of its region
-  std::uint32_t rayCount_ = 0;  // rays asked so far
-  Box nearCrossings_;           // box around the crossings, grown by a contact distance
+  std::vector<Area> areas_;  // by crossing that is the root of its region
+  bool isCut_ = false;       // the budget did not suffice for a ray
+  Box nearCrossings_;        // box around the crossings, grown by a contact distance
   std::vector<OverlapRegion> regions_;
   std::vector<std::uint32_t> waiting_;  // points whose neighbours are still to be visited
   // By vertex of A and of B: its point's index or kOutside, valid if `search` equals `search_`.

@@ -40,8 +40,13 @@ struct Heap {
   }
 };
 
-Recording record(int steps) {
+// Heaps of another start are turned otherwise and end otherwise.
+Recording record(int steps, int start) {
   Heap<bullet::Dispatcher<>> heap;
+  for (std::size_t i = 0; i < heap.bodies.size(); ++i) {
+    const btQuaternion turned(btVector3(1, 2, 3).normalized(), btScalar(start) * btScalar(0.3) * btScalar(i));
+    heap.bodies[i]->setWorldTransform(btTransform(turned, heap.bodies[i]->getWorldTransform().getOrigin()));
+  }
   Recording recording;
   for (int i = 0; i < steps; ++i) {
     heap.w.step();
@@ -57,7 +62,7 @@ struct Quality {
 };
 
 template <class FrontEnd>
-Quality replay(const Recording& recording, std::optional<std::int64_t> operations) {
+Quality replayOne(const Recording& recording, std::optional<std::int64_t> operations) {
   Heap<FrontEnd> heap;
   EXPECT_TRUE(heap.w.dispatcher.setBudget({operations, {}}).ok());
   heap.w.world.getDispatchInfo().m_timeStep = btScalar(1) / 60;
@@ -82,17 +87,36 @@ Quality replay(const Recording& recording, std::optional<std::int64_t> operation
           sum.cpuMs / steps};
 }
 
+// The mean over all recordings.
+template <class FrontEnd>
+Quality replay(const std::vector<Recording>& recordings, std::optional<std::int64_t> operations) {
+  Quality mean;
+  const double part = 1.0 / double(recordings.size());
+  for (const Recording& recording : recordings) {
+    const Quality q = replayOne<FrontEnd>(recording, operations);
+    mean.meanError += part * q.meanError;
+    mean.worstError += part * q.worstError;
+    mean.unresolved += part * q.unresolved;
+    mean.operations += part * q.operations;
+    mean.cpuMs += part * q.cpuMs;
+  }
+  return mean;
+}
+
 void print(const char* frontEnd, const Quality& q) {
   std::printf("  %-24s mean error %.4f, worst %.4f, unresolved %.3f, operations %.0f, cpu %.3f ms\n", frontEnd,
               q.meanError, q.worstError, q.unresolved, q.operations, q.cpuMs);
 }
 
 // An open step learns its pairs as they come. It keeps a sixty-fourth of the budget for unexpected pairs, and cannot
-// give all pairs without an answer a coarse look first. Both together cost 7 to 8 % of the error on these poses.
-constexpr double kOpenStepLoss = 0.1;
+// give all pairs without an answer a coarse look first. Both together cost 3 to 18 % of the mean error over these
+// heaps, the most where the budget is nearly enough. One heap alone may lose more or less.
+constexpr double kOpenStepLoss = 0.2;
 
-TEST(FrontEnd_Quality, IsTheSameOnAWorldAndTenPercentWorseOnADispatcher) {
-  const Recording recording = record(480);
+TEST(FrontEnd_Quality, IsTheSameOnAWorldAndAFifthWorseOnADispatcher) {
+  constexpr int kHeaps = 12;
+  std::vector<Recording> recording;
+  for (int start = 0; start < kHeaps; ++start) recording.push_back(record(240, start));
   const Quality full = replay<bullet::Dispatcher<>>(recording, {});
   std::printf("no limit\n");
   print("Dispatcher", full);

@@ -52,9 +52,8 @@ constexpr KnownMiss kKnown[] = {
     {"D16", "mean error, rise with the budget, first step", 0.74, 0.091},
     {"D16", "worst error, rise with the budget, first step", 3.8, 0.3},
     {"D16", "worst error, rise with the budget, tenth step", kHolds, 0.07},
-    // Single heaps creep 0.07 to 1.8 %. Of five drawn from 24, one median in seven is beyond this; more heaps take
-    // minutes.
-    {"L1", "drift, median", 0.6, kHolds},
+    // Single heaps creep 0.07 to 1.8 %. Of five drawn from 24, some medians are beyond this; more heaps take minutes.
+    {"L1", "drift, median", 0.5, kHolds},
     {"L1", "drift, median, friction in two directions", 0.22, kHolds},
     {"L1", "energy gained after any loss, most, friction in two directions", kHolds, 2.1},
 };
