@@ -18,6 +18,14 @@ float shallowDepth(const ContactLimits& limits) {
   return std::min(limits.trustedDepth, limits.contactDistance);
 }
 
+// Limits of the search for contacts deeper than the lists reach.
+ContactLimits deeperThanListed(const ContactLimits& limits) {
+  ContactLimits deeper = limits;
+  deeper.maxSeparation = -limits.margins - shallowDepth(limits);
+  deeper.skin = 0;
+  return deeper;
+}
+
 // A skin that would not outlast the next step saves nothing, so it becomes 0.
 float skinOr0(float skin, float moved) {
   return skin < moved ? 0 : skin;
@@ -108,9 +116,7 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
                                  std::span<const OverlapRegion> regions, Budget& budget) {
   deepLists_.clear();
   if (limits.trustedDepth <= shallowDepth(limits) || !isAnyDeeper(regions, contacts_, limits)) return true;
-  ContactLimits deeper = limits;
-  deeper.maxSeparation = -limits.margins - shallowDepth(limits);
-  deeper.skin = 0;
+  const ContactLimits deeper = deeperThanListed(limits);
   const std::span<const PatchPair> pairs = overlapPatches_.pairsOf(surfaces, regions);
   lister_.begin(surfaces, deeper);
   if (!lister_.list(pairs, 0, Asked::touching, deepLists_, budget)) return false;
@@ -119,13 +125,13 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
   return true;
 }
 
-// Finds the contacts again, at the same cost, now that `shallow` knows the deepest overlap.
+// Decides the same lists again, now that `shallow` knows the deepest overlap. It may be that of a contact which
+// `dropDeeper` drops later; then cones open more than they need.
 void ContactKernel::findTilted(const SurfacePair& surfaces, const ContactLimits& limits, const ContactLimits& shallow,
                                const FeatureSpans& lists, float moved) {
   contacts_.clear();
   FeatureContacts(surfaces, placed_, shallow).append(lists, moved, contacts_);
-  ContactLimits deeper = limits;
-  deeper.maxSeparation = -limits.margins - shallowDepth(limits);
+  ContactLimits deeper = deeperThanListed(limits);
   deeper.overlap = shallow.overlap;
   FeatureContacts(surfaces, placed_, deeper).append(deepLists_, 0, contacts_);
 }

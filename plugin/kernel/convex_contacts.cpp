@@ -354,7 +354,7 @@ bool ConvexContacts::isOverFace(std::uint32_t index, const Vec3& inMesh, float s
 
 // Whether a contact's overlap remains when the surface moves out along `other` and a little more.
 bool ConvexContacts::staysInside(const FeatureContact& contact, const FeatureContact& other) {
-  const float more = tuning::kBeside * limits_.contactDistance;
+  const float more = tuning::kExplainedSlack * limits_.contactDistance;
   const Vec3 displacement = other.normal * (std::max(-other.separation, 0.0F) + more);
   if (contact.kind != FeatureKind::faceOnVertex) {
     const Vec3 onSurface = contact.position + contact.normal * (0.5F * contact.separation);
