@@ -4,6 +4,7 @@
 #include "cairn/core/outward_rounding.h"
 
 namespace cairn::builder {
+
 ViewLink viewLink(const SphereTree& tree) {
   const SphereTreeData& data = tree.data();
   TriangleMesh mesh;  // for its bounding box

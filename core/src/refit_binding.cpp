@@ -13,9 +13,6 @@ namespace cairn {
 
 namespace {
 
-// For support points that no triangle is listed with: they stay where they are.
-constexpr std::uint32_t kNone = SurfaceEdge::kNone;
-
 Vec3d cornerOf(const SphereTree& tree, std::uint32_t triangle, std::size_t k) {
   return Vec3d(tree.vertices()[tree.triangles()[triangle][k]]);
 }
@@ -30,7 +27,7 @@ class Binder {
   }
 
   RefitBinding run() {
-    out_.support.assign(tree_.data().supportPoints.size(), kNone);
+    out_.support.assign(tree_.data().supportPoints.size(), SurfaceEdge::kNone);  // stays for points of no node
     out_.faceOfNormal.assign(tree_.data().faceNormals.size(), 0);
     const std::vector<std::vector<FixedPlace>> corners = cornersOfParts(tree_);
     for (std::uint32_t record = 0; record < tree_.nodeCount(); ++record) addPlaces(record, corners[record]);
@@ -49,7 +46,7 @@ class Binder {
     std::vector<std::uint32_t> places;
     for (const FixedPlace& corner : corners) places.push_back(numberOf(corner));
     for (std::uint32_t i = n.firstSupport; i < n.firstSupport + n.supportCount; ++i) {
-      if (out_.support[i] == kNone) out_.support[i] = placeOfSupport(i, tree_.nodeAt(record));
+      if (out_.support[i] == SurfaceEdge::kNone) out_.support[i] = placeOfSupport(i, tree_.nodeAt(record));
       places.push_back(out_.support[i]);
     }
     std::ranges::sort(places);

@@ -23,6 +23,9 @@ inline constexpr int kMaxShifts = 4;
 /// In errors of the ball: a shorter shift is not worth another search for the nearest triangle.
 inline constexpr double kWorthAShift = 0.05;
 
+/// Of the largest coordinate: half an ulp of a float, for places that are kept as such, room for all roundings of
+/// doubles besides, and the room that `certify` needs to prove a cover.
+inline constexpr double kRounding = 0x1p-23;
 /// Of a normal cone's cosine: some roundings of a unit vector's coordinates and of a product.
 inline constexpr float kConeRounding = 1e-6F;
 /// What squares of distances to boxes lose to rounding in floats: some units of 2^-24.

@@ -15,8 +15,6 @@ namespace {
 // Unit vectors are rounded to float and matrices computed in double: both pass with room, damage does not.
 constexpr float kUnitTolerance = 1e-4F;
 constexpr double kOrthonormalTolerance = 1e-9;
-// Beyond this the squares of an overlap test would leave float's range, and infinity overlaps everything.
-constexpr float kMaxLength = 1e15F;
 // Coordinates beyond this many radii from the centre of the root's ball cannot come from a mesh in that ball. `certify`
 // proves a tree against its mesh; this check only excludes overflow.
 constexpr double kProportion = 16;

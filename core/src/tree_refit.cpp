@@ -11,16 +11,12 @@
 #include "refit_binding.h"
 #include "refit_nodes.h"
 #include "refit_thickness.h"
+#include "refit_tuning.h"
+#include "sphere_tree_check.h"
 
 namespace cairn {
 
 namespace {
-
-// As `SphereTree::create` allows: squares of longer ones leave float's range.
-constexpr float kMaxLength = 1e15F;
-// Of the largest coordinate: half an ulp of a float, for places that are kept as such, room for all roundings of
-// doubles besides, and the room that `certify` needs to prove a cover.
-constexpr double kRounding = 0x1p-23;
 
 Error refused(const std::string& what) {
   return Error{"a tree cannot follow its mesh: " + what};
@@ -100,7 +96,7 @@ void TreeRefit::State::move(SphereTree& tree, std::span<const Vec3> vertices) {
   surface.patches.follow(tree.vertices(), tree.triangles(), surface.features);
   surface.thickness = thicknessOf(tree, facing, samples);
   moveRecords(tree);
-  const MovedMesh mesh{*first, binding, places, tree.surfaceView(), kRounding * largestCoordinate(vertices)};
+  const MovedMesh mesh{*first, binding, places, tree.surfaceView(), refit::kRounding * largestCoordinate(vertices)};
   tree.extent_ = 0;
   for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
     tree.data_.nodes[record] = refittedNode(mesh, record, search);

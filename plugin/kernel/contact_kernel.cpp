@@ -90,10 +90,9 @@ std::optional<ContactKernel::Answer> ContactKernel::answer(const SurfacePair& su
   const auto regions = regions_.find(surfaces, limits, contacts_, crossings_, budget);
   if (!regions || !appendDeeper(surfaces, limits, *regions, budget)) return {};
   shallow.overlap = deepestOf(contacts_);
-  if (shallow.overlap > limits.contactDistance) {
-    budget.forceCharge(kOverlapTestCost * (memory.listed_ + deepLists_.size()));
+  const std::uint64_t again = kOverlapTestCost * (memory.listed_ + deepLists_.size());
+  if (shallow.overlap > limits.contactDistance && budget.charge(again))
     findTilted(surfaces, limits, shallow, *lists, moved);
-  }
   dropDeeper(contacts_, shallow_, limits, [&](const FeatureContact& contact, const FeatureContact& other) {
     return staysInside(surfaces, limits, contact, other);
   });
@@ -126,7 +125,7 @@ bool ContactKernel::appendDeeper(const SurfacePair& surfaces, const ContactLimit
 }
 
 // Decides the same lists again, now that `shallow` knows the deepest overlap. It may be that of a contact which
-// `dropDeeper` drops later; then cones open more than they need.
+// `dropDeeper` drops later; then cones open more than they need. Without budget for it, the first contacts stay.
 void ContactKernel::findTilted(const SurfacePair& surfaces, const ContactLimits& limits, const ContactLimits& shallow,
                                const FeatureSpans& lists, float moved) {
   contacts_.clear();

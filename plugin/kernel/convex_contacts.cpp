@@ -55,10 +55,7 @@ std::optional<std::span<const FeatureContact>> ConvexContacts::find(const Placed
   if (!listPatches(budget)) return {};
   appendAll();
   limits_.overlap = deepestOf(contacts_);
-  if (limits_.overlap > limits.contactDistance) {
-    budget.forceCharge(costOfPatches());
-    appendAll();
-  }
+  if (limits_.overlap > limits.contactDistance && budget.charge(costOfPatches())) appendAll();
   if (isSwallowed()) {
     appendWayOut();
     return contacts_;

@@ -144,10 +144,8 @@ bool OverlapRegions::isInside(const Question& question, bool isOfA, std::uint32_
   if (isInside != isOutside) return isInside;
   // A contact's plane has no end, so explanations count only near the crossings.
   if (nearCrossings_.holds(place) && isExplained(question.contacts, place, isOfA, question.limits)) return true;
-  if (!question.budget.charge(kRayCost)) {
-    isCut_ = true;
-    return false;
-  }
+  isCut_ = isCut_ || !question.budget.charge(kRayCost);
+  if (isCut_) return false;
   return ray_.isInside(other.mesh, side.toOther * side.vertex(vertex));
 }
 
@@ -191,7 +189,7 @@ void OverlapRegions::flood(const Question& question) {
     if (isLast && c.enters) seed(question, c, edge.vertex[1], i);
     if (isFirst && !c.enters) seed(question, c, edge.vertex[0], i);
   }
-  while (!waiting_.empty()) {
+  while (!waiting_.empty() && !isCut_) {
     const OverlapPoint here = points_[waiting_.back()];
     waiting_.pop_back();
     const SurfaceFeatures& features = question.side(here.isOfA).features();
