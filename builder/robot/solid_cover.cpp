@@ -7,17 +7,10 @@
 
 #include "cairn/builder/repair.h"
 #include "certify/left_out.h"
+#include "robot/placing.h"
 
 namespace cairn::builder {
 namespace {
-
-/// Rounding of a ball's way into its link's frame, as a part of the lengths involved: a scalar product of three terms
-/// and a sum are off by 2^-51 of them, entries of the rotation by 2^-52 each.
-constexpr double kPlacing = 0x1p-49;
-
-double sizeOf(const Vec3d& v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 EnclosedDistance namedLeftOut(const SolidCover& cover, const RobotSolid& solid, const ProgressCallback& progress) {
   // Finer than a repair moves vertices, so that what it left out can be told from a hole.
@@ -101,14 +94,15 @@ double placingError(const RobotPart& part, const RobotSolid& solid, const Collis
   // farther out or larger than a few diagonals.
   const Bounds bounds = boundsOf(solid.solid);
   const double reach = sizeOf(bounds.lower) + sizeOf(bounds.upper) + sizeOf(shape.origin.translation);
-  return 3 * part.deviation * (1 + 0x1p-40) + 16 * kPlacing * reach;
+  return 3 * part.deviation * (1 + 0x1p-40) + 48 * kPlacing * reach;
 }
 
 void placeCover(const SolidCover& cover, Objective objective, const CollisionShape& shape, RobotPart& part) {
   part.balls = cover.balls;
   double mostGrown = 0;
   for (Ball& ball : part.balls) {
-    const double rounding = kPlacing * (sizeOf(ball.center) + sizeOf(shape.origin.translation) + ball.radius);
+    // There, and back when the cover is proved again (`certifyRobot`).
+    const double rounding = 3 * placingRounding(ball.center, shape.origin.translation, ball.radius);
     const double grown = isCovering(objective) ? part.deviation * (1 + 0x1p-40) + rounding : 0;
     ball.center =
         shape.origin({ball.center.x * part.signs.x, ball.center.y * part.signs.y, ball.center.z * part.signs.z});

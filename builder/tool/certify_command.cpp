@@ -14,7 +14,9 @@
 #include "tool/command.h"
 #include "tool/cover_report.h"
 #include "tool/examination.h"
+#include "tool/package_paths.h"
 #include "tool/progress_bar.h"
+#include "tool/robot_certificate.h"
 #include "tool/sphere_file.h"
 #include "tool/stopwatch.h"
 
@@ -37,14 +39,16 @@ constexpr const char* kAboutCertify =
     "--mesh-output wrote.\n"
     "Of a text with a line `x y z r ...` a sphere, whoever made it, it proves how far spheres stick out and what they "
     "leave\n"
-    "out of the surface and of the solid.\n\n"
+    "out of the surface and of the solid. Of a robot and the URDF with its spheres it proves the same link by link.\n\n"
 
     "  cairn certify rock.obj rock.cairn\n"
     "  cairn certify rock.obj rock.cairn --json proof.json\n"
-    "  cairn certify link.stl spheres.txt";
+    "  cairn certify link.stl spheres.txt\n"
+    "  cairn certify arm.urdf arm_spheres.urdf";
 
 struct CertifyCommand {
   std::string mesh, tree, json;
+  std::vector<std::string> packages;
   unsigned threads = 0;
 };
 
@@ -85,6 +89,8 @@ int certifyFlat(const CertifyCommand& command) {
 
 int run(const CertifyCommand& command) {
   if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
+  if (std::filesystem::path(command.mesh).extension() == ".urdf")
+    return certifyRobotCommand(command.mesh, command.tree, packagesOf(command.packages), command.json, command.threads);
   if (std::filesystem::exists(command.tree) && !isTreeFile(command.tree)) return certifyFlat(command);
   const auto examination = examine(command.mesh, command.tree, builder::Sampling::none, 0);
   if (!examination) return refuse(examination.error());
@@ -99,8 +105,10 @@ int run(const CertifyCommand& command) {
 void addCertifyCommand(CLI::App& app, Action& action) {
   auto command = std::make_shared<CertifyCommand>();
   CLI::App* sub = app.add_subcommand("certify", kAboutCertify);
-  sub->add_option("MESH", command->mesh, "The mesh the tree is said to bound")->required();
-  sub->add_option("TREE", command->tree, "Tree file (.cairn), or a text of spheres")->required();
+  sub->add_option("MESH", command->mesh, "The mesh the tree is said to bound, or a robot's URDF")->required();
+  sub->add_option("TREE", command->tree, "Tree file (.cairn), text of spheres, or URDF with <sphere> collisions")
+      ->required();
+  addPackageOption(*sub, command->packages);
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write the findings as JSON too; - is standard output");
   sub->callback([command, &action] {

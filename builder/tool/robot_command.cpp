@@ -11,6 +11,7 @@
 #include "cairn/core/atomic_file.h"
 #include "tool/command.h"
 #include "tool/interrupt.h"
+#include "tool/package_paths.h"
 #include "tool/progress_bar.h"
 #include "tool/robot_report.h"
 #include "tool/stopwatch.h"
@@ -57,22 +58,11 @@ struct RobotCommand {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;  // file, content
 
-/// NAME=VALUE; the name may hold no equals sign.
-std::pair<std::string, std::string> split(const char* option, const std::string& text) {
-  const std::size_t at = text.find('=');
-  if (at == 0 || at == std::string::npos || at + 1 == text.size())
-    throw CLI::ValidationError(option, fmt::format("'{}' is not NAME=VALUE", text));
-  return {text.substr(0, at), text.substr(at + 1)};
-}
-
 /// Throws as the parser does.
 void readPairs(RobotCommand& command) {
-  for (const std::string& text : command.packages) {
-    const auto [name, folder] = split("--package-path", text);
-    command.options.packages[name] = folder;
-  }
+  command.options.packages = packagesOf(command.packages);
   for (const std::string& text : command.linkSpheres) {
-    const auto [name, number] = split("--link-spheres", text);
+    const auto [name, number] = namedValue("--link-spheres", text);
     std::uint32_t count = 0;
     const char* const end = number.data() + number.size();
     const auto parsed = std::from_chars(number.data(), end, count);
@@ -218,9 +208,7 @@ void addRobotCommand(CLI::App& app, Action& action) {
   auto budget = std::make_shared<BudgetOptions>();
   CLI::App* sub = app.add_subcommand("robot", kAboutRobot);
   sub->add_option("URDF", command->input, "Robot, without xacro's macros")->required();
-  sub->add_option("--package-path", command->packages,
-                  "NAME=FOLDER of a ROS package, for package:// (default: a folder NAME in or above the URDF's)")
-      ->allow_extra_args(false);
+  addPackageOption(*sub, command->packages);
   budget->add(*sub);
   sub->add_option("--link-spheres", command->linkSpheres, "LINK=N: so many for this link instead")
       ->allow_extra_args(false)
