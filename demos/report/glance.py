@@ -96,7 +96,7 @@ def title_of(points):
     error, time = rival.error_cm / best.error_cm, rival.time_us / best.time_us
     errs = f"errs {times(error)} less" if error >= 1 else f"errs {times(1 / error)} more"
     takes = f"{times(time)} as fast" if time >= 1 else f"{times(1 / time)} as slow"
-    return f"Cairn {errs} than the best rival, and is {takes}"
+    return f"Cairn {errs} than the best other shape, and is {takes}"
 
 
 def sentences_of(points, model, scene):

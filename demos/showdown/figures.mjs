@@ -37,7 +37,7 @@ const kColumns = [
   ['99 %', (s) => ms(s.narrowP99)],
   ['depth, % of size: mean', (s) => percent(s.depthMean)],
   ['at the end', (s) => percent(s.depthEnd)],
-  ['ever', (s) => percent(s.depthEver)],
+  ['deepest seen', (s) => percent(s.depthEver)],
   ['gap, %', (s) => percent(s.gapMean)],
   ['asleep', (s) => s.asleep.toFixed(0)],
   ['lost', (s) => s.lost],
@@ -77,7 +77,7 @@ export function quoteOf(names, results) {
   const columns = [
     ['99 % of steps, CPU ms', listed((s) => s.p99.toFixed(1), over)],
     ['deepest at the end, % of size', listed((s) => percent(s.depthEnd), none)],
-    ['ever', listed((s) => percent(s.depthEver), none)],
+    ['deepest seen', listed((s) => percent(s.depthEver), none)],
     ['rings apart', (name) => none(results.chains[name]) ?? results.chains[name].apart],
   ];
   const rows = [['', ...columns.map(([title]) => title)], ['---', ...columns.map(() => '--:')]];

@@ -35,11 +35,11 @@ class Sentences(unittest.TestCase):
             "On a bunny one metre long, among bodies of a heap, Cairn's contacts err by 0.1 cm and take 1 ms a frame.",
             "Of all rivals on the same poses GImpact, margin 0.1 % errs least: 0.3 cm in 4 ms.",
             "40 % of the time costs you this: contacts of the meshes with 32,000 operations err by 0.4 cm."])
-        self.assertEqual(glance.title_of(points()), "Cairn errs 3 times less than the best rival, and is 4 times as fast")
+        self.assertEqual(glance.title_of(points()), "Cairn errs 3 times less than the best other shape, and is 4 times as fast")
 
     def test_say_so_when_the_rival_wins(self):
         better = ROWS + [row("hull without margin", "rival", 0.0005, 100, margin=0)]
-        self.assertEqual(glance.title_of(points(better)), "Cairn errs 2 times more than the best rival, and is 10 times as slow")
+        self.assertEqual(glance.title_of(points(better)), "Cairn errs 2 times more than the best other shape, and is 10 times as slow")
         self.assertIn("convex hull errs least: 0.5 mm in 100 µs.", glance.sentences_of(points(better), "bunny", "heap")[1])
 
     def test_say_so_when_no_budget_is_cheap(self):

@@ -111,7 +111,7 @@ typedef struct CairnBudget {
   double microseconds; /**< of elapsed time, or CAIRN_NO_LIMIT */
 } CairnBudget;
 
-/** What an unfinished pair answers. */
+/** What an unresolved pair answers. */
 typedef enum CairnUnresolved {
   CAIRN_GUARD = 0,     /**< its last contacts, or spheres that may not come nearer; at first */
   CAIRN_REPEL = 1,     /**< its spheres as they are */
@@ -198,7 +198,7 @@ CAIRN_C_EXPORT void* cairnBulletWorld(CairnWorld* world);
 CAIRN_C_EXPORT int cairnSetGravity(CairnWorld* world, const float gravity[3]);
 /** Sets the budget of each step from the next on. 0 for negative amounts other than CAIRN_NO_LIMIT, and for NaN. */
 CAIRN_C_EXPORT int cairnSetBudget(CairnWorld* world, const CairnBudget* budget);
-/** Sets what unfinished pairs answer, a `CairnUnresolved`. 0 for a number that is no policy. */
+/** Sets what unresolved pairs answer, a `CairnUnresolved`. 0 for a number that is no policy. */
 CAIRN_C_EXPORT int cairnSetUnresolved(CairnWorld* world, int32_t policy);
 /** Sets where refinement ends, a `CairnFinest`. 0 for a number that names no such place. */
 CAIRN_C_EXPORT int cairnSetFinest(CairnWorld* world, int32_t finest);

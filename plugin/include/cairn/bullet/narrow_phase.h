@@ -62,7 +62,7 @@ class CAIRN_BULLET_EXPORT NarrowPhase {
   void expectPairs(const ExpectedPairs& pairs);
   /// Begins a frame of `steps` steps; `stepFrame` calls this.
   void beginFrame(int steps);
-  /// Sets the answer of unfinished pairs; `Unresolved::guard` at first.
+  /// Sets the answer of unresolved pairs; `Unresolved::guard` at first.
   void setUnresolved(Unresolved policy);
   /// Sets where refinement ends, from the next step on. docs/budgets.md explains which pairs go on to triangles within
   /// a budget.

@@ -33,7 +33,8 @@ struct ExpectedPairs {
   std::size_t terrains = 0;        ///< pairs with a `TerrainShape`
 };
 
-/// The answer of a pair whose traversal is unfinished (thesis 2.4; compared in docs/algorithms/leaf-contacts.md).
+/// The answer of an unresolved pair, whose traversal did not end within the budget (thesis 2.4; compared in
+/// docs/algorithms/leaf-contacts.md).
 enum class Unresolved : std::uint8_t {
   guard,       ///< default: last finished contacts, re-tested; without any, spheres that may not come nearer
   repel,       ///< unrefined spheres as they are: no contact is missed; bodies float by up to the error
