@@ -51,7 +51,7 @@ Result<std::vector<ProfileComparison>> compare(const QuarryScene& quarry, const 
     const auto ends =
         simulateBlocks(quarry, runs, command.jobs, [&](double done) { return progress.show("done", done); });
     if (!ends) return ends.error();
-    comparisons.push_back(compareProfile(quarry.data, runs, ends.value()));
+    comparisons.push_back(compareProfile(quarry, runs, ends.value()));
   }
   return comparisons;
 }
@@ -74,7 +74,7 @@ Status validate(const ValidateCommand& command) {
     auto found = calibrated(command, quarry.value(), settings.value());
     if (!found) return found.error();
     settings = std::move(found);
-    quarry.value().scene.description.effects = settings.value().effects;
+    useSettings(quarry.value(), settings.value());
   }
   const auto comparisons = compare(quarry.value(), command);
   if (!comparisons) return comparisons.error();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -46,9 +47,12 @@ class LittleQuarry : public ::testing::Test {
     return read ? std::string() : read.error().message;
   }
 
-  QuarryScene prepared() const {
+  QuarryScene prepared(const std::string& blocks = "measured") const {
     TreeCache cache(test::treeFolder());
-    auto quarry = prepareQuarry(data(), settingsOf(cheapSettings(), "settings.json").value(), cache);
+    json settings = cheapSettings();
+    settings["blocks"] = blocks;
+    settings["drop_speed_m_per_s"] = 1.5;
+    auto quarry = prepareQuarry(data(), settingsOf(settings, "settings.json").value(), cache);
     EXPECT_TRUE(quarry) << (quarry ? "" : quarry.error().message);
     return std::move(quarry).value();
   }
@@ -118,12 +122,12 @@ Vec3d turned(const std::array<double, 4>& q, const Vec3d& v) {
 // A point of a scan is where the data's own frame has it: turned by the quaternion, moved to the place, and then seen
 // with z up.
 TEST_F(LittleQuarry, ReleasesBlocksAsTheDataSay) {
-  const QuarryScene quarry = prepared();
+  const QuarryScene quarry = prepared("scans");
   const std::vector<BlockRun> runs = runsOf(quarry, 1);
   ASSERT_EQ(runs.size(), 4U * 2 * 4);
   for (const BlockRun& run : runs) {
     const ReleasedRock rock = releaseOf(quarry, run);
-    const SphereTree& tree = *quarry.scene.stock.groups[run.scan].front().tree;
+    const SphereTree& tree = *quarry.scene.stock.groups[quarry.blocks[run.block].scan].front().tree;
     const Vec3d drop = quarry.data.profiles[1].drops[run.drop];
     for (const Vec3& vertex : tree.vertices()) {
       const Vec3d fromCenter = Vec3d(vertex) + tree.origin() - tree.mass().centerOfMass;
@@ -138,6 +142,37 @@ TEST_F(LittleQuarry, ReleasesBlocksAsTheDataSay) {
   }
   const ReleasedRock largest = releaseOf(quarry, runs[2 * 8]);
   EXPECT_NEAR(largest.massKg, 2600 * 1.4 * 1.1 * 0.8, 1) << "as large as it was scanned";
+  EXPECT_EQ(largest.velocity, btVector3(1.5, 0, 0));
+}
+
+// Scans' boxes are 0.8 x 0.6 x 0.5, 1.2 x 0.9 x 0.7, 1.4 x 1.1 x 0.8 and 1.2 x 0.6 x 0.4 m.
+TEST_F(LittleQuarry, GivesEachMeasuredBlockTheScanOfItsProportionsAtItsMass) {
+  const QuarryScene quarry = prepared();
+  ASSERT_EQ(quarry.blocks.size(), quarry.data.profiles[0].blocks.size());
+  const std::vector<std::size_t> expected{2, 2, 2, 1, 2, 0};
+  for (std::size_t i = 0; i < quarry.blocks.size(); ++i) {
+    const Block& block = quarry.blocks[i];
+    EXPECT_EQ(block.scan, expected[i]) << i;
+    EXPECT_EQ(block.massKg, quarry.data.profiles[0].blocks[i].massKg);
+    const RockShape& shape = quarry.scene.stock.groups[block.scan].front();
+    EXPECT_NEAR(2600 * shape.volume * std::pow(block.sieveM, 3), block.massKg, 1e-6 * block.massKg) << i;
+  }
+  for (const std::size_t profile : {0, 1}) {
+    const std::vector<BlockRun> runs = runsOf(quarry, profile);
+    EXPECT_EQ(runs.size(), 6U * 2 * 4) << "both slopes get the blocks of the first";
+    EXPECT_EQ(releaseOf(quarry, runs.back()).massKg, quarry.blocks.back().massKg);
+  }
+}
+
+// Of many blocks every n-th orientation falls, and together they use all of them.
+TEST_F(LittleQuarry, LetsAboutAsManyBlocksFallAsWerePublished) {
+  QuarryScene quarry = prepared();
+  quarry.blocks.resize(500);
+  const std::vector<BlockRun> runs = runsOf(quarry, 0);
+  EXPECT_GT(runs.size(), 900U);
+  EXPECT_LE(runs.size(), 1100U);
+  for (std::size_t orientation = 0; orientation < quarry.data.orientations.size(); ++orientation)
+    EXPECT_GT(std::ranges::count(runs, orientation, &BlockRun::orientation), 200) << orientation;
 }
 
 TEST_F(LittleQuarry, IsComparedWithWhatWasMeasured) {
@@ -150,7 +185,7 @@ TEST_F(LittleQuarry, IsComparedWithWhatWasMeasured) {
   EXPECT_NE(result.output.find("nothing to compare with"), std::string::npos);
   const json told = json::parse(test::contentOf(one));
   const json& runout = told.at("profiles").at(0).at("runout");
-  EXPECT_EQ(runout.at("simulated").at("blocks"), 32);
+  EXPECT_EQ(runout.at("simulated").at("blocks"), 48);
   EXPECT_NEAR(runout.at("measured").at("p50_m").get<double>(), 24 - test::kLittleDropX, 1e-9);
   EXPECT_EQ(runout.at("published").at("blocks"), 4);
   const double reached = runout.at("simulated").at("p95_m").get<double>();
@@ -204,6 +239,11 @@ TEST_F(LittleQuarry, RefusesWhatItCannotCompare) {
   EXPECT_NE(below.errors.find("positions_P1.xyz is not above the ground"), std::string::npos) << below.errors;
   test::writeLittleQuarry(data());
   fs::remove(data() / "Endpoints_P1.txt");
+  EXPECT_NE(validate("").errors.find("set \"blocks\" to \"scans\""), std::string::npos);
+  json scans = cheapSettings();
+  scans["blocks"] = "scans";
+  std::ofstream(settingsFile()) << scans.dump();
+  EXPECT_EQ(validate("--every 8").exitCode, 0);
   const auto found = temporary_.path() / "found.json";
   const test::ProgramResult unmeasured = validate("--calibrate " + quoted(found));
   EXPECT_EQ(unmeasured.exitCode, 1);
@@ -221,6 +261,8 @@ TEST(ValidationSettings_Refused, WithThePlace) {
   EXPECT_EQ(complaint([](json&) {}), "");
   EXPECT_NE(complaint([](json& d) { d["step_s"] = -1; }).find("/step_s"), std::string::npos);
   EXPECT_NE(complaint([](json& d) { d["stepps"] = 1; }).find("/stepps"), std::string::npos);
+  EXPECT_NE(complaint([](json& d) { d["blocks"] = "all"; }).find("/blocks"), std::string::npos);
+  EXPECT_NE(complaint([](json& d) { d["drop_speed_m_per_s"] = -1; }).find("/drop_speed"), std::string::npos);
   json& (*first)(json&) = [](json& d) -> json& { return d["calibration"]["parameters"][0]; };
   EXPECT_NE(complaint([&](json& d) { first(d)["at"][0] = "/effects/99/value"; }).find("/at/0"), std::string::npos);
   EXPECT_NE(complaint([&](json& d) { first(d)["at"][0] = "no pointer"; }).find("/at/0"), std::string::npos);

@@ -67,6 +67,7 @@ RockShape measureRock(std::shared_ptr<const SphereTree> tree) {
   std::array<double, 3> extents{upper.x - lower.x, upper.y - lower.y, upper.z - lower.z};
   std::ranges::sort(extents);
   shape.scale = 1 / extents[1];
+  std::ranges::transform(extents, shape.extents.begin(), [&](double extent) { return extent * shape.scale; });
   shape.reach *= shape.scale;
   shape.volume = mass.volume * shape.scale * shape.scale * shape.scale;
   shape.inertiaRatio = mass.principalMoments.z / mass.principalMoments.x;

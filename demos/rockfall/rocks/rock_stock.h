@@ -13,10 +13,11 @@ namespace cairn::rockfall {
 /// A shape of rock at a sieve size of 1 m.
 struct RockShape {
   std::shared_ptr<const SphereTree> tree;
-  double scale = 1;         ///< metres per mesh unit for a sieve size of 1 m
-  double volume = 0;        ///< m^3
-  double reach = 0;         ///< distance from the centre of mass to the farthest point, m
-  double inertiaRatio = 1;  ///< greatest principal moment divided by the least
+  double scale = 1;                 ///< metres per mesh unit for a sieve size of 1 m
+  double volume = 0;                ///< m^3
+  double reach = 0;                 ///< distance from the centre of mass to the farthest point, m
+  std::array<double, 3> extents{};  ///< along the principal axes, least first, m; the middle one is 1
+  double inertiaRatio = 1;          ///< greatest principal moment divided by the least
   /// The pieces it breaks into; null unless the case lists fragmentation.
   std::shared_ptr<const effects::Fragments> fragments;
 };

@@ -8,8 +8,8 @@ namespace {
 
 // Apart for every block, whichever are run: effects may draw numbers.
 std::uint64_t numberOf(const BlockRun& run) {
-  constexpr std::uint64_t kMaxDrops = 1000, kMaxOrientations = 100000;
-  return ((run.profile * kScanNames.size() + run.scan) * kMaxDrops + run.drop) * kMaxOrientations + run.orientation;
+  constexpr std::uint64_t kMaxBlocks = 100000, kMaxDrops = 1000, kMaxOrientations = 100000;
+  return ((run.profile * kMaxBlocks + run.block) * kMaxDrops + run.drop) * kMaxOrientations + run.orientation;
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class Search {
   Status attempt(Trial trial) {
     auto changed = withValues(settings_, trial.values);
     if (!changed) return changed.error();
-    quarry_.scene.description.effects = std::move(changed.value().effects);
+    useSettings(quarry_, changed.value());
     const auto all = static_cast<double>(settings_.calibration.candidates * settings_.calibration.rounds + 1);
     const auto before = static_cast<double>(found_.trials.size());
     const auto ends = simulateBlocks(quarry_, runs_, jobs_,
@@ -105,9 +105,8 @@ Result<Calibration> calibrate(QuarryScene& quarry, const ValidationSettings& set
   if (measured.runoutM.empty() || !(measured.runoutM.middleHalf() > 0) || !(measured.lateralM.middleHalf() > 0))
     return Error{quarry.data.folder.string() +
                  " does not say where enough blocks of P1 stopped to calibrate by: add Endpoints_P1.txt"};
-  const std::vector<EffectOptions> effects = quarry.scene.description.effects;
   auto found = Search(quarry, settings, jobs, progress).run();
-  quarry.scene.description.effects = effects;
+  useSettings(quarry, settings);
   return found;
 }
 

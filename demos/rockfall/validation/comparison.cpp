@@ -72,10 +72,10 @@ Stops measuredStops(const QuarryProfile& profile) {
   return stopsAt(profile, places);
 }
 
-ProfileComparison compareProfile(const QuarryData& data, std::span<const BlockRun> runs,
+ProfileComparison compareProfile(const QuarryScene& quarry, std::span<const BlockRun> runs,
                                  std::span<const BlockEnd> ends) {
   const std::size_t index = runs.front().profile;
-  const QuarryProfile& profile = data.profiles[index];
+  const QuarryProfile& profile = quarry.data.profiles[index];
   ProfileComparison comparison;
   comparison.name = profile.name;
   comparison.isCalibrated = index == 0;
@@ -86,8 +86,9 @@ ProfileComparison compareProfile(const QuarryData& data, std::span<const BlockRu
   for (std::size_t scan = 0; scan < kScanNames.size(); ++scan) {
     std::vector<BlockEnd> own;
     for (std::size_t i = 0; i < runs.size(); ++i)
-      if (runs[i].scan == scan) own.push_back(ends[i]);
-    comparison.scans.push_back({kScanNames[scan], stopsOf(profile, own), publishedStops(profile, kScanNames[scan])});
+      if (quarry.blocks[runs[i].block].scan == scan) own.push_back(ends[i]);
+    if (!own.empty())
+      comparison.scans.push_back({kScanNames[scan], stopsOf(profile, own), publishedStops(profile, kScanNames[scan])});
   }
   return comparison;
 }

@@ -46,11 +46,11 @@ struct ProfileComparison {
     std::string name;
     Stops simulated, published;
   };
-  std::vector<Scan> scans;
+  std::vector<Scan> scans;  ///< of which blocks fell
 };
 
 /// `ends` are those of `runs`, all of one profile.
-ProfileComparison compareProfile(const QuarryData& data, std::span<const BlockRun> runs,
+ProfileComparison compareProfile(const QuarryScene& quarry, std::span<const BlockRun> runs,
                                  std::span<const BlockEnd> ends);
 
 /// The stops of some simulated blocks of a profile, and of those measured.

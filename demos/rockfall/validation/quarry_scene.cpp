@@ -15,6 +15,7 @@ namespace {
 
 // A scan's size comes from its tree; of the groups' sieve curves nothing is drawn.
 constexpr double kScanSieveM = 1;
+constexpr std::size_t kPublishedRuns = 1024;  // of each profile
 
 // A box around all places from which blocks fall.
 std::array<MapPoint, 2> boxOf(const QuarryData& data) {
@@ -95,35 +96,46 @@ Result<QuarryScene> prepareQuarry(const std::filesystem::path& folder, const Val
   auto scene = prepareScene(std::move(description), std::move(ground.value().terrain), cache, progress);
   if (!scene) return scene.error();
   if (const Status checked = checkDrops(data.value(), scene.value()); !checked) return checked.error();
-  return QuarryScene{std::move(data).value(), std::move(scene).value(), scans.value()->repairs()};
+  auto blocks = chooseBlocks(data.value(), scene.value().stock, settings);
+  if (!blocks) return blocks.error();
+  return QuarryScene{std::move(data).value(), std::move(scene).value(), std::move(blocks).value(),
+                     settings.dropSpeedMPerS, scans.value()->repairs()};
+}
+
+void useSettings(QuarryScene& quarry, const ValidationSettings& settings) {
+  quarry.scene.description.effects = settings.effects;
+  quarry.dropSpeedMPerS = settings.dropSpeedMPerS;
 }
 
 std::vector<BlockRun> runsOf(const QuarryScene& quarry, std::size_t profile) {
+  const std::size_t drops = quarry.data.profiles[profile].drops.size(), orientations = quarry.data.orientations.size();
+  const std::size_t all = quarry.blocks.size() * drops * orientations;
+  const std::size_t stride = (all + kPublishedRuns - 1) / kPublishedRuns;
   std::vector<BlockRun> runs;
-  for (std::size_t scan = 0; scan < kScanNames.size(); ++scan)
-    for (std::size_t drop = 0; drop < quarry.data.profiles[profile].drops.size(); ++drop)
-      for (std::size_t orientation = 0; orientation < quarry.data.orientations.size(); ++orientation)
-        runs.push_back({profile, scan, drop, orientation});
+  for (std::size_t block = 0; block < quarry.blocks.size(); ++block)
+    for (std::size_t drop = 0; drop < drops; ++drop)
+      for (std::size_t i = (block + drop) % stride; i < orientations; i += stride)
+        runs.push_back({profile, block, drop, i});
   return runs;
 }
 
 ReleasedRock releaseOf(const QuarryScene& quarry, const BlockRun& run) {
-  const RockShape& shape = quarry.scene.stock.groups[run.scan].front();
+  const Block& block = quarry.blocks[run.block];
+  const RockShape& shape = quarry.scene.stock.groups[block.scan].front();
   const auto& [q0, q1, q2, q3] = quarry.data.orientations[run.orientation];
   const btQuaternion turn(static_cast<btScalar>(q1), static_cast<btScalar>(q2), static_cast<btScalar>(q3),
                           static_cast<btScalar>(q0));
   const MapPoint& origin = quarry.scene.worldOrigin;
   const Vec3d place = quarry.data.profiles[run.profile].drops[run.drop] - Vec3d(origin[0], origin[1], 0);
   ReleasedRock rock;
-  rock.group = static_cast<std::uint32_t>(run.scan);
-  rock.sieveM = 1 / shape.scale;  // as it was scanned
-  rock.massKg =
-      quarry.scene.description.rocks[run.scan].densityKgPerM3 * shape.volume * rock.sieveM * rock.sieveM * rock.sieveM;
+  rock.group = static_cast<std::uint32_t>(block.scan);
+  rock.sieveM = block.sieveM;
+  rock.massKg = block.massKg;
   rock.reachM = shape.reach * rock.sieveM;
   // The body's axes are the mesh's principal ones.
   rock.pose.setBasis(mapFromData() * btMatrix3x3(turn) * matrixOf(shape.tree->mass().principalAxes));
   rock.pose.setOrigin(scenes::toBullet(place));
-  rock.velocity = btVector3(0, 0, 0);
+  rock.velocity = btVector3(static_cast<btScalar>(quarry.dropSpeedMPerS), 0, 0);
   return rock;
 }
 

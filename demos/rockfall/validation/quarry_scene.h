@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rockfall/simulation/release.h"
-#include "rockfall/validation/quarry_data.h"
+#include "rockfall/validation/blocks.h"
 #include "rockfall/validation/settings.h"
 
 namespace cairn::rockfall {
@@ -14,6 +14,8 @@ namespace cairn::rockfall {
 struct QuarryScene {
   QuarryData data;
   Scene scene;
+  std::vector<Block> blocks;
+  double dropSpeedMPerS = 0;
   std::vector<std::string> repairs;  ///< what was closed of the scans
 };
 
@@ -22,15 +24,19 @@ struct QuarryScene {
 Result<QuarryScene> prepareQuarry(const std::filesystem::path& folder, const ValidationSettings& settings,
                                   TreeCache& cache, const builder::ProgressCallback& progress = {});
 
-/// Which block falls in a run: one alone, every scan from every place in every orientation, as in the published runs.
+/// Takes over what a search may change: the effects' numbers, and the speed of the drop.
+void useSettings(QuarryScene& quarry, const ValidationSettings& settings);
+
+/// Which block falls in a run, alone.
 struct BlockRun {
-  std::size_t profile = 0, scan = 0, drop = 0, orientation = 0;
+  std::size_t profile = 0, block = 0, drop = 0, orientation = 0;
 };
 
-/// All runs of a profile, scan by scan, place by place.
+/// The runs of a profile, block by block, place by place: every orientation, or, of many blocks, every n-th, so that
+/// there are about as many runs as the published 1024.
 std::vector<BlockRun> runsOf(const QuarryScene& quarry, std::size_t profile);
 
-/// How the block of a run begins: at rest, its centre of mass at the place.
+/// How the block of a run begins: with its centre of mass at the place.
 ReleasedRock releaseOf(const QuarryScene& quarry, const BlockRun& run);
 
 }  // namespace cairn::rockfall

@@ -60,6 +60,9 @@ ValidationSettings readSections(const Value& value, const Json& document) {
   settings.stepS = object.at("step_s").number({1e-5, 0.1});
   settings.durationS = object.at("duration_s").number({0, 3600, true});
   settings.cellM = object.at("cell_m").number({0.05, 10});
+  constexpr std::array<std::string_view, 2> kBlockChoices{"scans", "measured"};
+  settings.blocks = static_cast<BlockChoice>(object.at("blocks").choice(kBlockChoices, "choice of blocks"));
+  settings.dropSpeedMPerS = object.at("drop_speed_m_per_s").number({0, 20});
   settings.densityKgPerM3 = object.at("density_kg_per_m3").number({1, 20000});
   settings.treeDepth = static_cast<std::uint32_t>(object.at("tree_depth").whole(1, 5));
   settings.materials.emplace_back(kBlockMaterial);

@@ -28,12 +28,17 @@ struct CalibrationPlan {
   std::vector<CalibratedParameter> parameters;
 };
 
+/// Which blocks fall, see `chooseBlocks`.
+enum class BlockChoice : std::uint8_t { scans, measured };
+
 /// What the experiment does not say and a simulation needs. A file of its own: JSON with comments, SI units.
 struct ValidationSettings {
   Json document;  ///< as it was read
   std::uint64_t seed = 0;
   double stepS = 0, durationS = 0;
   double cellM = 0;  ///< of the ground's grid
+  BlockChoice blocks = BlockChoice::measured;
+  double dropSpeedMPerS = 0;  ///< with which blocks leave the shovel, down the slope
   double densityKgPerM3 = 0;
   std::uint32_t treeDepth = 3;
   Materials materials;  ///< the block's, then the ground's
