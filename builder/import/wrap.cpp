@@ -81,12 +81,8 @@ Result<TriangleMesh> provedSkin(const TriangleMesh& surface, const WrapOptions& 
   return proof.error();
 }
 
-}  // namespace
-
-Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
-  if (Status s = checkOption("alpha", options.alpha, kMinAlpha, kMaxAlpha); !s) return s.error();
-  if (Status s = checkOption("offset", options.offset, kMinOffset, kMaxOffset); !s) return s.error();
-  if (Status s = checkPlace(surface, options.offset); !s) return s.error();
+/// One skin, with its distance.
+Result<Wrap> measuredSkin(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
   const auto cancelled = [&](double fraction) { return progress && !progress("wrapping", fraction); };
   Result<TriangleMesh> skin = provedSkin(surface, options, progress);
   if (!skin) return skin.error();
@@ -95,7 +91,39 @@ Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const
   const FarthestPoint farthest =
       farthestPoint(skin.value(), SurfaceDistance(surface), {.relative = 0.01, .absolute = 1e-4 * diagonal});
   if (cancelled(1)) return Error{std::string(kCancelled)};
-  return Wrap{std::move(skin).value(), farthest.upper, farthest.lower, farthest.witness};
+  return Wrap{std::move(skin).value(), options.alpha, options.offset, farthest.upper, farthest.lower, farthest.witness};
+}
+
+/// What a skin that is `far` away is to be made with next, to be at most `wanted` away; fractions of the diagonal. The
+/// distance is about the offset and a share of alpha, which features between two alphas can shift.
+WrapOptions finer(WrapOptions options, double far, double wanted) {
+  constexpr double kOffsetShare = 1.0 / 3, kLeast = 0.1, kMost = 0.8, kRoom = 0.9;
+  const double share = kRoom * (wanted - kOffsetShare * wanted) / std::max(far - options.offset, wanted);
+  options.offset = std::max(kMinOffset, std::min(options.offset, kOffsetShare * wanted));
+  options.alpha *= std::clamp(share, kLeast, kMost);
+  return options;
+}
+
+}  // namespace
+
+Result<Wrap> wrap(const TriangleMesh& surface, const WrapOptions& options, const ProgressCallback& progress) {
+  if (Status s = checkOption("alpha", options.alpha, kMinAlpha, kMaxAlpha); !s) return s.error();
+  if (Status s = checkOption("offset", options.offset, kMinOffset, kMaxOffset); !s) return s.error();
+  const double wanted = options.maxDistance.value_or(kMaxOffset);
+  if (Status s = checkOption("greatest distance", wanted, kMinWrapDistance, kMaxOffset); !s) return s.error();
+  const double diagonal = boundsOf(surface).diagonal();
+  for (WrapOptions tried = options;;) {
+    if (Status s = checkPlace(surface, tried.offset); !s) return s.error();
+    Result<Wrap> skin = measuredSkin(surface, tried, progress);
+    if (!skin || !options.maxDistance || skin.value().farthestUpper <= wanted * diagonal) return skin;
+    if (tried.alpha <= kMinAlpha)
+      return Error{
+          fmt::format("{}: the finest skin is up to {:.2g} of the diagonal away, and {:g} was asked for; allow "
+                      "more, or mend the mesh with --repair",
+                      surface.name, skin.value().farthestUpper / diagonal, wanted)};
+    tried = finer(tried, skin.value().farthestUpper / diagonal, wanted);
+    tried.alpha = std::max(tried.alpha, kMinAlpha);
+  }
 }
 
 }  // namespace cairn::builder

@@ -20,14 +20,14 @@ Result<MeshSource> repaired(const builder::TriangleMesh& surface, const builder:
   builder::RepairCounts counts;
   Result<builder::TriangleMesh> mesh = builder::repair(surface, &counts, options);
   if (!mesh) return Error{mesh.error().message + "; try --wrap, or a larger --weld where parts are apart"};
-  return MeshSource{std::move(mesh).value(), counts, options, {}, {}};
+  return MeshSource{std::move(mesh).value(), counts, options, {}};
 }
 
 Result<MeshSource> wrapped(const builder::TriangleMesh& surface, const builder::WrapOptions& options,
                            const builder::ProgressCallback& progress) {
   Result<builder::Wrap> wrap = builder::wrap(surface, options, progress);
   if (!wrap) return wrap.error();
-  MeshSource source{std::exchange(wrap.value().mesh, {}), {}, {}, {}, options};
+  MeshSource source{std::exchange(wrap.value().mesh, {}), {}, {}, {}};
   source.wrap = std::move(wrap).value();
   return source;
 }
@@ -57,8 +57,8 @@ Json repairJson(const builder::RepairCounts& counts, const builder::RepairOption
 
 Json wrapJson(const MeshSource& source) {
   const double diagonal = boundsOf(source.mesh).diagonal();
-  return {{"alpha_fraction", source.wrapOptions.alpha},
-          {"offset_fraction", source.wrapOptions.offset},
+  return {{"alpha_fraction", source.wrap->alpha},
+          {"offset_fraction", source.wrap->offset},
           {"triangles", source.mesh.triangles.size()},
           {"farthest_from_original_fraction", source.wrap->farthestUpper / diagonal},
           {"farthest_from_original_at_least_fraction", source.wrap->farthestLower / diagonal}};
@@ -105,6 +105,12 @@ void addMeshSource(CLI::App& command, MeshSourceOptions& options) {
       ->check(isWithin(builder::kMinOffset, builder::kMaxOffset))
       ->needs(wrap)
       ->capture_default_str();
+  command
+      .add_option(
+          "--wrap-error", options.wrapOptions.maxDistance,
+          "Make the skin finer until no point of it is farther from the mesh than this fraction of the diagonal")
+      ->check(isWithin(builder::kMinWrapDistance, builder::kMaxOffset))
+      ->needs(wrap);
   command.add_option("--mesh-output", options.output,
                      "Write the repaired mesh or the skin, for `cairn certify`: a PLY file, which keeps every bit");
 }
@@ -132,7 +138,7 @@ Result<MeshSource> readMeshSource(const MeshSourceOptions& options, const builde
                counts.degenerateTriangles);
   if (options.repair) return repaired(surface.value(), options.repairOptions);
   if (options.wrap) return wrapped(surface.value(), options.wrapOptions, progress);
-  return MeshSource{std::move(surface).value(), {}, {}, {}, {}};
+  return MeshSource{std::move(surface).value(), {}, {}, {}};
 }
 
 void reportMeshSource(const MeshSource& source, const std::vector<builder::LevelFit>& fits, Json& json) {

@@ -37,7 +37,6 @@ struct MeshSource {
   std::optional<builder::RepairCounts> repair;
   builder::RepairOptions repairOptions;
   std::optional<builder::Wrap> wrap;  ///< without its mesh, which is the one above
-  builder::WrapOptions wrapOptions;
 };
 
 /// Reads the file and repairs or wraps it as requested. Prints the number of dropped triangles on standard error.

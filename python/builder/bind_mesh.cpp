@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "builder/mesh_arrays.h"
@@ -34,9 +36,9 @@ Result<SolidMesh> asItIs(builder::TriangleMesh surface, std::size_t leftOut) {
   return SolidMesh{std::move(surface), {}};
 }
 
-Result<SolidMesh> repaired(const builder::TriangleMesh& surface) {
+Result<SolidMesh> repaired(const builder::TriangleMesh& surface, double weld) {
   builder::RepairCounts counts;
-  Result<builder::TriangleMesh> mesh = builder::repair(surface, &counts);
+  Result<builder::TriangleMesh> mesh = builder::repair(surface, &counts, {.weld = weld});
   if (!mesh) return Error{mesh.error().message + "; try wrap=True"};
   return SolidMesh{std::move(mesh).value(), "repaired: " + counts.text()};
 }
@@ -50,15 +52,17 @@ Result<SolidMesh> wrapped(const builder::TriangleMesh& surface, const builder::W
   return SolidMesh{std::move(wrap.value().mesh), std::move(changes)};
 }
 
-MeshPointer loadMesh(const std::filesystem::path& path, bool repair, bool wrap, double alpha, double offset,
-                     const py::object& progress) {
+MeshPointer loadMesh(const std::filesystem::path& path, bool repair, double weld, bool wrap, double alpha,
+                     double offset, std::optional<double> wrapError, const py::object& progress) {
   if (repair && wrap) refuse("repair and wrap exclude each other; choose one");
-  const builder::WrapOptions options{alpha, offset};
+  if (!(weld >= 0 && weld <= builder::kMaxWeld))
+    refuse(fmt::format("weld is {}; give a fraction of the diagonal from 0 to {}", weld, builder::kMaxWeld));
+  const builder::WrapOptions options{alpha, offset, wrapError};
   const auto work = [=](const builder::ProgressCallback& report) -> Result<SolidMesh> {
     builder::ImportCounts counts;
     Result<builder::TriangleMesh> surface = builder::importSurface(path, &counts);
     if (!surface) return surface.error();
-    if (repair) return repaired(surface.value());
+    if (repair) return repaired(surface.value(), weld);
     if (wrap) return wrapped(surface.value(), options, report);
     return asItIs(std::move(surface).value(), counts.degenerateTriangles);
   };
@@ -115,12 +119,15 @@ void bindMesh(py::module_& module) {
   mesh.def("__copy__", [](const py::object& self) { return self; });
   mesh.def(
       "__deepcopy__", [](const py::object& self, const py::dict&) { return self; }, py::arg("memo"));
-  module.def("load_mesh", &loadMesh, py::arg("path"), py::kw_only(), py::arg("repair") = false, py::arg("wrap") = false,
+  module.def("load_mesh", &loadMesh, py::arg("path"), py::kw_only(), py::arg("repair") = false,
+             py::arg("weld") = builder::RepairOptions{}.weld, py::arg("wrap") = false,
              py::arg("wrap_alpha") = builder::WrapOptions{}.alpha,
-             py::arg("wrap_offset") = builder::WrapOptions{}.offset, py::arg("progress") = py::none(),
-             "Reads a mesh file: OBJ, OFF, PLY, STL, glTF and what else assimp knows. repair closes holes and turns "
-             "triangles; wrap builds a closed skin around any surface, with wrap_alpha and wrap_offset as fractions of "
-             "the diagonal. Raises cairn.Error with the file's name.");
+             py::arg("wrap_offset") = builder::WrapOptions{}.offset, py::arg("wrap_error") = py::none(),
+             py::arg("progress") = py::none(),
+             "Reads a mesh file: OBJ, OFF, PLY, STL, glTF and what else assimp knows. repair closes holes, turns "
+             "triangles and unites bodies, over gaps of at most weld, a fraction of the diagonal; wrap builds a closed "
+             "skin around any surface, with wrap_alpha and wrap_offset as fractions of "
+             "the diagonal, made finer until it is at most wrap_error away. Raises cairn.Error with the file's name.");
 }
 
 }  // namespace cairn::python

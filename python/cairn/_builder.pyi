@@ -40,9 +40,11 @@ def load_mesh(
     path: _Path,
     *,
     repair: bool = False,
+    weld: float = 2e-05,
     wrap: bool = False,
     wrap_alpha: float = 0.02,
     wrap_offset: float = 0.002,
+    wrap_error: float | None = None,
     progress: _Progress | None = None,
 ) -> TriangleMesh: ...
 def build(

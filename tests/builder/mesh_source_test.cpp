@@ -105,6 +105,15 @@ TEST_F(MeshSource, WrapBuildsAndReportsTheErrorAgainstTheOriginal) {
   EXPECT_EQ(proof.errors, "") << "the tree knows the file";
 }
 
+TEST_F(MeshSource, WrapIsMadeAsNearAsAsked) {
+  const ProgramResult result =
+      build("crossed.obj", "--wrap --wrap-alpha 0.3 --wrap-error 0.02 --json " + quoted("report.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const Json wrap = json("report.json").at("wrap");
+  EXPECT_LE(wrap.at("farthest_from_original_fraction").get<double>(), 0.02);
+  EXPECT_LT(wrap.at("alpha_fraction").get<double>(), 0.3);
+}
+
 TEST_F(MeshSource, AGoodMeshIsReportedAsTheOriginal) {
   test::writeText(path("good.obj"), test::objText(test::lumpyBall(3, 1)));
   ASSERT_EQ(build("good.obj", "--json " + quoted("report.json")).exitCode, 0);
@@ -125,6 +134,8 @@ TEST_F(MeshSource, ImpossibleOptionsAreWrongUsage) {
   expectRefused(build("open.obj", "--wrap --wrap-alpha nan"), 2, "--wrap-alpha");
   expectRefused(build("open.obj", "--wrap --wrap-offset 0.5"), 2, "--wrap-offset");
   expectRefused(build("open.obj", "--wrap --wrap-offset x"), 2, "--wrap-offset");
+  expectRefused(build("open.obj", "--wrap --wrap-error 0"), 2, "--wrap-error");
+  expectRefused(build("open.obj", "--wrap-error 0.01"), 2, "--wrap");
   expectRefused(build("open.obj", "--mesh-output " + quoted("m.ply")), 2, "--mesh-output");
   expectRefused(build("open.obj", "--wrap --mesh-output " + quoted("m.obj")), 2, ".ply");
 }

@@ -153,11 +153,32 @@ TEST(Wrap, HoldsTrianglesThatLieInOnePlane) {
 
 TEST(Wrap, RefusesOptionsOutOfRange) {
   for (const WrapOptions& options : {WrapOptions{0, 0.01}, WrapOptions{2, 0.01}, WrapOptions{std::nan(""), 0.01},
-                                     WrapOptions{0.1, 0}, WrapOptions{0.1, -1}, WrapOptions{0.1, 1}}) {
+                                     WrapOptions{0.1, 0}, WrapOptions{0.1, -1}, WrapOptions{0.1, 1},
+                                     WrapOptions{0.1, 0.01, 1e-4}, WrapOptions{0.1, 0.01, std::nan("")}}) {
     const Result<Wrap> result = wrap(openBox(), options);
     ASSERT_FALSE(result.ok());
     EXPECT_NE(result.error().message.find("of the diagonal; choose"), std::string::npos) << result.error().message;
   }
+}
+
+// A box without a lid: a coarse skin closes it, a finer one follows its walls.
+TEST(Wrap, GetsFinerUntilItIsAsNearAsAsked) {
+  const TriangleMesh original = openBox();
+  const double diagonal = boundsOf(original).diagonal();
+  const Wrap coarse = wrap(original, {.alpha = 0.5, .offset = 0.02}).value();
+  ASSERT_GT(coarse.farthestUpper, 0.1 * diagonal);
+  EXPECT_EQ(coarse.alpha, 0.5);
+  for (const double wanted : {0.05, 0.03}) {
+    const Result<Wrap> near = wrap(original, {.alpha = 0.5, .offset = 0.02, .maxDistance = wanted});
+    ASSERT_TRUE(near) << near.error().message;
+    EXPECT_LE(near.value().farthestUpper, wanted * diagonal);
+    EXPECT_LT(near.value().alpha, 0.5);
+    EXPECT_LT(near.value().offset, wanted);
+    const FarthestPoint again = farthestPoint(near.value().mesh, SurfaceDistance(original), {.relative = 0.01});
+    EXPECT_LE(again.lower, wanted * diagonal);
+  }
+  const Result<Wrap> asked = wrap(original, {.alpha = 0.1, .offset = 0.02, .maxDistance = 0.2});
+  EXPECT_EQ(asked.value().alpha, 0.1) << "the first skin is near enough";
 }
 
 TEST(Wrap, FarFromTheOriginItSaysThatFloatsAreTooCoarse) {

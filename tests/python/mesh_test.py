@@ -165,7 +165,30 @@ def test_open_meshes_are_repaired_or_wrapped(tmp_path):
     assert repaired.volume == pytest.approx(1) and "1 hole" in repaired.changes
     wrapped = cairn.load_mesh(tmp_path / "open.obj", wrap=True, wrap_alpha=0.9)
     assert wrapped.volume > 1 and "nowhere farther than" in wrapped.changes
+    near = cairn.load_mesh(tmp_path / "open.obj", wrap=True, wrap_alpha=0.9, wrap_error=0.05)
+    assert near.volume < wrapped.volume
+    assert float(near.changes.split("farther than ")[1].split()[0]) <= 0.05 * 3**0.5
     with pytest.raises(cairn.Error, match="exclude each other"):
         cairn.load_mesh(tmp_path / "open.obj", wrap=True, repair=True)
     with pytest.raises(cairn.Error):
         cairn.load_mesh(tmp_path / "open.obj", wrap=True, wrap_alpha=float("nan"))
+
+
+def test_gaps_are_welded_as_wide_as_asked(tmp_path):
+    """A cube whose last two triangles are a lid of their own, a thousandth of the edge above it."""
+    lid = [[v[0], v[1], v[2]] for v in V] + [[V[i][0], V[i][1], V[i][2]] for t in T[-2:] for i in t]
+    normal_axis = next(k for k in range(3) if len({V[i][k] for t in T[-2:] for i in t}) == 1)
+    side = V[T[-1][0]][normal_axis]
+    for vertex in lid[len(V):]:
+        vertex[normal_axis] += 0.001 if side > min(v[normal_axis] for v in V) else -0.001
+    faces = [list(t) for t in T[:-2]] + [[len(V), len(V) + 1, len(V) + 2], [len(V) + 3, len(V) + 4, len(V) + 5]]
+    write_obj(tmp_path / "lid.obj", np.array(lid), np.array(faces))
+    welded = cairn.load_mesh(tmp_path / "lid.obj", repair=True, weld=0.002)
+    assert "joined" in welded.changes and welded.volume == pytest.approx(1, abs=0.002)
+    try:
+        assert "joined" not in cairn.load_mesh(tmp_path / "lid.obj", repair=True).changes, "wider than the usual weld"
+    except cairn.Error:
+        pass
+    for weld in (-0.1, 0.5, float("nan")):
+        with pytest.raises(cairn.Error, match="weld is"):
+            cairn.load_mesh(tmp_path / "lid.obj", repair=True, weld=weld)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "cairn/builder/progress.h"
 #include "cairn/builder/triangle_mesh.h"
 #include "cairn/core/result.h"
@@ -13,13 +15,19 @@ struct WrapOptions {
   double alpha = 0.02;  ///< openings narrower than about this are closed; kMinAlpha..kMaxAlpha
   /// Approximate distance of the wrap outside the surface, at times a tenth less; kMinOffset..kMaxOffset.
   double offset = 0.002;
+  /// The greatest distance of the wrap's surface from the original that is accepted; kMinWrapDistance..kMaxOffset.
+  /// Where the first skin is farther, alpha and offset shrink until one is near enough: time grows with the square.
+  std::optional<double> maxDistance = {};
 };
-inline constexpr double kMinAlpha = 0.005, kMaxAlpha = 1;     ///< range of `WrapOptions::alpha`
+inline constexpr double kMinAlpha = 0.002, kMaxAlpha = 1;     ///< range of `WrapOptions::alpha`
 inline constexpr double kMinOffset = 1e-4, kMaxOffset = 0.2;  ///< range of `WrapOptions::offset`
+inline constexpr double kMinWrapDistance = 2e-3;              ///< least `WrapOptions::maxDistance`
 
 /// A closed skin around a surface, and its distance from the surface. Mesh frame and unit.
 struct Wrap {
   TriangleMesh mesh;         ///< closed, around the original
+  double alpha = 0;          ///< with which it was made, a fraction of the diagonal
+  double offset = 0;         ///< likewise
   double farthestUpper = 0;  ///< proved: no point of the wrap's surface is farther from the original surface
   double farthestLower = 0;  ///< proved: `witness` is at least this far from the original surface
   Vec3d witness;             ///< a point of the wrap's surface, up to rounding
@@ -37,8 +45,8 @@ struct Wrap {
 ///
 /// Coordinates are floats. The result equals the mesh that `importMesh` reads from `plyBytes`, and carries the SHA-256
 /// of these bytes. Fails for options out of range, for a wrap of more than a million vertices, and with `kCancelled`.
-/// Also fails when a proof does not hold: far from the mesh's own origin a float cannot separate the wrap from the
-/// surface. The result has the same bits every time.
+/// Also fails when `kMinAlpha` is not fine enough for `maxDistance`, and when a proof does not hold: far from the
+/// mesh's own origin a float cannot separate the wrap from the surface. The result has the same bits every time.
 ///
 /// Precondition: a mesh of `importSurface`. Single thread; about a second for 10 000 triangles of the wrap.
 ///
