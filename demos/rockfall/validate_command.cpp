@@ -37,9 +37,14 @@ Result<ValidationSettings> calibrated(const ValidateCommand& command, QuarryScen
   return readSettings(*command.calibrated);
 }
 
+/// Each place of each block begins with another orientation, or few of them would fall.
 std::vector<BlockRun> everyNth(const std::vector<BlockRun>& runs, std::uint32_t n) {
   std::vector<BlockRun> some;
-  for (std::size_t i = 0; i < runs.size(); i += n) some.push_back(runs[i]);
+  std::size_t places = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    places += i > 0 && (runs[i].block != runs[i - 1].block || runs[i].drop != runs[i - 1].drop);
+    if ((i + places) % n == 0) some.push_back(runs[i]);
+  }
   return some;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/convergence/convergence.h"
+#include "rockfall/convergence/convergence_report.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,11 @@ TEST(Convergence, FindsEveryStepFineWhereTheStepDecidesNothing) {
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found.value().steps.size(), 3U);
   EXPECT_EQ(found.value().rocks, 15U);
+  EXPECT_EQ(found.value().cutOff, 15U) << "all still fall";
+  EXPECT_FALSE(found.value().judgesRunouts());
+  const std::string told = convergenceText(found.value(), scene.description, 0.03);
+  EXPECT_NE(told.find("15 of 15 rocks left the map or still moved at the end"), std::string::npos) << told;
+  EXPECT_NE(told.find("the means of speed and energy are within"), std::string::npos) << told;
   EXPECT_EQ(found.value().steps[0].verdict, StepVerdict::fine);
   EXPECT_EQ(found.value().steps[2].verdict, StepVerdict::reference);
   EXPECT_EQ(found.value().fineStepS, 0.02);

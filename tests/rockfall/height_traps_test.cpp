@@ -30,6 +30,9 @@ TEST(HeightTraps, AreNumbersForNoValueThatNobodyDeclared) {
     EXPECT_NE(told.find("gdal_translate -a_nodata"), std::string::npos);
   }
   EXPECT_NE(why({2, 1, 1, 0, 0, {-9999, -9999}, {}}), "") << "nothing else there";
+  EXPECT_NE(why({2, 2, 1, 5e5, 5e6, {1400, 0, 0, 1405}, {}}), "") << "a hole in the Alps";
+  EXPECT_EQ(why({2, 2, 1, 5e5, 5e6, {0, 0, 0, 0}, {}}), "") << "a flat map";
+  EXPECT_EQ(why({2, 2, 1, 5e5, 5e6, {400, 0, 3, 405}, {}}), "") << "a coast";
 }
 
 TEST(HeightTraps, AreDegrees) {

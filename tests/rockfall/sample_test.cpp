@@ -94,7 +94,7 @@ TEST(EnoughRuns, AsksForMoreUntilTheBoundsAreATenth) {
   const auto skewed = [&](int count) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i) values.push_back(std::exp(uniform(engine, 0, 10)));
-    return Sample(values);
+    return Runouts{values};
   };
   const auto few = checkQuantiles(skewed(30), {}, 10).at(0);
   EXPECT_FALSE(few.bounds.high);
@@ -107,6 +107,29 @@ TEST(EnoughRuns, AsksForMoreUntilTheBoundsAreATenth) {
   const auto many = checkQuantiles(skewed(20000), {}, 20000).at(0);
   EXPECT_TRUE(many.isEnough(20000)) << enoughText({many}, 20000);
   EXPECT_NE(enoughText({many}, 20000).find("the runs are enough"), std::string::npos);
+}
+
+// Rocks that the map's edge or the end of the time stopped may be those that go farthest.
+TEST(EnoughRuns, AreNoneWhereMoreThanOneRockInTwentyIsCutOff) {
+  const auto checkOf = [](int cutOff, int broken) {
+    Runouts runouts;
+    for (int i = 0; i < 1000; ++i) {
+      RockRecord rock;
+      rock.end = {100 + 0.01 * i, 0, 0};
+      rock.ending = i < cutOff ? (i % 2 ? RockEnd::left : RockEnd::moving) : RockEnd::resting;
+      runouts.add(rock);
+    }
+    for (int i = 0; i < broken; ++i) {
+      RockRecord rock;
+      rock.ending = RockEnd::broken;
+      runouts.add(rock);
+    }
+    return checkQuantiles(runouts, {}, 1000).at(0);
+  };
+  EXPECT_TRUE(checkOf(50, 0).isEnough(1000));
+  EXPECT_FALSE(checkOf(51, 0).isEnough(1000));
+  EXPECT_NE(enoughText({checkOf(51, 0)}, 1000).find("51 of 1000 rocks left the map or still moved"), std::string::npos);
+  EXPECT_EQ(checkOf(0, 400).values, 1000U) << "a rock that broke has no run-out of its own";
 }
 
 }  // namespace

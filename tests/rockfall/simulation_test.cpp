@@ -109,6 +109,34 @@ TEST(Release_OfManyRocks, LeavesThemApartInTheirBox) {
   }
 }
 
+// At the foot of a wall a ball over a point's own slope would lie in the wall.
+TEST(Release_BesideAWall, LeavesNoGroundInARock) {
+  json document = test::plainCase();
+  document["terrain"] = {{"generated", "stepped_slope"},
+                         {"profile_m", {{0, 8}, {10, 8}, {10.5, 0}, {40, 0}}},
+                         {"width_m", 20},
+                         {"cell_m", 0.25},
+                         {"roughness_m", 0},
+                         {"material", "soil"}};
+  document["rocks"][0]["count"] = 20;
+  document["rocks"][0]["release"] = {{"box_m", {{10.6, -5}, {12, 5}}}, {"above_ground_m", 0}};
+  const Scene scene = test::prepared(document);
+  const MapPoint& origin = scene.worldOrigin;
+  for (const ReleasedRock& rock : releaseRocks(scene, 1)) {
+    const Vec3d middle = scenes::fromBullet(rock.pose.getOrigin());
+    // Heights are looked at a quarter of the reach apart.
+    const double radius = 0.7 * rock.reachM;
+    constexpr int kLooks = 40;
+    for (int i = -kLooks; i <= kLooks; ++i)
+      for (int j = -kLooks; j <= kLooks; ++j) {
+        const double x = radius * i / kLooks, y = radius * j / kLooks, below = radius * radius - x * x - y * y;
+        if (below >= 0)
+          ASSERT_LE(scene.ground->heightAt({middle.x + x, middle.y + y}), middle.z - std::sqrt(below))
+              << middle.x + origin[0] << " reach " << rock.reachM;
+      }
+  }
+}
+
 TEST(Release_AnotherRun, DrawsOtherNumbers) {
   const Scene scene = test::prepared(test::plainCase());
   const auto first = releaseRocks(scene, 1), second = releaseRocks(scene, 2);

@@ -180,8 +180,8 @@ TEST_F(LittleQuarry, IsComparedWithWhatWasMeasured) {
   const auto figure = temporary_.path() / "figure.svg";
   const test::ProgramResult result = validate("--json " + quoted(one) + " --figure " + quoted(figure));
   ASSERT_EQ(result.exitCode, 0) << result.errors;
-  EXPECT_NE(result.output.find("P1, on which parameters were calibrated"), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("P2, predicted blind"), std::string::npos);
+  EXPECT_NE(result.output.find("P1, the slope that calibration uses"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("P2, which calibration never sees"), std::string::npos);
   EXPECT_NE(result.output.find("nothing to compare with"), std::string::npos);
   const json told = json::parse(test::contentOf(one));
   const json& runout = told.at("profiles").at(0).at("runout");
@@ -265,6 +265,9 @@ TEST(ValidationSettings_Refused, WithThePlace) {
   EXPECT_NE(complaint([](json& d) { d["drop_speed_m_per_s"] = -1; }).find("/drop_speed"), std::string::npos);
   json& (*first)(json&) = [](json& d) -> json& { return d["calibration"]["parameters"][0]; };
   EXPECT_NE(complaint([&](json& d) { first(d)["at"][0] = "/effects/99/value"; }).find("/at/0"), std::string::npos);
+  EXPECT_NE(complaint([&](json& d) { first(d)["at"][0] = "/density_kg_per_m3"; }).find("can be calibrated"),
+            std::string::npos);
+  EXPECT_NE(complaint([](json& d) { d["density_kg_per_m3"] = 2.6; }).find("/density_kg_per_m3"), std::string::npos);
   EXPECT_NE(complaint([&](json& d) { first(d)["at"][0] = "no pointer"; }).find("/at/0"), std::string::npos);
   EXPECT_NE(complaint([&](json& d) { first(d)["range"] = {2, 1}; }).find("/range"), std::string::npos);
 }

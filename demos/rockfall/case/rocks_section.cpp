@@ -71,11 +71,14 @@ Release readRelease(const Value& value) {
 }
 
 double readDensity(const Value& value) {
-  constexpr double kLightest = 50;  // kg/m^3: lighter than any wood or pumice, heavier than osmium is in t/m^3
-  const double density = value.number({1, 20000});
-  if (density < kLightest)
+  constexpr double kLightest = 50;     // kg/m^3: lighter than any wood or pumice
+  constexpr double kHeaviest = 20000;  // heavier than gold
+  const double density = value.number({1, kHeaviest});
+  if (density < kLightest && 1000 * density <= kHeaviest)
     value.refuse(
         fmt::format("{:g} kg/m3 is lighter than any rock: if these are t/m3, give {:g}", density, 1000 * density));
+  else if (density < kLightest)
+    value.refuse(fmt::format("{:g} kg/m3 is lighter than any rock: give {:g} to {:g}", density, kLightest, kHeaviest));
   return density;
 }
 

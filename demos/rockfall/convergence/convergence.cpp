@@ -19,6 +19,11 @@ double stepAt(double coarsest, std::size_t halvings) {
   return coarsest / std::exp2(static_cast<double>(halvings));
 }
 
+struct RockValues {
+  ConvergedValues of{};
+  bool isCutOff = false;
+};
+
 /// What each rock of each run had at one step: run by run.
 class StepRuns {
  public:
@@ -29,19 +34,19 @@ class StepRuns {
   std::size_t rocks() const { return rocks_; }
   std::size_t runs() const { return static_cast<std::size_t>(options_.runs.last - options_.runs.first); }
 
-  Result<std::vector<ConvergedValues>> at(double stepS, const ShareDone& progress) {
+  Result<std::vector<RockValues>> at(double stepS, const ShareDone& progress) {
     scene_.description.stepS = stepS;
-    const auto compute = [&](std::size_t item, std::span<ConvergedValues> values,
+    const auto compute = [&](std::size_t item, std::span<RockValues> values,
                              const std::function<bool()>& keepGoing) -> Status {
       const auto finished = simulate(scene_, options_.runs.first + item, keepGoing);
       if (!finished) return finished.error();
       for (std::size_t i = 0; i < values.size(); ++i) {
         const RockRecord& rock = finished.value().result.rocks[i];  // pieces come after those that were released
-        values[i] = {rock.runoutM(), rock.maxSpeed, rock.maxEnergyJ};
+        values[i] = {{rock.runoutM(), rock.maxSpeed, rock.maxEnergyJ}, !rock.hasWholeWay()};
       }
       return {};
     };
-    return computeEach<ConvergedValues>(runs(), rocks_, options_.jobs, compute, progress);
+    return computeEach<RockValues>(runs(), rocks_, options_.jobs, compute, progress);
   }
 
  private:
@@ -50,27 +55,35 @@ class StepRuns {
   std::size_t rocks_ = 0;
 };
 
-std::vector<PairedSums> sumsByRun(const std::vector<ConvergedValues>& coarse, const std::vector<ConvergedValues>& fine,
+std::vector<PairedSums> sumsByRun(const std::vector<RockValues>& coarse, const std::vector<RockValues>& fine,
                                   std::size_t rocks, std::size_t quantity) {
   std::vector<PairedSums> sums(coarse.size() / rocks);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
-    sums[i / rocks].coarse += coarse[i][quantity];
-    sums[i / rocks].fine += fine[i][quantity];
+    sums[i / rocks].coarse += coarse[i].of[quantity];
+    sums[i / rocks].fine += fine[i].of[quantity];
   }
   return sums;
 }
 
-ConvergedValues meansOf(const std::vector<ConvergedValues>& values) {
+ConvergedValues meansOf(const std::vector<RockValues>& values) {
   ConvergedValues means{};
-  for (const ConvergedValues& value : values)
-    for (std::size_t q = 0; q < means.size(); ++q) means[q] += value[q] / static_cast<double>(values.size());
+  for (const RockValues& value : values)
+    for (std::size_t q = 0; q < means.size(); ++q) means[q] += value.of[q] / static_cast<double>(values.size());
   return means;
 }
 
+std::size_t cutOffAtSomeStep(const std::vector<std::vector<RockValues>>& values) {
+  std::size_t count = 0;
+  for (std::size_t rock = 0; rock < values.front().size(); ++rock)
+    count += std::ranges::any_of(values, [&](const auto& ofStep) { return ofStep[rock].isCutOff; });
+  return count;
+}
+
 // The worst of what is said of its quantities: coarse, else undecided, else fine.
-void judge(ConvergenceStep& step, double tolerance, std::uint64_t runs) {
+void judge(ConvergenceStep& step, double tolerance, std::uint64_t runs, bool judgesRunouts) {
   step.verdict = StepVerdict::fine;
-  for (const StepDifference& difference : step.differences) {
+  for (std::size_t q = judgesRunouts ? 0 : kRunout + 1; q < step.differences.size(); ++q) {
+    const StepDifference& difference = step.differences[q];
     const StepVerdict one = verdictOf(difference, tolerance);
     if (one == StepVerdict::coarse) step.verdict = one;
     if (one != StepVerdict::undecided) continue;
@@ -105,7 +118,7 @@ Result<Convergence> converge(Scene& scene, const ConvergenceOptions& options, co
   Convergence found;
   found.rocks = steps.rocks() * steps.runs();
   found.runs = steps.runs();
-  std::vector<std::vector<ConvergedValues>> values;
+  std::vector<std::vector<RockValues>> values;
   // A step takes about half as long as the next finer one.
   const double all = std::exp2(options.halvings + 1) - 1;
   for (std::uint32_t i = 0; i <= options.halvings; ++i) {
@@ -118,11 +131,12 @@ Result<Convergence> converge(Scene& scene, const ConvergenceOptions& options, co
     step.stepS = stepS;
     step.means = meansOf(values.back());
   }
+  found.cutOff = cutOffAtSomeStep(values);
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
     for (std::size_t q = 0; q < kConvergedNames.size(); ++q)
       found.steps[i].differences[q] =
           differenceOf(sumsByRun(values[i], values.back(), steps.rocks(), q), scene.description.seed + q);
-    judge(found.steps[i], options.tolerance, found.runs);
+    judge(found.steps[i], options.tolerance, found.runs, found.judgesRunouts());
   }
   for (std::size_t i = values.size() - 1; i-- > 0 && found.steps[i].verdict == StepVerdict::fine;)
     found.fineStepS = found.steps[i].stepS;

@@ -15,6 +15,7 @@ namespace cairn::rockfall {
 
 /// What is compared of each rock.
 inline constexpr std::array<const char*, 3> kConvergedNames{"run-out", "greatest speed", "greatest energy"};
+inline constexpr std::size_t kRunout = 0;                            ///< its place among them
 using ConvergedValues = std::array<double, kConvergedNames.size()>;  ///< m, m/s, J
 
 struct ConvergenceOptions {
@@ -50,6 +51,10 @@ struct ConvergenceStep {
 struct Convergence {
   std::vector<ConvergenceStep> steps;  ///< the coarsest first
   std::size_t rocks = 0, runs = 0;
+  /// Rocks whose way was cut off, by the map's edge or the end of the time, at some step. Where they are more than one
+  /// in twenty, run-outs decide nothing.
+  std::size_t cutOff = 0;
+  bool judgesRunouts() const { return 20 * cutOff <= rocks; }
   /// The coarsest step which is fine, as are all between it and the finest.
   std::optional<double> fineStepS;
 };

@@ -49,9 +49,10 @@ std::string answerOf(const Convergence& found, double tolerance) {
   const double finest = found.steps.back().stepS;
   if (found.fineStepS)
     return fmt::format(
-        "a step of {:.4g} ms is fine enough: all three means are within {:g} % of those at {:.4g} ms, 95 times in a "
+        "a step of {:.4g} ms is fine enough: the means of {} are within {:g} % of those at {:.4g} ms, 95 times in a "
         "hundred\n",
-        1000 * *found.fineStepS, 100 * tolerance, 1000 * finest);
+        1000 * *found.fineStepS, found.judgesRunouts() ? "all three" : "speed and energy", 100 * tolerance,
+        1000 * finest);
   const ConvergenceStep& next = found.steps[found.steps.size() - 2];
   if (next.verdict == StepVerdict::coarse)
     return fmt::format("no step is fine enough: {:.4g} ms still differs from {:.4g} ms; give more --halvings\n",
@@ -70,15 +71,17 @@ std::string convergenceText(const Convergence& found, const Case& description, d
   for (const char* name : kPrintedNames) text += fmt::format("  {:>12} {:>23}", name, "%");
   text += "\n";
   for (const ConvergenceStep& step : found.steps) text += rowOf(step);
+  if (!found.judgesRunouts())
+    text += fmt::format(
+        "{} of {} rocks left the map or still moved at the end: their run-outs decide nothing; give more "
+        "ground or time\n",
+        found.cutOff, found.rocks);
   return text + answerOf(found, tolerance);
 }
 
 std::string convergenceJson(const Convergence& found, const Case& description, double tolerance) {
-  Ordered json{{"case", description.name},
-               {"runs", found.runs},
-               {"rocks", found.rocks},
-               {"tolerance", tolerance},
-               {"steps", Ordered::array()}};
+  Ordered json{{"case", description.name}, {"runs", found.runs},     {"rocks", found.rocks},
+               {"cut_off", found.cutOff},  {"tolerance", tolerance}, {"steps", Ordered::array()}};
   for (const ConvergenceStep& step : found.steps) {
     Ordered one{{"step_s", step.stepS}, {"verdict", nameOf(step.verdict)}};
     for (std::size_t q = 0; q < kConvergedNames.size(); ++q) {

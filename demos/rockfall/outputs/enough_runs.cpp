@@ -28,7 +28,8 @@ std::uint64_t runsNeeded(double quantile, const Interval& bounds, std::uint64_t 
 }
 
 QuantileCheck check(std::string quantity, std::string unit, const Sample& sample, double scale, std::uint64_t runs) {
-  QuantileCheck check{std::move(quantity), std::move(unit), sample.quantile(950) / scale, sample.confidence(950), 0};
+  QuantileCheck check{std::move(quantity), std::move(unit), sample.quantile(950) / scale, sample.confidence(950)};
+  check.values = sample.size();
   check.bounds.low /= scale;
   if (check.bounds.high) *check.bounds.high /= scale;
   check.runs = runsNeeded(check.quantile, check.bounds, sample.size(), runs);
@@ -37,26 +38,47 @@ QuantileCheck check(std::string quantity, std::string unit, const Sample& sample
 
 }  // namespace
 
-std::vector<QuantileCheck> checkQuantiles(const Sample& runoutM, const std::vector<CollectorFigures>& collectors,
+void Runouts::add(const RockRecord& rock) {
+  if (rock.ending == RockEnd::broken) return;
+  metres.push_back(rock.runoutM());
+  cutOff += !rock.hasWholeWay();
+}
+
+std::vector<QuantileCheck> checkQuantiles(const Runouts& runouts, const std::vector<CollectorFigures>& collectors,
                                           std::uint64_t runs) {
   constexpr double kKilo = 1e3;
   std::vector<QuantileCheck> checks;
-  if (runoutM.size() > 0) checks.push_back(check("run-out", "m", runoutM, 1, runs));
+  if (!runouts.metres.empty()) {
+    checks.push_back(check("run-out", "m", Sample(runouts.metres), 1, runs));
+    checks.back().cutOff = runouts.cutOff;
+  }
   for (const CollectorFigures& collector : collectors)
     if (collector.energyJ.size() > 0)
       checks.push_back(check("energy at " + collector.name, "kJ", collector.energyJ, kKilo, runs));
   return checks;
 }
 
+namespace {
+
+std::string verdictOf(const QuantileCheck& check, std::uint64_t runs) {
+  if (check.isCutOff())
+    return fmt::format(
+        "{} of {} rocks left the map or still moved at the end, so it may be farther: give more ground "
+        "or time",
+        check.cutOff, check.values);
+  if (check.isEnough(runs)) return "the runs are enough";
+  if (check.bounds.high) return fmt::format("about {} runs would tell it to a tenth", check.runs);
+  return fmt::format("at least {} runs are needed to tell", check.runs);
+}
+
+}  // namespace
+
 std::string enoughText(const std::vector<QuantileCheck>& checks, std::uint64_t runs) {
   std::string text;
   for (const QuantileCheck& check : checks) {
     const std::string high = check.bounds.high ? fmt::format("{:.4g}", *check.bounds.high) : "unknown";
-    const std::string verdict = check.isEnough(runs) ? "the runs are enough"
-                                : check.bounds.high  ? fmt::format("about {} runs would tell it to a tenth", check.runs)
-                                                     : fmt::format("at least {} runs are needed to tell", check.runs);
     text += fmt::format("95 % of {} up to {:.4g} {} ({:.4g} to {} with 95 % confidence): {}\n", check.quantity,
-                        check.quantile, check.unit, check.bounds.low, high, verdict);
+                        check.quantile, check.unit, check.bounds.low, high, verdictOf(check, runs));
   }
   return text;
 }

@@ -14,13 +14,24 @@ struct QuantileCheck {
   std::string quantity, unit;  ///< "energy at road", "kJ"
   double quantile = 0;
   Interval bounds;
-  std::uint64_t runs = 0;  ///< about so many would do; not more than there are: they are enough
+  std::uint64_t runs = 0;    ///< about so many would do; not more than there are: they are enough
+  std::uint64_t values = 0;  ///< from which the quantile is
+  std::uint64_t cutOff = 0;  ///< of these, such as may be too small
 
-  bool isEnough(std::uint64_t had) const { return bounds.high && runs <= had; }
+  /// So many values beyond the quantile would move it, and then no number of runs tells it.
+  bool isCutOff() const { return 20 * cutOff > values; }
+  bool isEnough(std::uint64_t had) const { return bounds.high && runs <= had && !isCutOff(); }
 };
 
-/// The run-out of all rocks, and the energy of those at each collector that some reached.
-std::vector<QuantileCheck> checkQuantiles(const Sample& runoutM, const std::vector<CollectorFigures>& collectors,
+/// Run-outs of rocks that did not break.
+struct Runouts {
+  std::vector<double> metres;
+  std::uint64_t cutOff = 0;  ///< of rocks without a whole way
+  void add(const RockRecord& rock);
+};
+
+/// The run-out of rocks, and the energy of those at each collector that some reached.
+std::vector<QuantileCheck> checkQuantiles(const Runouts& runouts, const std::vector<CollectorFigures>& collectors,
                                           std::uint64_t runs);
 
 /// A line for each check.

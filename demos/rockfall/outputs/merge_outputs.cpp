@@ -38,7 +38,7 @@ struct Gathered {
     tables.add(result);
     if (wantsPlaces) places.add(result);
     collectors.add(result);
-    for (const RockRecord& rock : result.rocks) runoutM.push_back(rock.runoutM());
+    for (const RockRecord& rock : result.rocks) runouts.add(rock);
     for (std::uint32_t rock = 0; rock < result.trajectories.size(); ++rock)
       trajectories.push_back({result.run, rock, result.trajectories[rock]});
     for (const RockRecord& rock : result.rocks)
@@ -62,7 +62,7 @@ struct Gathered {
   Tables tables;
   GeoTables places;
   CollectorStatistics collectors;
-  std::vector<double> runoutM;
+  Runouts runouts;
   std::vector<Trajectory> trajectories;
   std::vector<StopPoint> stops;
   double cpuS = 0;
@@ -99,18 +99,20 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
                           {"height_m", quantilesJson(collector.heightM)},
                           {"speed_m_per_s", quantilesJson(collector.speed)}});
   }
-  const Ordered json{{"case", description.name},
-                     {"runs", merged.runs},
-                     {"rocks", merged.rocks},
-                     {"endings", endings},
-                     {"impacts", merged.impacts},
-                     {"mean_runout_m", merged.rocks ? merged.runoutSumM / static_cast<double>(merged.rocks) : 0},
-                     {"runout_m", quantilesJson(merged.runoutM)},
-                     {"max_energy_j", quantilesJson(merged.energyJ)},
-                     {"max_height_m", quantilesJson(merged.heightM)},
-                     {"collectors", collectors},
-                     {"released_energy_j", merged.releasedEnergyJ},
-                     {"effects", effectsJson(merged)}};
+  const Ordered json{
+      {"case", description.name},
+      {"runs", merged.runs},
+      {"rocks", merged.rocks},
+      {"endings", endings},
+      {"impacts", merged.impacts},
+      {"mean_runout_m", merged.runoutM.count() ? merged.runoutSumM / static_cast<double>(merged.runoutM.count()) : 0},
+      {"runouts_cut_off", merged.runoutsCutOff},
+      {"runout_m", quantilesJson(merged.runoutM)},
+      {"max_energy_j", quantilesJson(merged.energyJ)},
+      {"max_height_m", quantilesJson(merged.heightM)},
+      {"collectors", collectors},
+      {"released_energy_j", merged.releasedEnergyJ},
+      {"effects", effectsJson(merged)}};
   return json.dump(1) + "\n";
 }
 
@@ -260,7 +262,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
                      gathered.cpuS,
                      gathered.effects,
                      gathered.merged.effects,
-                     checkQuantiles(Sample(std::move(gathered.runoutM)), figures, runs),
+                     checkQuantiles(gathered.runouts, figures, runs),
                      checkCells(gathered.merged),
                      std::move(hash).value()};
 }

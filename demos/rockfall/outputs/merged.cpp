@@ -45,8 +45,11 @@ void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
     released += rock.brokenFrom < 0;
     ++endings[static_cast<std::size_t>(rock.ending)];
     impacts += rock.impacts;
-    runoutSumM += rock.runoutM();
-    runoutM.add(rock.runoutM());
+    if (rock.ending != RockEnd::broken) {
+      runoutSumM += rock.runoutM();
+      runoutM.add(rock.runoutM());
+      runoutsCutOff += !rock.hasWholeWay();
+    }
     energyJ.add(rock.maxEnergyJ);
     heightM.add(rock.maxHeightM);
     const bool stopped = rock.ending == RockEnd::resting || rock.ending == RockEnd::moving;

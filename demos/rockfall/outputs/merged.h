@@ -40,7 +40,8 @@ struct MergedRuns {
   std::uint64_t released = 0;                      ///< rocks but for the pieces of broken ones
   std::array<std::uint64_t, kRockEnds> endings{};  ///< by `RockEnd`
   double runoutSumM = 0, releasedEnergyJ = 0;
-  LogHistogram runoutM, energyJ, heightM;
+  std::uint64_t runoutsCutOff = 0;         ///< of rocks without a whole way
+  LogHistogram runoutM, energyJ, heightM;  ///< run-outs of rocks that did not break
   std::map<Cell, CellSummary> cells;
   std::map<std::int32_t, CellSummary> distances;
   std::vector<CollectorSummary> collectors;

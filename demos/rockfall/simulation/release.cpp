@@ -14,7 +14,25 @@ namespace {
 
 constexpr int kDrawsPerLevel = 20;
 constexpr double kSeparateS = 2;    // apart in time by this much, two rocks may begin at one place
-constexpr double kMinUpward = 0.2;  // of a normal: no rock starts more than five radii up a cliff
+constexpr double kMinUpward = 0.2;  // of a normal: on a slope no rock starts more than five radii up
+// In a rock's reach: how many heights of the ground are looked at on each side, as the ground's grid wants.
+constexpr double kLeastLooks = 4, kMostLooks = 8;
+
+/// The least height of a ball's middle over a point at which no ground is in it: over the slope there, and beside
+/// walls.
+double clearHeight(const Ground& ground, const MapPoint& point, double reachM) {
+  double height = ground.heightAt(point) + reachM / std::max(kMinUpward, ground.normalAt(point).z);
+  const double step = std::clamp(ground.cellM(), reachM / kMostLooks, reachM / kLeastLooks);
+  const int looks = static_cast<int>(reachM / step);
+  for (int i = -looks; i <= looks; ++i)
+    for (int j = -looks; j <= looks; ++j) {
+      const double x = i * step, y = j * step, belowMiddle = reachM * reachM - x * x - y * y;
+      const MapPoint beside{point[0] + x, point[1] + y};
+      if (belowMiddle >= 0 && ground.covers(beside))
+        height = std::max(height, ground.heightAt(beside) + std::sqrt(belowMiddle));
+    }
+  return height;
+}
 
 class Releaser {
  public:
@@ -76,9 +94,7 @@ class Releaser {
   }
 
   Vec3d over(const MapPoint& point, const Release& release, const ReleasedRock& rock) const {
-    const double onGround =
-        scene_.ground->heightAt(point) + rock.reachM / std::max(kMinUpward, scene_.ground->normalAt(point).z);
-    return {point[0], point[1], onGround + release.aboveGroundM};
+    return {point[0], point[1], clearHeight(*scene_.ground, point, rock.reachM) + release.aboveGroundM};
   }
 
   // A full level is not looked at again by the rocks of its group that follow, nor are those below it.

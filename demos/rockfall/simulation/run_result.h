@@ -37,6 +37,8 @@ struct RockRecord {
 
   /// Horizontal distance in a straight line, metres.
   double runoutM() const;
+  /// False where the map's edge, a hole or the end of the time cut the way off: it would have gone on.
+  bool hasWholeWay() const { return ending == RockEnd::resting || ending == RockEnd::broken; }
   /// Fahrboeschung: the slope of the straight line from release to end, degrees below the horizontal; 0 for a rock that
   /// has not moved.
   double energyLineDeg() const;

@@ -11,9 +11,10 @@
 namespace cairn::rockfall {
 namespace {
 
-/// What programs write where there is no value: as whole numbers, and the least and greatest float.
+/// What programs write where there is no value: zero, as whole numbers, and the least and greatest float.
 constexpr double kGreatestFloat = std::numeric_limits<float>::max();
-constexpr std::array kUsualNoValues{-9999.0, -99999.0, -32768.0, -32767.0, 32767.0, -kGreatestFloat, kGreatestFloat};
+constexpr std::array kUsualNoValues{0.0,      -9999.0, -99999.0,        -32768.0,
+                                    -32767.0, 32767.0, -kGreatestFloat, kGreatestFloat};
 /// m; ground so much lower or higher than all other ground is none.
 constexpr double kApart = 1000;
 /// Of a map's longer side: no map of mountains is as high as it is long ten times over.
@@ -45,7 +46,8 @@ std::optional<std::string> undeclared(const Raster& raster) {
     const auto count = std::ranges::count_if(raster.values, [&](double value) { return isNumber(value, number); });
     if (count == 0) continue;
     const Heights others = heightsWithout(raster, number);
-    const bool isApart = !(others.low <= others.high) || number < others.low - kApart || number > others.high + kApart;
+    const bool hasOthers = others.low <= others.high;  // a map may be flat at height 0
+    const bool isApart = hasOthers ? number < others.low - kApart || number > others.high + kApart : number != 0;
     if (isApart)
       return fmt::format(
           "holds {:g} in {} of its cells, far from all other heights: if there is no ground, declare that number as "

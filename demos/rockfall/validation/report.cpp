@@ -49,8 +49,9 @@ std::string verdictOf(const char* name, const Distribution& simulated, const Dis
 }
 
 std::string textOf(const ProfileComparison& profile) {
-  std::string text = fmt::format("{}, {}; metres from the middle of the places from which blocks fall\n", profile.name,
-                                 profile.isCalibrated ? "on which parameters were calibrated" : "predicted blind");
+  std::string text =
+      fmt::format("{}, {}; metres from the middle of the places from which blocks fall\n", profile.name,
+                  profile.isCalibrated ? "the slope that calibration uses" : "which calibration never sees");
   text += fmt::format("  {:<10} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6} {:>6} {:>8} {:>8} {:>12}\n", "", "blocks",
                       "5 %", "25 %", "50 %", "75 %", "95 %", "KS", "bound", "Wass. m", "median", "middle half");
   for (const Quantity& quantity : kQuantities) {

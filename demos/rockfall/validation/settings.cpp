@@ -23,6 +23,8 @@ CalibratedParameter readParameter(const Value& value, const Json& document) {
   for (const Value& place : object.at("at").items(1, kMaxPlaces)) {
     const std::string pointer = place.text();
     parameter.places.push_back(pointer);
+    if (!pointer.starts_with("/effects/") && pointer != "/drop_speed_m_per_s")
+      place.refuse("only numbers of the effects and the drop's speed can be calibrated");
     // Json's pointers throw for what they cannot read.
     try {
       if (!document.at(Json::json_pointer(pointer)).is_number()) place.refuse("there is no number at this place");
@@ -63,7 +65,7 @@ ValidationSettings readSections(const Value& value, const Json& document) {
   constexpr std::array<std::string_view, 2> kBlockChoices{"scans", "measured"};
   settings.blocks = static_cast<BlockChoice>(object.at("blocks").choice(kBlockChoices, "choice of blocks"));
   settings.dropSpeedMPerS = object.at("drop_speed_m_per_s").number({0, 20});
-  settings.densityKgPerM3 = object.at("density_kg_per_m3").number({1, 20000});
+  settings.densityKgPerM3 = object.at("density_kg_per_m3").number({500, 10000});
   settings.treeDepth = static_cast<std::uint32_t>(object.at("tree_depth").whole(1, 5));
   settings.materials.emplace_back(kBlockMaterial);
   for (const GroundZone& zone : kGroundZones) settings.materials.emplace_back(zone.material);
