@@ -155,6 +155,8 @@ void addFacts(const RobotModel& model, const FittedRobot& fitted, View& view) {
 Result<View> robotView(const RobotModel& model, const std::filesystem::path& urdf, const RobotViewOptions& options,
                        const ProgressCallback& progress) {
   View view{.title = model.name, .facts = {}, .links = {}, .joints = {}, .isMetric = true, .isZUp = true};
+  if (std::ranges::all_of(model.links, [](const RobotLink& link) { return link.collisions.empty(); }))
+    return Error{fmt::format("{}: no link has a <collision>, so that there is nothing to show; add some", model.file)};
   const Result<FittedRobot> fitted = spheresOf(model, urdf, options, progress);
   if (!fitted) return fitted.error();
   const auto collisions = checkSelfCollision(model, fitted.value(), {options.poses, options.seed}, progress);

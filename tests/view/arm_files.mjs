@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small arm as URDF with its meshes: joints that turn, slide, spin and follow, a scale, a mirror image, primitives.
+// A small arm as URDF with its meshes: joints that turn, slide, spin, stay and follow, a scale, primitives, a mast that
+// always meets the shoulder.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -41,6 +42,9 @@ const kUrdf = `<?xml version="1.0"?>
     <collision><origin xyz="0 0.07 0" rpy="1.5707963 0 0"/>
       <geometry><cylinder radius="0.062" length="0.16"/></geometry></collision>
   </link>
+  <link name="mast">
+    <collision><geometry><cylinder radius="0.012" length="0.08"/></geometry></collision>
+  </link>
   <link name="upper_arm">
     <collision><geometry><mesh filename="package://arm/upper.obj"/></geometry></collision>
   </link>
@@ -59,6 +63,7 @@ const kUrdf = `<?xml version="1.0"?>
     <collision><origin xyz="0 0 0.045"/><geometry><box size="0.024 0.014 0.09"/></geometry></collision>
   </link>
   <joint name="stand" type="fixed"><parent link="world"/><child link="base"/><origin xyz="0.2 0 0.1"/></joint>
+  <joint name="hold" type="fixed"><parent link="base"/><child link="mast"/><origin xyz="0 0 0.2"/></joint>
   <joint name="turn" type="revolute">
     <parent link="base"/><child link="shoulder"/><origin xyz="0 0 0.25" rpy="0 0 0.4"/><axis xyz="0 0 1"/>
     <limit lower="-2.9671" upper="2.9671" effort="10" velocity="1"/>
