@@ -36,8 +36,7 @@ const kPoses = [
   { lift: 2.1, bend: 2.2 },
   { turn: -2.5, lift: -0.8, bend: 2.35, spin: 1.2 },
   { turn: 1.1, lift: 0.4, bend: -2.7, grip: 0.03 },
-  { lift: 1.2, bend: -0.6, spin: -3, grip: 0.02 },
-  { turn: 2.9, lift: 2.2, bend: -1.9, spin: 0.5 },
+  { turn: 2.9, lift: 1.9, bend: 1, spin: -3, grip: 0.02 },
 ].map((pose) => ({ ...rest, ...pose }));
 
 const kPixel = 0.004; // metres: two pixels of the picture, which shows some 1.4 m in 600
@@ -122,16 +121,54 @@ async function checkMotion(page) {
     await settled(page);
     const { red, other } = await checkRed(page, pose);
     await page.click('#show-mesh');
-    await page.click('#show-spheres');
-    await checkMeshes(page, pose);
-    await page.click('#show-spheres');
+    if (pose.grip !== rest.grip) {
+      await page.click('#show-spheres');
+      await checkMeshes(page, pose);
+      await page.click('#show-spheres');
+    }
     sums.red += red;
     sums.other += other;
     sums.overlapping += red > 0 ? 1 : 0;
   }
   console.log(`motion: ${kPoses.length} poses, ${sums.overlapping} with overlaps; ${sums.red} spheres seen red, ${sums.other} not`);
-  assert.ok(sums.red >= 20 && sums.other >= 60 && sums.overlapping >= 2 && sums.overlapping < kPoses.length);
+  assert.ok(sums.red >= 15 && sums.other >= 40 && sums.overlapping >= 3 && sums.overlapping < kPoses.length);
   await page.screenshot({ path: file('robot_overlap.png') });
+}
+
+/// Numbers from 0 to 1 that a seed decides (Mulberry32).
+function randomOf(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/// In any pose, links are where the text has them, and exactly those that overlap are told.
+async function checkRandomPoses(page) {
+  const seed = Number(process.env.CAIRN_SEED ?? Date.now() % 1e6);
+  console.log(`random poses: CAIRN_SEED=${seed}`);
+  const random = randomOf(seed);
+  const met = new Set();
+  for (let i = 0; i < 60; ++i) {
+    // Few digits, which a slider keeps.
+    const within = ({ lower, upper }) => Math.trunc(1e4 * (lower + random() * (upper - lower))) / 1e4;
+    const pose = Object.fromEntries(truth.robot.active.map((joint) => [joint.name, within(joint)]));
+    await page.evaluate((positions) => {
+      for (const e of document.querySelectorAll('#joints input')) {
+        e.value = positions[e.dataset.joint];
+        e.dispatchEvent(new Event('input'));
+      }
+    }, pose);
+    await checkPoses(page, pose);
+    const { pairs, closest } = overlapsAt(truth.robot, pose, truth.always);
+    if (closest < 1e-6) continue; // rounding decides
+    assert.deepEqual((await state(page)).overlaps.map((pair) => pairName(...pair)).sort(), pairs, JSON.stringify(pose));
+    pairs.forEach((pair) => met.add(pair));
+  }
+  assert.ok(met.size >= 3, `pairs that met: ${[...met]}`);
 }
 
 async function detailsOf(page) {
@@ -143,6 +180,7 @@ const near = (text, value) => assert.ok(Math.abs(parseFloat(text) - 1000 * value
 
 async function checkClicks(page) {
   await page.keyboard.press('r');
+  await page.keyboard.press('f');
   await settled(page);
   const spheres = spheresAt(truth.robot, rest);
   const { eye } = await state(page);
@@ -218,6 +256,7 @@ async function checkRobot(browser) {
   await checkSliders(page);
   await checkKeys(page);
   await checkMotion(page);
+  await checkRandomPoses(page);
   await checkClicks(page);
   assert.deepEqual(page.faults, []);
   await page.context().close();

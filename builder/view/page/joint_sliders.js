@@ -43,7 +43,8 @@ export class JointSliders {
     const joint = this.robot_.joints[j];
     const box = element('div', 'joint');
     const row = element('div', 'row');
-    const name = element('label', 'name', joint.name);
+    const name = element('label', 'name');
+    name.append(...joint.name.match(/[^_.-]*[_.-]*/g).flatMap((piece) => [piece, document.createElement('wbr')])); // lines break there
     const value = element('output', 'value');
     const slider = Object.assign(element('input', ''), { type: 'range', id: `joint-${k}`, min: joint.lower, max: joint.upper, step: 'any' });
     name.htmlFor = slider.id;
