@@ -201,6 +201,8 @@ async function checkClicks(page) {
     if (!isGiven) assert.ok(parseFloat(said['Certified error']) <= 1006 * most, `${said['Certified error']} of ${link}, at most ${1000 * most} mm`);
     await settled(page);
     assert.equal(await page.textContent('#chosen-label:not([hidden])'), link);
+    const top = await page.$eval('#selection', (e) => e.getBoundingClientRect().top);
+    assert.ok(top >= 0 && top < 600, `what is said of the sphere is in view, at ${top}`);
     await page.keyboard.press('Escape');
   }
   assert.ok(links.size >= 5, `links that were clicked: ${[...links]}`);
@@ -294,6 +296,7 @@ async function checkGiven(browser) {
   assert.equal((await state(page)).instances, 65);
   assert.ok(!(await page.isVisible('#legend')) && !(await page.isVisible('#worst')));
   assert.match(await page.textContent('#plain'), /nothing is certified/);
+  assert.ok(!(await page.isVisible('#show-mesh')), 'without a mesh, no switch for it');
   for (const pose of kPoses.slice(0, 3)) {
     await moveTo(page, pose);
     const { overlaps } = await state(page);

@@ -25,6 +25,7 @@ export class Panel {
     this.listen();
     if (this.hasSpheres) this.showLevels();
     byId('show-spheres').hidden = !this.hasSpheres;
+    for (const name of ['mesh', 'edges']) byId(`show-${name}`).hidden = !scene.links.some(({ triangles }) => triangles.length > 0);
     byId('up-axis').textContent = stage.up;
     byId('keys').textContent = this.keysText();
     this.update();
@@ -155,6 +156,7 @@ export class Panel {
     const number = this.scene_.isRobot ? this.whole_.local[this.chosen_] : this.chosen_;
     byId('selection-name').textContent = `${this.isTree ? 'Node' : 'Sphere'} ${number}`;
     listDetails(byId('details'), this.scene_, this.chosen_, (node) => this.choose(node));
+    if (this.scene_.isRobot) byId('selection').scrollIntoView({ block: 'nearest' }); // joints may have been scrolled to
   }
 
   /// The links have moved.

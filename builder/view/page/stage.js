@@ -145,7 +145,8 @@ export class Stage {
     this.picture_.rings.visible = spheres;
     this.figures_.setWire(edges);
     const besides = chosen === null ? kVeil : kVeilBesides;
-    this.picture_.setVeils(mesh ? besides : 1, mesh ? kChosenVeil : 1);
+    const isVeiled = mesh && this.figures_.solids.length > 0;
+    this.picture_.setVeils(isVeiled ? besides : 1, isVeiled ? kChosenVeil : 1);
     this.change();
   }
 
