@@ -31,10 +31,6 @@ struct SurfaceUse {
   MirrorMatch match;
 };
 
-Vec3d signsOf(const Vec3d& scale) {
-  return {std::copysign(1.0, scale.x), std::copysign(1.0, scale.y), std::copysign(1.0, scale.z)};
-}
-
 Error inLink(const std::string& file, const std::string& link, const Error& error) {
   if (error.message == kCancelled) return error;
   return Error{fmt::format("{}: link '{}': {}", file, link, error.message)};

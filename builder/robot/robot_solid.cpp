@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "cairn/builder/import.h"
@@ -11,6 +12,10 @@
 #include "import/robot_surface.h"
 
 namespace cairn::builder {
+
+Vec3d signsOf(const Vec3d& scale) {
+  return {std::copysign(1.0, scale.x), std::copysign(1.0, scale.y), std::copysign(1.0, scale.z)};
+}
 
 Result<TriangleMesh> readScaledSurface(const std::filesystem::path& path, const Vec3d& factors) {
   Result<TriangleMesh> surface = importRobotSurface(path);

@@ -7,6 +7,9 @@
 
 namespace cairn::builder {
 
+/// 1 or -1 for each factor of a scale.
+Vec3d signsOf(const Vec3d& scale);
+
 /// The triangles of a mesh file, scaled by positive factors. They need not bound a solid.
 Result<TriangleMesh> readScaledSurface(const std::filesystem::path& path, const Vec3d& factors);
 

@@ -12,6 +12,12 @@
 namespace cairn::builder {
 namespace {
 
+std::vector<double> errorsOf(const BallsCertificate& proof) {
+  std::vector<double> errors;
+  for (const BallProof& ball : proof.balls) errors.push_back(ball.protrusion.upper);
+  return errors;
+}
+
 EnclosedDistance namedLeftOut(const SolidCover& cover, const RobotSolid& solid, const ProgressCallback& progress) {
   // Finer than a repair moves vertices, so that what it left out can be told from a hole.
   const LeftOutTolerance tolerance{0.01, 0.1 * kStitchTolerance * boundsOf(solid.surface).diagonal()};
@@ -21,6 +27,7 @@ EnclosedDistance namedLeftOut(const SolidCover& cover, const RobotSolid& solid, 
 Status certify(const RobotSolid& solid, const ProgressCallback& progress, SolidCover& cover) {
   const Result<BallsCertificate> proof = certifyBalls(cover.balls, solid.solid, progress);
   if (!proof) return proof.error();
+  cover.errors = errorsOf(proof.value());
   cover.sticksOut = proof.value().sticksOut.upper;
   cover.leavesOut = proof.value().leavesSurface.upper;
   cover.covered = cover.leavesOut == 0;
@@ -79,6 +86,7 @@ Result<SolidCover> coverSolid(const RobotSolid& solid, const CoverWish& wish, co
   SolidCover cover;
   cover.balls = std::move(made.value().balls);
   const BallsCertificate& proof = made.value().certificate;
+  cover.errors = errorsOf(proof);
   cover.sticksOut = proof.sticksOut.upper;
   cover.leavesOut = proof.leavesSurface.upper;
   cover.covered = cover.coversNamed = cover.leavesOut == 0;
@@ -86,6 +94,7 @@ Result<SolidCover> coverSolid(const RobotSolid& solid, const CoverWish& wish, co
   if (changed && !wish.quick)
     if (Status s = coverNamed(solid, isCovering(wish.objective), maxError, progress, cover); !s) return s.error();
   cover.sticksOut += solid.offOriginal;
+  for (double& error : cover.errors) error += solid.offOriginal;
   return cover;
 }
 
@@ -111,7 +120,10 @@ void placeCover(const SolidCover& cover, Objective objective, const CollisionSha
   }
   // A point of the mirrored solid is within twice the deviation of the part's own: farther inside its surface than the
   // deviation it is in both, because moving the surface that far does not pass over it.
-  part.sticksOut = cover.sticksOut + mostGrown + 2 * part.deviation;
+  const double more = mostGrown + 2 * part.deviation;
+  part.sticksOut = cover.sticksOut + more;
+  part.errors.clear();
+  for (const double error : cover.errors) part.errors.push_back(error + more);
   part.covered = cover.covered;
   part.coversNamed = cover.coversNamed;
   part.leavesOut = cover.covered ? 0 : cover.leavesOut + mostGrown + part.deviation;

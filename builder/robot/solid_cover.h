@@ -12,6 +12,7 @@ namespace cairn::builder {
 /// The spheres of a solid, in its frame.
 struct SolidCover {
   std::vector<Ball> balls;
+  std::vector<double> errors;                 ///< of each ball; as `RobotPart` has them
   double sticksOut = 0, leavesOut = 0;        ///< as `RobotPart` has them
   bool covered = false, coversNamed = false;  ///< likewise
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cairn/builder/view.h"
+#include "view/check_view.h"
 #include "view/packed_array.h"
 #include "view/viewer_template.h"
 
@@ -59,6 +60,8 @@ Json jointJson(const ViewJoint& joint) {
   json["axis"] = vectorJson(joint.axis);
   json["lower"] = joint.lower;
   json["upper"] = joint.upper;
+  if (const auto& mimic = joint.mimic)
+    json["mimic"] = {{"joint", mimic->joint}, {"multiplier", mimic->multiplier}, {"offset", mimic->offset}};
   return json;
 }
 
@@ -74,6 +77,9 @@ Json sceneJson(const View& view, ViewPage& page) {
                              {"spheres", spheresJson(link, page.sphereBytes)}});
   json["joints"] = Json::array();
   for (const ViewJoint& joint : view.joints) json["joints"].push_back(jointJson(joint));
+  json["ignored_pairs"] = view.ignoredPairs;
+  json["unit"] = view.isMetric ? "m" : "";
+  json["up"] = view.isZUp ? "z" : "y";
   return json;
 }
 
@@ -139,6 +145,7 @@ Result<ViewPage> viewPage(const View& view) {
     return Error{
         "this build has no viewer, because node or npm was missing when it was made; install both and configure again "
         "with -DCAIRN_VIEWER=ON"};
+  if (Status s = checkView(view); !s) return s.error();
   ViewPage page;
   const Json scene = sceneJson(view, page);
   std::string html = wholeTemplate();

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
@@ -107,6 +108,78 @@ TEST(ViewPage, AsksNothingOfANetwork) {
   EXPECT_EQ(countOf(page.value().html, " src=\"http"), 0U);
   EXPECT_NE(page.value().html.find("The MIT License"), std::string::npos);
   EXPECT_NE(page.value().html.find("three.js authors"), std::string::npos);
+}
+
+/// Two links on a joint that a third follows.
+View jointedView() {
+  View view{.title = "arm", .facts = {}, .links = {}, .joints = {}};
+  for (const char* name : {"a", "b", "c"}) {
+    view.links.push_back(viewLink(test::torus(1, 0.3, 16, 8)));
+    view.links.back().name = name;
+  }
+  view.joints.push_back(
+      {.name = "turn", .type = "revolute", .parent = 0, .child = 1, .rotation = {}, .translation = {}});
+  view.joints.push_back(
+      {.name = "slide", .type = "prismatic", .parent = 1, .child = 2, .rotation = {}, .translation = {}});
+  view.joints[0].lower = -1;
+  view.joints[0].upper = 2;
+  view.joints[1].mimic = ViewMimic{0, 0.5, 0.25};
+  view.ignoredPairs = {{0, 2}};
+  return view;
+}
+
+TEST(ViewPage, HoldsJointsAndPairsToIgnore) {
+  if (!hasViewer()) GTEST_SKIP() << kNoViewer;
+  const Result<ViewPage> page = viewPage(jointedView());
+  ASSERT_TRUE(page.ok()) << page.error().message;
+  const Json scene = sceneOf(page.value().html);
+  EXPECT_EQ(scene.at("ignored_pairs"), Json::parse("[[0, 2]]"));
+  const Json turn = scene.at("joints").at(0), slide = scene.at("joints").at(1);
+  EXPECT_EQ(std::tuple(turn.at("name"), turn.at("type"), turn.at("parent"), turn.at("child")),
+            std::tuple("turn", "revolute", 0, 1));
+  EXPECT_EQ(std::tuple(turn.at("lower"), turn.at("upper"), turn.contains("mimic")), std::tuple(-1, 2, false));
+  EXPECT_EQ(slide.at("mimic"), Json::parse(R"({"joint": 0, "multiplier": 0.5, "offset": 0.25})"));
+}
+
+TEST(ViewPage, RefusesJointsThatHangNothingTogether) {
+  if (!hasViewer()) GTEST_SKIP() << kNoViewer;
+  using Change = void (*)(View&);
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<Change, const char*>> changes{
+      {[](View& v) {
+         v.links.clear();
+         v.joints.clear();
+         v.ignoredPairs.clear();
+       },
+       "needs a link"},
+      {[](View& v) { v.joints[0].child = 3; }, "'turn' hangs on a link"},
+      {[](View& v) { v.joints[1].parent = 7; }, "'slide' hangs on a link"},
+      {[](View& v) { v.joints[0].lower = 3; }, "limit"},
+      {[](View& v) { v.joints[0].upper = kNan; }, "finite"},
+      {[](View& v) { v.joints[1].mimic->offset = kNan; }, "finite"},
+      {[](View& v) { v.joints[1].mimic->joint = 2; }, "follows a joint that there is not"},
+      {[](View& v) {
+         v.joints[0].mimic = ViewMimic{1, 1, 0};
+       },
+       "follows another"},
+      {[](View& v) {
+         v.joints[1].child = 1;
+         v.joints[1].parent = 0;
+       },
+       "another joint"},
+      {[](View& v) { v.joints[0].parent = 2; }, "ring"},
+      {[](View& v) { v.joints[0].parent = 1; }, "ring"},
+      {[](View& v) {
+         v.ignoredPairs = {{0, 3}};
+       },
+       "to ignore"}};
+  for (const auto& [change, part] : changes) {
+    View view = jointedView();
+    change(view);
+    const Result<ViewPage> page = viewPage(view);
+    ASSERT_FALSE(page.ok()) << part;
+    EXPECT_NE(page.error().message.find(part), std::string::npos) << page.error().message;
+  }
 }
 
 class ViewTool : public testing::Test {

@@ -23,8 +23,9 @@ export function cutOf({ spheres }, level) {
   return [...spheres.keys()].filter((i) => spheres[i].level === level || (spheres[i].level < level && spheres[i].children.length === 0));
 }
 
-/// Those of a cut whose middle nothing hides from the eye: the ray to the middle meets no other sphere sooner.
-export function seenFrom(eye, { spheres }, cut) {
+/// Those of a cut whose middle nothing hides from the eye: the ray to the middle meets no other sphere sooner, were these
+/// larger by `pixel`, a length.
+export function seenFrom(eye, { spheres }, cut, pixel = 0) {
   const entry = (target, sphere) => {
     const to = sphere.center.map((c, k) => c - eye[k]);
     const ray = target.center.map((c, k) => c - eye[k]);
@@ -36,6 +37,7 @@ export function seenFrom(eye, { spheres }, cut) {
   return cut.filter((i) => {
     const own = entry(spheres[i], spheres[i]);
     // A sphere that is in front by less than a thousandth may be either one's pixel.
-    return cut.every((j) => j === i || entry(spheres[i], spheres[j]) > own + 1e-3 * spheres[i].radius);
+    const larger = ({ center, radius }) => ({ center, radius: radius + pixel });
+    return cut.every((j) => j === i || entry(spheres[i], larger(spheres[j])) > own + 1e-3 * spheres[i].radius);
   });
 }

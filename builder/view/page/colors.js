@@ -11,6 +11,12 @@ export const kErrorColors = [
   [0.99, 0.8, 0.26],
 ];
 
+/// Spheres that touch another link's; the other spheres of such links; spheres without a certified error. None is near
+/// the scale's.
+export const kAlarmColor = [0.86, 0.16, 0.13];
+export const kAlarmLinkColor = [0.93, 0.5, 0.45];
+export const kPlainColor = [0.62, 0.63, 0.68];
+
 /// The colour at a share of the scale, as sRGB from 0 to 1.
 export function errorColor(share) {
   const at = Math.min(Math.max(share, 0), 1) * (kErrorColors.length - 1);

@@ -4,6 +4,7 @@ precision highp sampler2D;
 uniform sampler2D solidColor, solidDepth, sphereName, sphereDepth, balls, looks;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform vec3 ramp[6];
+uniform vec3 alarm, alarmLink, plain;
 uniform vec2 size;        // pixels
 uniform float veil;       // opacity of spheres over the mesh
 uniform float chosenVeil; // that of chosen ones
@@ -54,6 +55,12 @@ vec3 errorColor(float share) {
   return mix(ramp[i], ramp[i + 1], at - float(i));
 }
 
+vec3 lookColor(float look) {
+  if (look < 0.0) return plain;
+  if (look > 1.5) return look > 2.5 ? alarm : alarmLink;
+  return errorColor(look);
+}
+
 vec4 sphereAt(float depth) {
   vec3 name = 255.0 * texture(sphereName, uv).rgb + 0.5;
   int i = int(name.r) | int(name.g) << 8 | int(name.b) << 16;
@@ -63,7 +70,7 @@ vec4 sphereAt(float depth) {
   vec3 p = placeOf(uv, depth), ray = normalize(p);
   vec3 n = normalize(p - (viewMatrix * vec4(ball.xyz, 1.0)).xyz);
   float facing = -dot(n, ray);
-  vec3 c = shaded(errorColor(look.x), n, -ray, 0.12);
+  vec3 c = shaded(lookColor(look.x), n, -ray, 0.12);
   c *= mix(0.72, 1.0, smoothstep(0.0, 0.45, facing));  // a soft line around every sphere
   if (taps > 0) c *= mix(0.55 * c, vec3(1.0), openness(sphereDepth, p, n));
   return vec4(c, look.y > 0.5 ? chosenVeil : veil);

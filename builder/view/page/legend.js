@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The legend: how many spheres have which certified error, in their colours, above a scale in mesh units and per cent.
-import { countText, cssColor, errorColor, lengthText, percentText } from './colors.js';
+import { countText, cssColor, errorColor, percentText } from './colors.js';
 
 const kBars = 32;
 const kWidth = 256;
@@ -37,18 +37,21 @@ function scaleText(text, part) {
   return span;
 }
 
-/// Draws the legend of the spheres `cut` into an element.
-export function drawLegend(place, link, cut, greatest) {
+/// Draws the legend of the spheres `cut` into an element. Per cents are of a single body's diagonal.
+export function drawLegend(place, { whole: link, links, isRobot, isMetric, length }, cut, greatest) {
+  const [{ diagonal }] = links;
+  const percent = (value) => (isRobot ? '' : percentText(value / diagonal));
   const counts = new Array(kBars).fill(0);
-  for (const i of cut) ++counts[greatest > 0 ? Math.min(kBars - 1, Math.floor((kBars * link.errors[i]) / greatest)) : 0];
+  const certified = cut.filter((i) => !Number.isNaN(link.errors[i]));
+  for (const i of certified) ++counts[greatest > 0 ? Math.min(kBars - 1, Math.floor((kBars * link.errors[i]) / greatest)) : 0];
   const scale = document.createElement('div');
   scale.className = 'scale';
   const ends = greatest > 0 ? [0, 0.5, 1] : [0];
-  for (const share of ends) scale.append(scaleText(lengthText(share * greatest), percentText((share * greatest) / link.diagonal)));
+  for (const share of ends) scale.append(scaleText(length(share * greatest), percent(share * greatest)));
   place.replaceChildren(bars(counts), scale);
   place.setAttribute(
     'aria-label',
-    `Colours of ${countText(cut.length)} spheres by certified error, from 0 (${cssColor(errorColor(0))}) to ` +
-      `${lengthText(greatest)} mesh units, ${percentText(greatest / link.diagonal)} of the diagonal (${cssColor(errorColor(1))})`,
+    `Colours of ${countText(certified.length)} spheres by certified error, from 0 (${cssColor(errorColor(0))}) to ` +
+      `${length(greatest)}${isMetric ? '' : ' mesh units'}${isRobot ? '' : `, ${percent(greatest)} of the diagonal`} (${cssColor(errorColor(1))})`,
   );
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The page: reads the data beside it, draws it, and answers to mouse, finger and keyboard.
+import { JointSliders } from './joint_sliders.js';
 import { Panel } from './panel.js';
+import { Robot } from './robot.js';
 import { readScene } from './scene.js';
 import { Stage } from './stage.js';
 
@@ -17,10 +19,11 @@ const kKeys = {
   u: (panel) => panel.turnUp(),
   w: (panel) => panel.chooseWorst(),
   p: (panel) => panel.chooseParent(),
+  r: (panel, sliders) => sliders?.rest(),
   Escape: (panel) => panel.choose(null),
 };
 
-function listenToKeys(panel) {
+function listenToKeys(panel, sliders) {
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     // The slider moves itself.
@@ -28,19 +31,31 @@ function listenToKeys(panel) {
     const action = kKeys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action) return;
     event.preventDefault();
-    action(panel);
+    action(panel, sliders);
   });
+}
+
+function addSliders(scene, robot, stage, panel) {
+  const sliders = new JointSliders(document.getElementById('joints'), robot, scene.isMetric, () => {
+    stage.place();
+    panel.noteMotion();
+  });
+  document.getElementById('joints-section').hidden = false;
+  document.getElementById('rest').addEventListener('click', () => sliders.rest());
+  return sliders;
 }
 
 function begin() {
   const scene = readScene(document.getElementById('scene').textContent);
   document.getElementById('title').textContent = scene.title;
-  const stage = new Stage(document.getElementById('picture'), scene);
-  const panel = new Panel(scene, stage);
-  listenToKeys(panel);
+  const robot = new Robot(scene);
+  const stage = new Stage(document.getElementById('picture'), scene, robot);
+  const panel = new Panel(scene, stage, robot);
+  const sliders = robot.active.length > 0 ? addSliders(scene, robot, stage, panel) : null;
+  listenToKeys(panel, sliders);
   // For tests, and for scripts in the browser's console.
   window.cairnView = {
-    state: () => ({ ...panel.state, ...stage.state }),
+    state: () => ({ ...panel.state, ...stage.state, ...(scene.isRobot ? robot.state : {}) }),
     placeOf: (node) => stage.placeOf(node),
     drawnAt: (x, y) => stage.drawnAt(x, y),
     orbit: (seconds) => stage.orbit(seconds),

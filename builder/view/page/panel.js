@@ -1,56 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The words and controls beside the picture, and what is chosen by them.
-import { countText, lengthText, percentText } from './colors.js';
+import { countText, percentText } from './colors.js';
 import { listDetails } from './details.js';
+import { factsText } from './facts.js';
+import { placeLabels } from './labels.js';
 import { drawLegend } from './legend.js';
+import { tellOverlaps } from './notice.js';
 import { levelCut, levelToBeginWith, worstOf } from './scene.js';
 
 const byId = (id) => document.getElementById(id);
 
 export class Panel {
-  constructor(scene, stage) {
-    [this.link_] = scene.links;
+  constructor(scene, stage, robot) {
+    this.scene_ = scene;
+    this.whole_ = scene.whole;
     this.stage_ = stage;
-    this.level_ = levelToBeginWith(this.link_);
+    this.robot_ = robot;
+    this.level_ = levelToBeginWith(this.whole_);
     this.chosen_ = null;
     this.shown_ = { mesh: true, spheres: true, edges: true };
-    this.showFacts(scene);
+    document.body.classList.toggle('robot', scene.isRobot);
+    byId('facts').textContent = factsText(scene);
     this.listen();
     if (this.hasSpheres) this.showLevels();
     byId('show-spheres').hidden = !this.hasSpheres;
+    for (const name of ['mesh', 'edges']) byId(`show-${name}`).hidden = !scene.links.some(({ triangles }) => triangles.length > 0);
+    byId('up-axis').textContent = stage.up;
     byId('keys').textContent = this.keysText();
     this.update();
+    this.noteMotion();
   }
 
   get hasSpheres() {
-    return this.link_.count > 0;
+    return this.whole_.count > 0;
   }
 
   get isTree() {
-    return this.link_.depth > 0;
+    return this.whole_.depth > 0;
   }
 
   get state() {
-    return { level: this.level_, chosen: this.chosen_, levels: this.link_.depth + 1, spheres: this.link_.count };
-  }
-
-  showFacts({ facts, links }) {
-    const [link] = links;
-    const texts = [];
-    if (link.count > 0) texts.push(`${countText(link.count)} spheres${this.isTree ? ` on ${link.depth + 1} levels` : ''}`);
-    texts.push(`${countText(link.triangles.length / 3)} triangles`);
-    texts.push(`diagonal ${lengthText(link.diagonal)}`);
-    for (const [name, value] of facts) texts.push(`${name.toLowerCase()} ${value}`);
-    byId('facts').textContent = texts.join(' · ');
+    return { level: this.level_, chosen: this.chosen_, levels: this.whole_.depth + 1, spheres: this.whole_.count };
   }
 
   showLevels() {
+    const isPlain = [...this.whole_.errors].map(Number.isNaN);
     byId('legend-section').hidden = false;
+    for (const part of ['worst', 'legend', 'meaning']) byId(part).hidden = !isPlain.includes(false);
+    byId('plain').hidden = !isPlain.includes(true);
     if (!this.isTree) return;
     byId('level-section').hidden = false;
-    byId('level').max = this.link_.depth;
-    for (let level = 0; level <= this.link_.depth; ++level) {
+    byId('level').max = this.whole_.depth;
+    for (let level = 0; level <= this.whole_.depth; ++level) {
       const tick = document.createElement('span');
       tick.textContent = level;
       byId('ticks').append(tick);
@@ -60,6 +62,7 @@ export class Panel {
   keysText() {
     const keys = [];
     if (this.isTree) keys.push('arrows change the level');
+    if (this.robot_.active.length > 0) keys.push('arrows and page keys move a joint', 'R rest position');
     if (this.hasSpheres) keys.push('click a sphere to ask it', 'W worst sphere', ...(this.isTree ? ['P its parent'] : []), 'Esc lets go');
     keys.push('drag to turn, wheel or pinch to come closer');
     const text = keys.join(', ');
@@ -74,7 +77,7 @@ export class Panel {
     byId('frame').addEventListener('click', () => this.frame());
     byId('up').addEventListener('click', () => this.turnUp());
     this.stage_.onClick = (sphere) => this.choose(sphere);
-    this.stage_.onDraw = () => this.placeLabels();
+    this.stage_.onDraw = () => placeLabels(this.scene_, this.stage_, this.shown_.spheres ? this.chosen_ : null);
   }
 
   stepLevel(step) {
@@ -82,7 +85,7 @@ export class Panel {
   }
 
   setLevel(level) {
-    if (!this.hasSpheres || level < 0 || level > this.link_.depth || level === this.level_) return;
+    if (!this.hasSpheres || level < 0 || level > this.whole_.depth || level === this.level_) return;
     this.level_ = level;
     this.chosen_ = null;
     this.update();
@@ -92,17 +95,18 @@ export class Panel {
   choose(sphere) {
     if (sphere === this.chosen_) return;
     this.chosen_ = sphere;
-    if (sphere !== null && !levelCut(this.link_, this.level_).includes(sphere)) this.level_ = this.link_.levels[sphere];
+    if (sphere !== null && !levelCut(this.whole_, this.level_).includes(sphere)) this.level_ = this.whole_.levels[sphere];
     if (sphere !== null && !this.shown_.spheres) this.toggle('spheres');
     this.update();
   }
 
   chooseWorst() {
-    if (this.hasSpheres) this.choose(worstOf(this.link_, levelCut(this.link_, this.level_)));
+    const worst = worstOf(this.whole_, levelCut(this.whole_, this.level_));
+    if (worst !== null) this.choose(worst);
   }
 
   chooseParent() {
-    if (this.chosen_ !== null) this.choose(this.link_.parents[this.chosen_]);
+    if (this.chosen_ !== null) this.choose(this.whole_.parents[this.chosen_]);
   }
 
   toggle(name) {
@@ -124,11 +128,12 @@ export class Panel {
 
   update() {
     if (this.hasSpheres) {
-      const cut = levelCut(this.link_, this.level_);
-      const greatest = this.link_.errors[worstOf(this.link_, cut)];
+      const cut = levelCut(this.whole_, this.level_);
+      const worst = worstOf(this.whole_, cut);
+      const greatest = worst === null ? 0 : this.whole_.errors[worst];
       this.stage_.show(cut, greatest, this.chosen_);
       this.showLevel(cut, greatest);
-      drawLegend(byId('legend'), this.link_, cut, greatest);
+      drawLegend(byId('legend'), this.scene_, cut, greatest);
       this.showChosen();
     }
     this.describePicture();
@@ -137,41 +142,36 @@ export class Panel {
   showLevel(cut, greatest) {
     byId('level').value = this.level_;
     byId('level').setAttribute('aria-valuetext', `Level ${this.level_}, ${countText(cut.length)} spheres`);
-    byId('level').style.setProperty('--share', this.level_ / Math.max(1, this.link_.depth));
+    byId('level').style.setProperty('--share', this.level_ / Math.max(1, this.whole_.depth));
     byId('level-number').textContent = this.level_;
     byId('sphere-count').textContent = countText(cut.length);
     const percent = document.createElement('small');
-    percent.textContent = percentText(greatest / this.link_.diagonal);
-    byId('level-error').replaceChildren(`${lengthText(greatest)} `, percent);
+    percent.textContent = percentText(greatest / this.scene_.links[0].diagonal);
+    byId('level-error').replaceChildren(`${this.scene_.length(greatest)} `, percent);
   }
 
   showChosen() {
     byId('selection').hidden = this.chosen_ === null;
     if (this.chosen_ === null) return;
-    byId('selection-name').textContent = `${this.isTree ? 'Node' : 'Sphere'} ${this.chosen_}`;
-    listDetails(byId('details'), this.link_, this.chosen_, (node) => this.choose(node));
+    const number = this.scene_.isRobot ? this.whole_.local[this.chosen_] : this.chosen_;
+    byId('selection-name').textContent = `${this.isTree ? 'Node' : 'Sphere'} ${number}`;
+    listDetails(byId('details'), this.scene_, this.chosen_, (node) => this.choose(node));
+    if (this.scene_.isRobot) byId('selection').scrollIntoView({ block: 'nearest' }); // joints may have been scrolled to
+  }
+
+  /// The links have moved.
+  noteMotion() {
+    byId('overlaps').hidden = !(this.scene_.isRobot && this.hasSpheres);
+    tellOverlaps(byId('overlaps'), this.scene_.links, this.robot_.overlapping);
   }
 
   describePicture() {
+    const { links, isRobot } = this.scene_;
     const parts = [];
-    if (this.shown_.mesh) parts.push(`the mesh ${this.link_.name}`);
-    if (this.hasSpheres && this.shown_.spheres) parts.push(`${countText(levelCut(this.link_, this.level_).length)} spheres`);
-    const chosen = this.chosen_ === null ? '' : `; sphere ${this.chosen_} is chosen`;
+    if (this.shown_.mesh) parts.push(isRobot ? `the meshes of ${links.length} links` : `the mesh ${links[0].name}`);
+    if (this.hasSpheres && this.shown_.spheres) parts.push(`${countText(levelCut(this.whole_, this.level_).length)} spheres`);
+    const of = isRobot && this.chosen_ !== null ? ` of ${links[this.whole_.owner[this.chosen_]].name}` : '';
+    const chosen = this.chosen_ === null ? '' : `; sphere ${this.whole_.local[this.chosen_]}${of} is chosen`;
     byId('picture').setAttribute('aria-label', `${parts.join(' and ') || 'nothing'}${chosen}`);
-  }
-
-  placeLabels() {
-    const parent = this.chosen_ === null ? null : this.link_.parents[this.chosen_];
-    this.placeLabel(byId('chosen-label'), this.chosen_, (node) => `${node}`);
-    this.placeLabel(byId('parent-label'), parent === this.chosen_ ? null : parent, (node) => `parent ${node}`);
-  }
-
-  placeLabel(label, node, text) {
-    label.hidden = node === null || !this.shown_.spheres;
-    if (label.hidden) return;
-    const { x, y, rise } = this.stage_.placeOf(node);
-    const box = label.parentElement.getBoundingClientRect();
-    label.textContent = text(node);
-    label.style.transform = `translate(${Math.round(x - box.left)}px, ${Math.round(Math.max(18, y - rise - box.top))}px)`;
   }
 }

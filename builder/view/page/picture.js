@@ -19,7 +19,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import blendFragment from './blend.frag.glsl';
-import { kErrorColors } from './colors.js';
+import { kAlarmColor, kAlarmLinkColor, kErrorColors, kPlainColor } from './colors.js';
 import composeFragment from './compose.frag.glsl';
 import shading from './shading.glsl';
 import showFragment from './show.frag.glsl';
@@ -110,6 +110,9 @@ export class Picture {
       balls: null,
       looks: null,
       ramp: kErrorColors.map((c) => new Vector3(...c)),
+      alarm: new Vector3(...kAlarmColor),
+      alarmLink: new Vector3(...kAlarmLinkColor),
+      plain: new Vector3(...kPlainColor),
       size: new Vector2(),
       veil: 1,
       chosenVeil: 1,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The data of the page, decoded: links with a mesh and a tree of spheres each, in the unit of their files.
+import { lengthText } from './colors.js';
+import { linked, wholeOf } from './whole.js';
 
 const kFormat = 1;
 
@@ -18,21 +20,6 @@ function unpacked(base64, Type) {
   const bytes = bytesOf(base64);
   if (!kLittleEndian) for (let i = 0; i < bytes.length; i += 4) bytes.subarray(i, i + 4).reverse();
   return new Type(bytes.buffer);
-}
-
-/// Levels of nodes, and where their children are; parents stand before their children, siblings side by side.
-function linked(parents) {
-  const count = parents.length;
-  const levels = new Uint8Array(count);
-  const firstChild = new Uint32Array(count);
-  const childCount = new Uint32Array(count);
-  for (let i = 0; i < count; ++i) {
-    const parent = parents[i];
-    if (parent === i) continue;
-    levels[i] = levels[parent] + 1;
-    if (childCount[parent]++ === 0) firstChild[parent] = i;
-  }
-  return { levels, firstChild, childCount };
 }
 
 function linkOf(json) {
@@ -61,7 +48,21 @@ function linkOf(json) {
 export function readScene(text) {
   const json = JSON.parse(text);
   if (json.format !== kFormat) throw new Error(`data of format ${json.format}; this viewer reads ${kFormat}`);
-  return { title: json.title, facts: json.facts, links: json.links.map(linkOf), joints: json.joints };
+  const links = json.links.map(linkOf);
+  const isMetric = json.unit === 'm';
+  return {
+    title: json.title,
+    facts: json.facts,
+    links,
+    whole: wholeOf(links),
+    joints: json.joints,
+    ignored: json.ignored_pairs,
+    up: json.up,
+    isMetric,
+    isRobot: links.length > 1 || json.joints.length > 0,
+    /// Lengths for the reader.
+    length: (...values) => values.map((value) => lengthText(isMetric ? 1000 * value : value)).join(', ') + (isMetric ? ' mm' : ''),
+  };
 }
 
 /// The triangles a sphere holds a part of. The data lists one again for every leaf that it lies in.
@@ -78,10 +79,10 @@ export function levelCut(link, level) {
   return Uint32Array.from(cut);
 }
 
-/// The greatest certified error of some spheres.
+/// That of some spheres with the greatest certified error; null where nothing is certified.
 export function worstOf(link, cut) {
-  let worst = cut[0];
-  for (const i of cut) if (link.errors[i] > link.errors[worst]) worst = i;
+  let worst = null;
+  for (const i of cut) if (!Number.isNaN(link.errors[i]) && (worst === null || link.errors[i] > link.errors[worst])) worst = i;
   return worst;
 }
 

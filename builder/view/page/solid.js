@@ -2,6 +2,8 @@
 //
 // The mesh: smooth where it is smooth, with lines along its edges.
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial, Vector3 } from 'three';
+import { kAlarmColor } from './colors.js';
+import { placed } from './joints.js';
 import shading from './shading.glsl';
 import solidFragment from './solid.frag.glsl';
 import solidVertex from './solid.vert.glsl';
@@ -9,6 +11,8 @@ import solidVertex from './solid.vert.glsl';
 // Neighbours that meet flatter than this share a normal; sharper ones are an edge. 40 degrees keep a bunny of 1500
 // triangles smooth and a cylinder's rim sharp.
 const kSmooth = Math.cos((40 * Math.PI) / 180);
+
+const kAlarmShare = 0.55; // of the colour of overlaps in that of a mesh
 
 /// Unit normals of the triangles, and twice their areas.
 function faceNormals({ vertices, triangles }) {
@@ -105,11 +109,36 @@ export class Solid {
       }),
     );
     this.object.frustumCulled = false;
+    this.object.matrixAutoUpdate = false;
+    this.origin_ = link.origin;
+    this.unit_ = unit;
+    this.hasAlarm_ = false;
+    this.stone_ = [0, 0, 0];
+  }
+
+  /// Moves the mesh to where its link is.
+  place(pose) {
+    const [x, y, z] = placed(pose, this.origin_).map((c) => c * this.unit_);
+    const r = pose.rotation;
+    this.object.matrix.set(r[0], r[1], r[2], x, r[3], r[4], r[5], y, r[6], r[7], r[8], z, 0, 0, 0, 1);
+    this.object.matrixWorldNeedsUpdate = true;
+  }
+
+  /// Shows the mesh in the colour of links that overlap, or in its own.
+  setAlarm(hasAlarm) {
+    this.hasAlarm_ = hasAlarm;
+    this.applyStone();
+  }
+
+  applyStone() {
+    const stone = this.stone_.map((c, k) => (this.hasAlarm_ ? c + kAlarmShare * (kAlarmColor[k] - c) : c));
+    this.object.material.uniforms.stone.value.set(...stone);
   }
 
   setColors({ stone, mark, ink }) {
     const { uniforms } = this.object.material;
-    uniforms.stone.value.set(...stone);
+    this.stone_ = stone;
+    this.applyStone();
     uniforms.mark.value.set(...mark);
     uniforms.ink.value.set(...ink);
   }

@@ -103,6 +103,14 @@ function largestCut(link) {
   return most;
 }
 
+/// What the shader takes the colour of a sphere from: its share of the scale; -1 for one without a certified error; 2 and
+/// 3 for one of an overlapping link.
+function lookOf({ errors, alarms }, i, greatest) {
+  if (alarms[i] > 0) return 1 + alarms[i];
+  if (Number.isNaN(errors[i])) return -1;
+  return greatest > 0 ? errors[i] / greatest : 0;
+}
+
 /// The spheres of a level. `object` goes into a scene; `unit` is the length of the file's unit there.
 export class SphereCloud {
   constructor(link, unit) {
@@ -132,7 +140,7 @@ export class SphereCloud {
     const { data } = this.looks.image;
     cut.forEach((i, k) => {
       this.squares_.setBall(k, this.link_, this.unit_, i);
-      data[2 * k] = greatest > 0 ? this.link_.errors[i] / greatest : 0;
+      data[2 * k] = lookOf(this.link_, i, greatest);
       data[2 * k + 1] = i === chosen ? 1 : 0;
     });
     this.looks.needsUpdate = true;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The picture on the page: what is in it, when it is drawn, and what is under the pointer.
+import { Figures } from './figures.js';
 import { firstSphereHit } from './pick.js';
 import { Picture } from './picture.js';
-import { trianglesOf } from './scene.js';
-import { Solid } from './solid.js';
-import { Ring, SphereCloud } from './sphere_cloud.js';
+import { subjectOf } from './subject.js';
 import { onThemeChange, themeColors, wantsLittleMotion } from './theme.js';
 import { Viewpoint } from './viewpoint.js';
 
@@ -17,57 +16,34 @@ const kRest = 160; // milliseconds after the last motion, until the picture is r
 const kMaxPixelRatio = 2;
 const kClick = 5; // CSS pixels a pointer may move during a click
 
-/// The middle and radius of the box around the vertices, or around the spheres where there is no mesh.
-function subjectOf(link) {
-  const lower = [Infinity, Infinity, Infinity];
-  const upper = [-Infinity, -Infinity, -Infinity];
-  const { vertices } = link;
-  for (let i = 0; i < vertices.length; ++i) {
-    lower[i % 3] = Math.min(lower[i % 3], vertices[i]);
-    upper[i % 3] = Math.max(upper[i % 3], vertices[i]);
-  }
-  const middle = lower.map((l, k) => (l + upper[k]) / 2);
-  let radius = 0;
-  for (let i = 0; i < vertices.length; i += 3)
-    radius = Math.max(radius, Math.hypot(...middle.map((m, k) => vertices[i + k] - m)));
-  return { middle, radius };
-}
-
 export class Stage {
-  constructor(canvas, scene) {
+  constructor(canvas, scene, robot) {
     this.canvas_ = canvas;
-    [this.link_] = scene.links;
-    const { middle, radius } = subjectOf(this.link_);
-    this.unit_ = 0.5 / radius;
+    this.scene_ = scene;
+    this.robot_ = robot;
+    this.unit_ = 0.5 / subjectOf(scene, robot.poses).radius;
     this.viewpoint_ = new Viewpoint(canvas, () => this.noteMotion());
     this.picture_ = new Picture(canvas, this.viewpoint_.camera);
-    this.addObjects();
-    this.cut_ = new Uint32Array();
-    this.chosen_ = null;
-    this.shown_ = { mesh: true, spheres: true, edges: true };
+    this.figures_ = new Figures(scene, this.unit_, this.picture_);
+    this.shows_ = { cut: new Uint32Array(), greatest: 0, chosen: null, mesh: true, spheres: true, edges: true };
     this.lastMotion_ = -Infinity;
     this.lastFrame_ = null;
     this.hasMoved_ = false;
     this.isAsked_ = false;
     this.waiting_ = [];
-    this.viewpoint_.setSubject(middle.map((m) => m * this.unit_), 0.5 * kRoom);
+    this.figures_.place(robot);
+    this.takeSubject();
     this.listen();
     this.applyTheme();
     this.resize();
+    if (scene.up !== this.up) this.setUp(scene.up);
     this.viewpoint_.frame(true);
   }
 
-  addObjects() {
-    const { link_: link, unit_: unit } = this;
-    this.solid_ = new Solid(link, unit);
-    this.picture_.solids.add(this.solid_.object);
-    if (link.count === 0) return;
-    this.cloud_ = new SphereCloud(link, unit);
-    this.picture_.spheres.add(this.cloud_.object);
-    this.picture_.setCloud(this.cloud_);
-    this.parentRing_ = new Ring(link, unit, { lineWidth: 1.6, haze: 0.22 });
-    this.ring_ = new Ring(link, unit, { lineWidth: 2.2, haze: 0 });
-    this.picture_.rings.add(this.parentRing_.object, this.ring_.object);
+  /// The whole view is of the links as they stand now.
+  takeSubject() {
+    const { middle, radius } = subjectOf(this.scene_, this.robot_.poses);
+    this.viewpoint_.setSubject(middle.map((m) => m * this.unit_), radius * this.unit_ * kRoom);
   }
 
   listen() {
@@ -88,19 +64,19 @@ export class Stage {
   onDraw = null;
 
   sphereAt({ clientX, clientY }) {
-    if (!this.cloud_ || !this.shown_.spheres) return null;
+    if (!this.shows_.spheres) return null;
     const box = this.canvas_.getBoundingClientRect();
     const [x, y] = [(clientX - box.left) / box.width, (clientY - box.top) / box.height];
-    return firstSphereHit(this.link_, this.unit_, this.cut_, this.viewpoint_.rayThrough(2 * x - 1, 1 - 2 * y));
+    return firstSphereHit(this.scene_.whole, this.unit_, this.shows_.cut, this.viewpoint_.rayThrough(2 * x - 1, 1 - 2 * y));
   }
 
   /// Where the middle of a sphere is on the page, and how far its upper end is above it, in CSS pixels.
   placeOf(node) {
     const box = this.canvas_.getBoundingClientRect();
-    const centre = [0, 1, 2].map((k) => this.link_.centers[3 * node + k] * this.unit_);
+    const centre = [0, 1, 2].map((k) => this.scene_.whole.centers[3 * node + k] * this.unit_);
     const camera = this.viewpoint_.camera;
     const up = camera.matrixWorld.elements.slice(4, 7);
-    const top = centre.map((c, k) => c + up[k] * this.link_.radii[node] * this.unit_);
+    const top = centre.map((c, k) => c + up[k] * this.scene_.whole.radii[node] * this.unit_);
     const onPage = (point) => {
       const { x, y } = this.viewpoint_.onCanvas(point);
       return { x: box.left + (0.5 + 0.5 * x) * box.width, y: box.top + (0.5 - 0.5 * y) * box.height };
@@ -113,14 +89,15 @@ export class Stage {
   drawnAt(x, y) {
     const box = this.canvas_.getBoundingClientRect();
     const k = this.picture_.drawnAt((x - box.left) / box.width, 1 - (y - box.top) / box.height);
-    return k === null ? null : this.cut_[k];
+    return k === null ? null : this.shows_.cut[k];
   }
 
   get state() {
+    const { mesh, spheres, edges } = this.shows_;
     return {
-      instances: this.cloud_ && this.shown_.spheres ? this.cloud_.count : 0,
-      shown: { ...this.shown_ },
-      eye: this.viewpoint_.camera.position.toArray().map((c, k) => this.link_.origin[k] + c / this.unit_),
+      instances: spheres ? this.figures_.sphereCount : 0,
+      shown: { mesh, spheres, edges },
+      eye: this.viewpoint_.camera.position.toArray().map((c, k) => this.robot_.base[k] + c / this.unit_),
       pace: this.picture_.pace,
     };
   }
@@ -137,41 +114,44 @@ export class Stage {
   applyTheme() {
     const colors = themeColors();
     this.picture_.setGround(colors.above, colors.below);
-    this.solid_.setColors({ stone: colors.stone, mark: colors.mark, ink: colors.wire });
-    this.ring_?.setInk(colors.ring, this.pixelRatio_ ?? 1);
-    this.parentRing_?.setInk(colors.parent, this.pixelRatio_ ?? 1);
+    this.figures_.setColors(colors, this.pixelRatio_ ?? 1);
     this.change();
   }
 
   /// Shows the spheres `cut`, coloured up to the error `greatest`; one of them, or none, chosen.
   show(cut, greatest, chosen) {
-    this.cut_ = cut;
-    this.chosen_ = chosen;
-    this.cloud_.show(cut, greatest, chosen);
-    const parent = chosen === null ? null : this.link_.parents[chosen];
-    this.ring_.show(chosen);
-    this.parentRing_.show(parent === chosen ? null : parent);
-    this.solid_.mark(chosen === null ? [] : trianglesOf(this.link_, chosen));
+    Object.assign(this.shows_, { cut, greatest, chosen });
+    this.figures_.show(cut, greatest, chosen);
     this.applyShown();
   }
 
+  /// The links have moved.
+  place() {
+    const { cut, greatest, chosen } = this.shows_;
+    this.figures_.place(this.robot_);
+    if (cut.length > 0) this.figures_.show(cut, greatest, chosen);
+    this.noteMotion();
+  }
+
   setShown(shown) {
-    this.shown_ = { ...shown };
+    Object.assign(this.shows_, shown);
     this.applyShown();
   }
 
   applyShown() {
-    const { mesh, spheres, edges } = this.shown_;
+    const { mesh, spheres, edges, chosen } = this.shows_;
     this.picture_.solids.visible = mesh;
     this.picture_.spheres.visible = spheres;
     this.picture_.rings.visible = spheres;
-    this.solid_.setWire(edges);
-    const besides = this.chosen_ === null ? kVeil : kVeilBesides;
-    this.picture_.setVeils(mesh ? besides : 1, mesh ? kChosenVeil : 1);
+    this.figures_.setWire(edges);
+    const besides = chosen === null ? kVeil : kVeilBesides;
+    const isVeiled = mesh && this.figures_.solids.length > 0;
+    this.picture_.setVeils(isVeiled ? besides : 1, isVeiled ? kChosenVeil : 1);
     this.change();
   }
 
   frame() {
+    this.takeSubject();
     this.viewpoint_.frame(wantsLittleMotion());
   }
 

@@ -65,6 +65,7 @@ struct RobotPart {
   Vec3d signs{1, 1, 1};                ///< the solid is mirrored by these
   double deviation = 0;                ///< no point of this part's surface is farther from the mirrored surface; metres
   std::vector<Ball> balls;             ///< link's frame; of a sphere that is kept, the sphere
+  std::vector<double> errors;  ///< of each ball that was fitted: no point of it is farther out; at most `sticksOut`
   double sticksOut = 0;      ///< proved: no point of a ball is farther from what the URDF names (see `source`); metres
   double leavesOut = 0;      ///< proved: no point of its surface is farther from the balls; metres
   bool covered = false;      ///< proved: the balls cover the surface of the solid

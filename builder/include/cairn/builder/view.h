@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +19,11 @@ namespace cairn::builder {
 
 /// One sphere of a page: a node of a tree, or a ball of a flat set. Frame and unit of its link.
 struct ViewSphere {
-  Vec3 center;                      ///< link frame
-  float radius = 0;                 ///< link unit
-  float error = 0;                  ///< certified: no point of the ball is farther from the solid
-  float innerRadius = 0;            ///< the concentric ball of this radius lies in the solid; 0: none does
-  std::uint32_t parent = 0;         ///< index of the parent, before its children; its own index for a root
+  Vec3 center;               ///< link frame
+  float radius = 0;          ///< link unit
+  float error = 0;           ///< certified: no point of the ball is farther from the solid; NaN: nothing is proved
+  float innerRadius = 0;     ///< the concentric ball of this radius lies in the solid; 0: none does
+  std::uint32_t parent = 0;  ///< index of the parent, before its children; its own index for a root
   std::uint32_t firstTriangle = 0;  ///< into `ViewLink::regionTriangles`
   std::uint32_t triangleCount = 0;  ///< entries there; a triangle stands there once for each leaf it lies in
 };
@@ -39,16 +40,24 @@ struct ViewLink {
   std::vector<std::uint32_t> regionTriangles;  ///< indices into `triangles`
 };
 
+/// A joint whose position is `multiplier` times another's, plus `offset`.
+struct ViewMimic {
+  std::uint32_t joint = 0;  ///< index of the one followed, which follows none itself
+  double multiplier = 1;    ///< of its position
+  double offset = 0;        ///< radians, or link units of a prismatic joint
+};
+
 /// How a link hangs on another. As in URDF, the frame of the child's file is `origin` times the joint's own motion,
 /// seen in the frame of the parent's file.
 struct ViewJoint {
   std::string name;                     ///< any text
-  std::string type;                     ///< as URDF names it: fixed, revolute, continuous, prismatic
+  std::string type;                     ///< as URDF names it; only revolute, continuous and prismatic ones move
   std::uint32_t parent = 0, child = 0;  ///< indices of links
   Mat3d rotation;                       ///< of the child's frame at position 0, in the parent's
   Vec3d translation;                    ///< of the child's frame at position 0, in the parent's, link unit
   Vec3d axis{1, 0, 0};                  ///< unit vector, child's frame
   double lower = 0, upper = 0;          ///< limits: radians, or link units of a prismatic joint
+  std::optional<ViewMimic> mimic{};     ///< the joint it follows, if it follows one
 };
 
 /// What a page shows.
@@ -57,6 +66,10 @@ struct View {
   std::vector<std::pair<std::string, std::string>> facts;  ///< shown below the title: name and value, any text
   std::vector<ViewLink> links;                             ///< at least one
   std::vector<ViewJoint> joints;                           ///< none for a single body
+  /// Pairs of links whose spheres may overlap without being shown as such. Indices.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ignoredPairs{};
+  bool isMetric = false;  ///< the unit of links is the metre; lengths are shown in millimetres
+  bool isZUp = false;     ///< the page begins with z up, not y
 };
 
 /// A page and the bytes of its parts.
@@ -79,7 +92,8 @@ bool hasViewer();
 
 /// Returns a page that shows meshes and their spheres in a browser with WebGL 2: one file, which loads nothing else.
 /// The data stands in it as JSON with base64 of little-endian float32 and uint32. Texts are escaped, and the page's own
-/// policy forbids any other script and any request. Fails without the viewer. Linear.
+/// policy forbids any other script and any request. Fails without the viewer, and where links and joints form no trees,
+/// limits are no ranges, or indices name nothing. Linear.
 ///
 ///     View view{.title = "bunny.obj", .links = {viewLink(tree)}};
 ///     writeFileAtomically("bunny.html", viewPage(view).value().html);
