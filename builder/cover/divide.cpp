@@ -30,10 +30,19 @@ Owner ownerOf(std::span<const double> costs, std::span<const double> bias, doubl
   return owner;
 }
 
+/// Whether the owner has to grow as far for a corner of the piece alone, whatever takes the rest: no other ball holds
+/// its farthest corner more cheaply. Then the rest costs nothing.
+bool isNeededForACorner(PieceCosts& costs, const Piece& piece, const Ball& ball, double cost) {
+  const auto& corners = piece.corners;
+  const Vec3d farthest =
+      *std::ranges::max_element(corners, {}, [&](const Vec3d& corner) { return lengthSq(corner - ball.center); });
+  return *std::ranges::min_element(costs.of({{farthest, farthest, farthest}, piece.source})) >= cost;
+}
+
 }  // namespace
 
 std::vector<Pieces> divide(Pieces pieces, std::span<const Ball> balls, std::span<const double> bias, double standOff,
-                           double finest) {
+                           double finest, Cutting cutting) {
   assert(!balls.empty() && bias.size() == balls.size() && finest > 0);
   PieceCosts costs(balls);
   std::vector<Pieces> parts(balls.size());
@@ -41,7 +50,8 @@ std::vector<Pieces> divide(Pieces pieces, std::span<const Ball> balls, std::span
     const Piece piece = pieces.back();
     pieces.pop_back();
     const Owner owner = ownerOf(costs.of(piece), bias, standOff);
-    if (owner.cost <= standOff || longestEdgeSq(piece) <= finest * finest) {
+    if (owner.cost <= standOff || longestEdgeSq(piece) <= finest * finest ||
+        (cutting == Cutting::whereItHelps && isNeededForACorner(costs, piece, balls[owner.ball], owner.cost))) {
       parts[owner.ball].push_back(piece);
     } else {
       const std::array<Piece, 2> halves = bisect(piece);

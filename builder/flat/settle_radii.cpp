@@ -28,7 +28,7 @@ SphereSet coveringRadii(SphereSet balls, const TriangleMesh& mesh, double standO
   Pieces pieces = piecesOf(mesh);
   refinePieces(pieces, kPiecesPerBall * balls.size());
   const std::vector<double> bias(balls.size(), 0);
-  const std::vector<Pieces> parts = divide(std::move(pieces), balls, bias, standOff, finest);
+  const std::vector<Pieces> parts = divide(std::move(pieces), balls, bias, standOff, finest, Cutting::whereItHelps);
   const double spare = kSpare * largestCoordinate(mesh, balls);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     double farthestSq = 0;
