@@ -79,14 +79,14 @@ def missing(part):
 
 
 def concluded(records, data, old):
-    """What the experiments that are there say of the thesis's conclusions."""
-    experiments = {}
+    """What the experiments that are there say of the thesis's conclusions. A few of them take nothing back that more said before."""
+    experiments, all_of_them = {}, sum(record["kind"] == "experiment" for record in records.values())
     for name, record in records.items():
         if record["kind"] == "experiment" and record["state"] == "done":
             document = json.loads((data / f"{name}.json").read_text(encoding="utf-8"))
             experiments[name] = {"document": document, "rows": tables.read_csv(data / document.get("csv", f"{name}.csv"))}
     title = "The thesis's conclusions"
-    if not experiments:
+    if not experiments or (old and old.how != "missing" and len(experiments) < all_of_them):
         return old or markdown.Section("conclusions", title, text=f"## {title}\n\n**Missing:** no experiment was measured yet.\n")
     days = sorted(records[name]["made"]["date"].partition(" ")[0] for name in experiments)
     text = f"## {title}\n\nDrawn by rules from the experiments below: {', '.join(experiments)}.\n\n{markdown.of_conclusions(experiments)}\n"
