@@ -97,7 +97,9 @@ Result<Wrap> measuredSkin(const TriangleMesh& surface, const WrapOptions& option
 /// What a skin that is `far` away is to be made with next, to be at most `wanted` away; fractions of the diagonal. The
 /// distance is about the offset and a share of alpha, which features between two alphas can shift.
 WrapOptions finer(WrapOptions options, double far, double wanted) {
-  constexpr double kOffsetShare = 1.0 / 3, kLeast = 0.1, kMost = 0.8, kRoom = 0.9;
+  // The offset takes a third of the distance; the rest, less a tenth, is alpha's. A step of less than a fifth is not
+  // worth another skin, one of more than ten would make a hundred times the triangles on a guess.
+  constexpr double kOffsetShare = 1.0 / 3, kRoom = 0.9, kMost = 0.8, kLeast = 0.1;
   const double share = kRoom * (wanted - kOffsetShare * wanted) / std::max(far - options.offset, wanted);
   options.offset = std::max(kMinOffset, std::min(options.offset, kOffsetShare * wanted));
   options.alpha *= std::clamp(share, kLeast, kMost);

@@ -7,16 +7,13 @@
 #include <utility>
 
 #include "cairn/core/atomic_file.h"
+#include "robot/joint_types.h"
 #include "robot/urdf_element.h"
 
 namespace cairn::builder {
 namespace {
 
 using Names = std::map<std::string, std::uint32_t, std::less<>>;
-
-constexpr std::pair<std::string_view, JointType> kJointTypes[] = {
-    {"fixed", JointType::fixed},         {"revolute", JointType::revolute}, {"continuous", JointType::continuous},
-    {"prismatic", JointType::prismatic}, {"planar", JointType::planar},     {"floating", JointType::floating}};
 
 class UrdfReader {
  public:

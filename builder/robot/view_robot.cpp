@@ -9,6 +9,7 @@
 #include "cairn/builder/robot.h"
 #include "cairn/builder/robot_view.h"
 #include "cairn/core/outward_rounding.h"
+#include "robot/joint_types.h"
 #include "robot/mesh_paths.h"
 #include "robot/mirror_match.h"
 #include "robot/primitive_meshes.h"
@@ -99,27 +100,13 @@ void addSpheres(const std::vector<RobotPart>& parts, ViewLink& link) {
            .parent = static_cast<std::uint32_t>(link.spheres.size())});
 }
 
-const char* typeName(JointType type) {
-  switch (type) {
-    case JointType::fixed:
-      return "fixed";
-    case JointType::revolute:
-      return "revolute";
-    case JointType::continuous:
-      return "continuous";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::planar:
-      return "planar";
-    case JointType::floating:
-      return "floating";
-  }
-  return "";
+std::string nameOf(JointType type) {
+  return std::string(std::ranges::find(kJointTypes, type, &std::pair<std::string_view, JointType>::second)->first);
 }
 
 ViewJoint viewJoint(const RobotJoint& joint) {
   ViewJoint shown{.name = joint.name,
-                  .type = typeName(joint.type),
+                  .type = nameOf(joint.type),
                   .parent = joint.parent,
                   .child = joint.child,
                   .rotation = joint.origin.rotation,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-
+#include <map>
 #include <memory>
 
 #include "cairn/builder/certify_balls.h"
@@ -48,7 +48,7 @@ constexpr const char* kAboutCertify =
 
 struct CertifyCommand {
   std::string mesh, tree, json;
-  std::vector<std::string> packages;
+  std::map<std::string, std::filesystem::path> packages;
   unsigned threads = 0;
 };
 
@@ -90,7 +90,7 @@ int certifyFlat(const CertifyCommand& command) {
 int run(const CertifyCommand& command) {
   if (Status s = checkOutputs({command.mesh, command.tree}, {command.json}); !s) return refuse(s.error());
   if (std::filesystem::path(command.mesh).extension() == ".urdf")
-    return certifyRobotCommand(command.mesh, command.tree, packagesOf(command.packages), command.json, command.threads);
+    return certifyRobotCommand(command.mesh, command.tree, command.packages, command.json, command.threads);
   if (std::filesystem::exists(command.tree) && !isTreeFile(command.tree)) return certifyFlat(command);
   const auto examination = examine(command.mesh, command.tree, builder::Sampling::none, 0);
   if (!examination) return refuse(examination.error());

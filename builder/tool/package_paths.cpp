@@ -3,13 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace cairn::tool {
-namespace {
-
-constexpr const char* kOption = "--package-path";
-
-}  // namespace
-
 std::pair<std::string, std::string> namedValue(const char* option, const std::string& text) {
   const std::size_t at = text.find('=');
   if (at == 0 || at == std::string::npos || at + 1 == text.size())
@@ -17,20 +13,15 @@ std::pair<std::string, std::string> namedValue(const char* option, const std::st
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-void addPackageOption(CLI::App& command, std::vector<std::string>& packages) {
+void addPackageOption(CLI::App& command, std::map<std::string, std::filesystem::path>& folders) {
+  constexpr const char* kOption = "--package-path";
+  const auto read = [&folders](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) folders.insert(namedValue(kOption, text));
+  };
   command
-      .add_option(kOption, packages,
-                  "NAME=FOLDER of a ROS package, for package:// (default: a folder NAME in or above the URDF's)")
+      .add_option_function<std::vector<std::string>>(
+          kOption, read, "NAME=FOLDER of a ROS package, for package:// (default: a folder NAME in or above the URDF's)")
       ->allow_extra_args(false);
-}
-
-std::map<std::string, std::filesystem::path> packagesOf(const std::vector<std::string>& packages) {
-  std::map<std::string, std::filesystem::path> folders;
-  for (const std::string& text : packages) {
-    const auto [name, folder] = namedValue(kOption, text);
-    folders[name] = folder;
-  }
-  return folders;
 }
 
 }  // namespace cairn::tool

@@ -50,7 +50,7 @@ constexpr std::array kRobotFormats{
 struct RobotCommand {
   std::string input, output, json, objective = "outer";
   std::array<std::string, kRobotFormats.size()> others;  // in the order of the table
-  std::vector<std::string> packages, linkSpheres, toolFrames;
+  std::vector<std::string> linkSpheres, toolFrames;
   builder::RobotOptions options;
   builder::SelfCollisionOptions check;
   unsigned threads = 0;
@@ -60,7 +60,6 @@ using Texts = std::vector<std::pair<std::string, std::string>>;  // file, conten
 
 /// Throws as the parser does.
 void readPairs(RobotCommand& command) {
-  command.options.packages = packagesOf(command.packages);
   for (const std::string& text : command.linkSpheres) {
     const auto [name, number] = namedValue("--link-spheres", text);
     std::uint32_t count = 0;
@@ -208,7 +207,7 @@ void addRobotCommand(CLI::App& app, Action& action) {
   auto budget = std::make_shared<BudgetOptions>();
   CLI::App* sub = app.add_subcommand("robot", kAboutRobot);
   sub->add_option("URDF", command->input, "Robot, without xacro's macros")->required();
-  addPackageOption(*sub, command->packages);
+  addPackageOption(*sub, command->options.packages);
   budget->add(*sub);
   sub->add_option("--link-spheres", command->linkSpheres, "LINK=N: so many for this link instead")
       ->allow_extra_args(false)

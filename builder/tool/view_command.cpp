@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "cairn/builder/import.h"
@@ -39,7 +40,7 @@ constexpr const char* kAboutView =
 struct ViewCommand {
   MeshSourceOptions source;
   std::string output, json;
-  std::vector<std::string> packages;
+  std::map<std::string, std::filesystem::path> packages;
   std::optional<std::uint32_t> spheres;
   std::uint64_t seed = 1;
   unsigned threads = 0;
@@ -101,7 +102,7 @@ Result<builder::View> viewOfRobot(const ViewCommand& command, const builder::Pro
   if (!model) return model.error();
   builder::RobotViewOptions options;
   options.spheres = command.spheres;
-  options.packages = packagesOf(command.packages);
+  options.packages = command.packages;
   options.seed = command.seed;
   return builder::robotView(model.value(), command.source.path, options, progress);
 }
@@ -173,7 +174,6 @@ void addViewCommand(CLI::App& app, Action& action) {
   addThreadsOption(*sub, command->threads);
   sub->add_option("--json", command->json, "Write counts and sizes in bytes as JSON too; - is standard output");
   sub->callback([command, &action] {
-    packagesOf(command->packages);  // wrong ones end here, as the parser does
     action = [command] { return withThreads(command->threads, [command] { return run(*command); }); };
   });
 }

@@ -100,6 +100,9 @@ TEST_F(CertifyRobot, RefusesWhatHoldsNoSpheres) {
   EXPECT_EQ(stranger.exitCode, 1);
   EXPECT_NE(stranger.errors.find("there is no link 'base'; give spheres of the same robot"), std::string::npos)
       << stranger.errors;
+  const test::ProgramResult package = certify(other, "--package-path nonsense");
+  EXPECT_EQ(package.exitCode, 2) << package.errors;
+  EXPECT_NE(package.errors.find("'nonsense' is not NAME=VALUE"), std::string::npos) << package.errors;
   EXPECT_FALSE(fs::exists(report()));
 }
 

@@ -9,6 +9,7 @@
 
 #include "rockfall/ensemble/compute_each.h"
 #include "rockfall/ensemble/run_range.h"
+#include "rockfall/simulation/run_result.h"
 #include "rockfall/simulation/scene.h"
 
 namespace cairn::rockfall {
@@ -51,10 +52,10 @@ struct ConvergenceStep {
 struct Convergence {
   std::vector<ConvergenceStep> steps;  ///< the coarsest first
   std::size_t rocks = 0, runs = 0;
-  /// Rocks whose way was cut off, by the map's edge or the end of the time, at some step. Where they are more than one
-  /// in twenty, run-outs decide nothing.
+  /// Rocks whose way was cut off, by the map's edge or the end of the time, at some step. Of too many, run-outs decide
+  /// nothing.
   std::size_t cutOff = 0;
-  bool judgesRunouts() const { return 20 * cutOff <= rocks; }
+  bool judgesRunouts() const { return !areTooManyCutOff(cutOff, rocks); }
   /// The coarsest step which is fine, as are all between it and the finest.
   std::optional<double> fineStepS;
 };

@@ -19,7 +19,7 @@ struct QuantileCheck {
   std::uint64_t cutOff = 0;  ///< of these, such as may be too small
 
   /// So many values beyond the quantile would move it, and then no number of runs tells it.
-  bool isCutOff() const { return 20 * cutOff > values; }
+  bool isCutOff() const { return areTooManyCutOff(cutOff, values); }
   bool isEnough(std::uint64_t had) const { return bounds.high && runs <= had && !isCutOff(); }
 };
 

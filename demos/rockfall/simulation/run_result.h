@@ -44,6 +44,12 @@ struct RockRecord {
   double energyLineDeg() const;
 };
 
+/// Whether too many ways of rocks were cut off for figures of run-outs: one in twenty moves a 95 % quantile.
+inline bool areTooManyCutOff(std::uint64_t cutOff, std::uint64_t rocks) {
+  constexpr std::uint64_t kOneIn = 20;
+  return kOneIn * cutOff > rocks;
+}
+
 struct ImpactRecord {
   std::uint32_t rock = 0;
   std::int32_t other = -1;  ///< another rock, or -1: the ground
