@@ -46,7 +46,7 @@ def flying(tree, runs):
     lines = measured([*tree, "--scene", "converge", "--runs", str(runs), "--budget-ops", ",".join(OPERATIONS),
                       "--unresolved", ",".join(POLICIES)])
     print("\nTwenty bodies that fly to one point, operations a step:\n")
-    print("| operations | unfinished pairs | certified error, mean % | true error, mean % | pairs missed | deepest of these % |")
+    print("| operations | unresolved pairs | certified error, mean % | true error, mean % | pairs missed | deepest of these % |")
     print("| --: | --- | --: | --: | --: | --: |")
     for line in lines:
         print("| {} | {} | {:.2f} | {:.2f} | {} of {} | {:.1f} |".format(
