@@ -48,6 +48,8 @@ class GeneratedPage(File):
 
 def page_of_source(name, config):
     text = (ROOT / name).read_text(encoding="utf-8")
+    if name.endswith(".md"):
+        return GeneratedPage(name, name + ".html", as_python_markdown(text), config)
     language = LANGUAGES.get(pathlib.PurePosixPath(name).suffix, "text")
     longest = max((len(run) for run in re.findall(r"`+", text)), default=0)
     fence = "`" * max(3, longest + 1)
