@@ -189,11 +189,14 @@ cairn_check_bullet_precision(Bullet::Collision)
 cairn_follow_bullets_rtti(Bullet::Collision)
 message(STATUS "Bullet ${BULLET_VERSION_STRING}${cairn_bullet_suffix}: ${CAIRN_BulletCollision${cairn_bullet_suffix}}")
 
-foreach(library BulletWorldImporter BulletFileLoader)
+foreach(library BulletWorldImporter BulletFileLoader BulletSoftBody)
   find_library(CAIRN_${library}${cairn_bullet_suffix} ${library}${cairn_bullet_suffix}
                HINTS ${BULLET_ROOT_DIR}/${BULLET_LIBRARY_DIRS})
 endforeach()
 if(CAIRN_BulletWorldImporter${cairn_bullet_suffix} AND CAIRN_BulletFileLoader${cairn_bullet_suffix} AND
    EXISTS ${CAIRN_BULLET_INCLUDE_DIR}/BulletWorldImporter/btBulletWorldImporter.h)
   cairn_import_bullet(Bullet::WorldImporter BulletWorldImporter BulletFileLoader BulletDynamics BulletCollision LinearMath)
+endif()
+if(CAIRN_BulletSoftBody${cairn_bullet_suffix} AND EXISTS ${CAIRN_BULLET_INCLUDE_DIR}/BulletSoftBody/btSoftBody.h)
+  cairn_import_bullet(Bullet::SoftBody BulletSoftBody BulletDynamics BulletCollision LinearMath)
 endif()

@@ -46,7 +46,7 @@ function(one_way where prefix)
 endfunction()
 
 one_way(builder "" surface import coarse certify balls medial cover spheres regions levels hierarchy flat evaluate export view bound fracture robot tool)
-one_way(plugin "" platform memory placement queries shape contacts kernel triangles terrain colliders continuous pairs dispatch serialize drawing effects simulation c)
+one_way(plugin "" platform memory placement queries shape contacts kernel triangles terrain colliders continuous pairs dispatch serialize drawing effects soft simulation c)
 one_way(python "" common core builder)
 one_way(demos/rockfall "rockfall/" case terrain gis rocks simulation ensemble outputs convergence validation)
 one_way(demos/accuracy_cost "accuracy_cost/" models experiments figures runs)

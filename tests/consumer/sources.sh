@@ -33,10 +33,10 @@ FetchContent_MakeAvailable(cairn)" ;;
     -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DBUILD_SHARED_LIBS=$shared > "$scratch/log" 2>&1 ||
     fail "$way is not configured: $(cat "$scratch/log")"
   ! ninja -C "$game/build" -t targets all | grep -qE '(^|/)(cairn_builder|plugin_tests|rockfall)' || fail "$way: the game builds more than it wants"
-  cmake --build "$game/build" --target game cairn_c > "$scratch/log" 2>&1 || fail "$way is not built: $(tail -30 "$scratch/log")"
+  cmake --build "$game/build" --target game cairn_c cairn_soft > "$scratch/log" 2>&1 || fail "$way is not built: $(tail -30 "$scratch/log")"
   (cd "$game" && build/game) || fail "$way does not run"
   if [[ $shared == ON ]]; then
-    for library in core bullet effects c; do
+    for library in core bullet effects soft c; do
       nm -DC --defined-only "$(find "$game/build" -name "libcairn_$library.so")" | awk '$2 ~ /[TBDRV]/ { $1 = $2 = ""; print substr($0, 3) }' |
         sed 's/(.*//' | grep -E "^cairn(::|[A-Z])" | sort -u > "$scratch/$library"
       diff "$here/exported/$library.txt" "$scratch/$library" || fail "libcairn_$library shows other symbols than tests/consumer/exported/$library.txt"
