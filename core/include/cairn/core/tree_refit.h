@@ -59,7 +59,7 @@ class CAIRN_CORE_EXPORT TreeRefit {
   Result<std::shared_ptr<const SphereTree>> refitMesh(std::span<const Vec3> vertices);
 
  private:
-  struct State;
+  struct CAIRN_HIDDEN State;
   explicit TreeRefit(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
