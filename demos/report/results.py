@@ -89,7 +89,8 @@ def concluded(records, data, old):
     if not experiments or (old and old.how != "missing" and len(experiments) < all_of_them):
         return old or markdown.Section("conclusions", title, text=f"## {title}\n\n**Missing:** no experiment was measured yet.\n")
     days = sorted(records[name]["made"]["date"].partition(" ")[0] for name in experiments)
-    text = f"## {title}\n\nDrawn by rules from the experiments below: {', '.join(experiments)}.\n\n{markdown.of_conclusions(experiments)}\n"
+    said = "[Whole runs](#the-thesiss-experiments-whole-runs) decide where they differ."
+    text = f"## {title}\n\nDrawn by rules from the experiments below: {', '.join(experiments)}. {said}\n\n{markdown.of_conclusions(experiments)}\n"
     return markdown.Section("conclusions", title, days[-1], "from experiments", text)
 
 
