@@ -26,10 +26,12 @@ struct PairCase {
   float margin;
 };
 
-PairCase randomCase(std::uint64_t seed) {
+PairCase randomCase(std::uint64_t seed, std::uint32_t spheresPerNode = 1) {
   std::mt19937_64 engine(seed);
   test::RandomTree a = test::randomTree(seed * 2, 300, 3);
   test::RandomTree b = test::randomTree(seed * 2 + 1, 200, static_cast<std::uint32_t>(1 + engine() % 3));
+  if (spheresPerNode == 2)
+    for (test::RandomTree* tree : {&a, &b}) test::addBounds(*tree, seed);
   SphereTree treeA = std::move(SphereTree::create(a.data)).value();
   SphereTree treeB = std::move(SphereTree::create(b.data)).value();
   const Pose poseA = test::randomPose(engine, 1.2);
@@ -37,10 +39,12 @@ PairCase randomCase(std::uint64_t seed) {
   return {std::move(a), std::move(b), std::move(treeA), std::move(treeB), poseA, poseB, 0.05F};
 }
 
-// The promise of any stop: two points of the bodies closer than the margin lie in a reported pair.
+// The promise of any stop: two points of the bodies closer than the margin lie in a reported pair that may touch.
 void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
-  PairSet reported = setOf(traversal.leafPairs());
-  for (const NodePair& p : traversal.front()) reported.insert({p.a, p.b});
+  PairSet reported;
+  for (const auto& pairs : {traversal.leafPairs(), traversal.front()})
+    for (const NodePair& p : pairs)
+      if (traversal.mayTouch(p)) reported.insert({p.a, p.b});
   const auto isReported = [&](std::uint32_t recordA, std::uint32_t recordB) {
     for (std::uint32_t a = recordA;; a = c.treeA.data().nodes[a].parent) {
       for (std::uint32_t b = recordB;; b = c.treeB.data().nodes[b].parent) {
@@ -69,15 +73,18 @@ void expectSameOnceFitted(Traversal& traversal) {
   EXPECT_EQ(said(), before);
 }
 
-// Brute force: all pairs of leaves whose balls overlap, in double, no hierarchy.
+// In the world, in double; negative where they overlap.
+double gapOf(const PairCase& c, const Sphere& a, const Sphere& b) {
+  const double reach = a.radius * c.poseA.scale + b.radius * c.poseB.scale + c.margin;
+  return distance(c.poseA * Vec3d(a.center), c.poseB * Vec3d(b.center)) - reach;
+}
+
+// Brute force: all pairs of leaves whose bounds overlap, no hierarchy.
 PairSet overlappingLeaves(const PairCase& c, double slack) {
   PairSet set;
   for (const NodeId a : c.treeA.levelCut(c.treeA.depth()))
-    for (const NodeId b : c.treeB.levelCut(c.treeB.depth())) {
-      const Sphere sa = c.treeA.sphere(a), sb = c.treeB.sphere(b);
-      const double reach = sa.radius * c.poseA.scale + sb.radius * c.poseB.scale + c.margin + slack;
-      if (distance(c.poseA * Vec3d(sa.center), c.poseB * Vec3d(sb.center)) <= reach) set.insert({a, b});
-    }
+    for (const NodeId b : c.treeB.levelCut(c.treeB.depth()))
+      if (gapOf(c, c.treeA.bound(a), c.treeB.bound(b)) <= slack) set.insert({a, b});
   return set;
 }
 
@@ -120,7 +127,7 @@ TEST(TreePairTraversal, Unlimited_FindsEveryTouchAndOnlyOverlappingLeaves) {
   std::size_t touchingCases = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const PairCase c = randomCase(seed);
+    const PairCase c = randomCase(seed, 1 + seed % 2);
     TreePairTraversal traversal;
     traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
     Budget budget = Budget::unlimited();
@@ -162,6 +169,65 @@ TEST(TreePairTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
                              whole.leafPairs().end()));
     }
   }
+}
+
+// Bounds decide which pairs are found, in which order and at what cost, as if they were all there is; which node of a
+// pair is split, and what a pair certifies, is said by the errors of the spheres.
+TEST(TreePairTraversal, TwoSpheresANode_FindsWhatTheBoundsAloneFind) {
+  std::size_t pairs = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const PairCase c = randomCase(seed, 2);
+    const auto boundsAlone = [](SphereTreeData data) {
+      for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        data.nodes[i].center = data.bounds[i].center;
+        data.nodes[i].radius = data.bounds[i].radius;
+      }
+      data.bounds.clear();
+      return std::move(SphereTree::create(std::move(data))).value();
+    };
+    const SphereTree a = boundsAlone(c.a.data), b = boundsAlone(c.b.data);
+    TreePairTraversal two, one;
+    two.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    one.start(a, b, c.poseA, c.poseB, c.margin);
+    while (!two.done()) {
+      Budget ofTwo = Budget::operations(100), ofOne = Budget::operations(100);
+      ASSERT_EQ(two.refine(ofTwo), one.refine(ofOne));
+      ASSERT_EQ(ofTwo.used(), ofOne.used());
+      ASSERT_TRUE(std::ranges::equal(two.front(), one.front()));
+      ASSERT_EQ(two.worstFrontError(), one.worstFrontError());
+    }
+    ASSERT_TRUE(std::ranges::equal(two.leafPairs(), one.leafPairs()));
+    pairs += two.leafPairs().size();
+  }
+  EXPECT_GT(pairs, 1000U) << "the cases must mostly touch to mean anything";
+}
+
+// Wherever it is stopped: what touches is reported by a pair whose spheres touch too, and a pair says so as brute force
+// does.
+TEST(TreePairTraversal, TwoSpheresANode_AnswersWithTheSpheresAtEveryStop) {
+  std::size_t touching = 0, apart = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const PairCase c = randomCase(seed, 2);
+    const double slack = 40 * double(kOverlapSlack);
+    TreePairTraversal traversal;
+    traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
+    for (bool isDone = traversal.done(); !isDone; isDone = traversal.done()) {
+      Budget budget = Budget::operations(150);
+      (void)traversal.refine(budget);
+      expectEveryTouchReported(c, traversal);
+      for (const auto& pairs : {traversal.front(), traversal.leafPairs()})
+        for (const NodePair& p : pairs) {
+          const double gap = gapOf(c, c.treeA.sphere(p.a), c.treeB.sphere(p.b));
+          const bool mayTouch = traversal.mayTouch(p);
+          if (std::abs(gap) > slack) ASSERT_EQ(mayTouch, gap < 0);
+          ++(mayTouch ? touching : apart);
+        }
+    }
+  }
+  EXPECT_GT(touching, 1000U);
+  EXPECT_GT(apart, 100U) << "no pair is ruled out by its spheres: the test shows nothing";
 }
 
 TEST(TreePairTraversal, StoppedAtEveryStep_GivesTheSameBits) {
@@ -306,7 +372,8 @@ class HalfSpaces final : public Obstacle {
 TEST(ObstacleTraversal, EveryPointBelowAPlane_IsInAReportedLeaf) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::mt19937_64 engine(seed);
-    const test::RandomTree random = test::randomTree(seed);
+    test::RandomTree random = test::randomTree(seed);
+    if (seed % 2 == 0) test::addBounds(random, seed);
     const SphereTree tree = std::move(SphereTree::create(random.data)).value();
     std::vector<HalfSpaces::Plane> planes;
     for (int i = 0; i < 3; ++i) planes.push_back({normalized(test::randomPoint(engine)), test::uniform(engine, -1, 1)});
@@ -315,12 +382,16 @@ TEST(ObstacleTraversal, EveryPointBelowAPlane_IsInAReportedLeaf) {
     traversal.start(tree, 2, obstacle);
     Budget budget = Budget::unlimited();
     ASSERT_EQ(traversal.refine(budget), Progress::done);
-    const PairSet found = setOf(traversal.leafPairs());
+    PairSet found;
+    for (const NodePair& p : traversal.leafPairs()) {
+      EXPECT_EQ(traversal.mayTouch(p), obstacle.hits(tree.sphere(p.a), p.b));
+      if (traversal.mayTouch(p)) found.insert({p.a, p.b});
+    }
     for (std::uint32_t element = 0; element < 3; ++element)
       for (std::size_t i = 0; i < random.points.size(); ++i)
         if (obstacle.below(random.points[i], element))
           EXPECT_TRUE(found.contains({tree.nodeAt(random.leafOfPoint[i]), element})) << "seed " << seed;
-    for (const NodePair& p : traversal.leafPairs()) EXPECT_TRUE(obstacle.hits(tree.sphere(p.a), p.b));
+    for (const NodePair& p : traversal.leafPairs()) EXPECT_TRUE(obstacle.hits(tree.bound(p.a), p.b));
     for (const NodePair& p : traversal.leafPairs())
       EXPECT_NEAR(traversal.pairError(p), 2 * tree.error(p.a), 2 * tree.error(p.a) * 0x1p-20F)
           << "world length: tree error times scale";
