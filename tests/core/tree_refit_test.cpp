@@ -136,20 +136,6 @@ TEST(TreeRefit, HoldsAWalkingFigureForAThousandSteps) {
   followsForAThousandSteps(mesh, plainTree(mesh.first, 4));
 }
 
-// The same with the balls as bounds, and larger ones from elsewhere to answer.
-std::shared_ptr<const SphereTree> withBounds(const SphereTree& tree) {
-  SphereTreeData data = tree.data();
-  std::mt19937_64 random(kSeed);
-  for (NodeData& n : data.nodes) {
-    data.bounds.push_back({n.center, n.radius});
-    const Vec3 shift = Vec3(randomPoint(random)) * (0.2F * n.radius);
-    n.center += shift;
-    n.radius += length(shift) * 1.001F;
-    n.error = 2 * n.radius;
-  }
-  return std::make_shared<const SphereTree>(std::move(SphereTree::create(std::move(data))).value());
-}
-
 // Each of its triangles lies in many leaves: parts are what is followed.
 TEST(TreeRefit, HoldsTrianglesThatAreCutIntoParts) {
   const auto twist = [](const Vec3d& p, double phase) {
@@ -194,7 +180,7 @@ void isAsIfRead(const SphereTree& moved) {
 
 TEST(TreeRefit, HoldsBothSpheresOfANode) {
   const MovingMesh mesh = bendingBar(6);
-  const auto tree = withBounds(*plainTree(mesh.first, 4));
+  const auto tree = withTwoSpheres(*plainTree(mesh.first, 4), kSeed);
   followsForAThousandSteps(mesh, tree);
   TreeRefit refit = bound(tree);
   const auto moved = refitted(refit, mesh.inTree(*tree, 0.7));
