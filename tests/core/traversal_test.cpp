@@ -88,8 +88,9 @@ PairSet overlappingLeaves(const PairCase& c, double slack) {
   return set;
 }
 
-SphereTree treeOfOneBall(const Sphere& ball) {
+SphereTree treeOfOneBall(const Sphere& ball, std::vector<Sphere> bounds = {}) {
   SphereTreeData data;
+  data.bounds = std::move(bounds);
   NodeData& node = data.nodes.emplace_back();
   node.center = ball.center;
   node.radius = ball.radius;
@@ -201,6 +202,19 @@ TEST(TreePairTraversal, TwoSpheresANode_FindsWhatTheBoundsAloneFind) {
     pairs += two.leafPairs().size();
   }
   EXPECT_GT(pairs, 1000U) << "the cases must mostly touch to mean anything";
+}
+
+TEST(TreePairTraversal, TwoSpheresANode_RootsMeetByTheirBounds) {
+  const SphereTree largeBound = treeOfOneBall({{}, 1}, {{{}, 2}}), largeSphere = treeOfOneBall({{}, 2}, {{{}, 1}});
+  Pose away;
+  away.translation = {3.5, 0, 0};
+  for (const SphereTree* tree : {&largeBound, &largeSphere}) {
+    TreePairTraversal traversal;
+    traversal.start(*tree, *tree, {}, away, 0);
+    const bool isFound = tree == &largeBound;
+    ASSERT_EQ(traversal.leafPairs().size(), isFound ? 1U : 0U);
+    if (isFound) EXPECT_FALSE(traversal.mayTouch(traversal.leafPairs()[0])) << "its spheres are apart";
+  }
 }
 
 // Wherever it is stopped: what touches is reported by a pair whose spheres touch too, and a pair says so as brute force
