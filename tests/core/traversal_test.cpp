@@ -1,65 +1,22 @@
 // SPDX-License-Identifier: Zlib
 #include <gtest/gtest.h>
 
-#include <set>
 #include <tuple>
 
 #include "cairn/core/obstacle_traversal.h"
 #include "cairn/core/tree_pair_traversal.h"
+#include "pair_case.h"
 #include "random_tree.h"
 
 namespace cairn::traversal_test {
 namespace {
 
-using PairSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
-
-PairSet setOf(std::span<const NodePair> pairs) {
-  PairSet set;
-  for (const NodePair& p : pairs) set.insert({p.a, p.b});
-  return set;
-}
-
-struct PairCase {
-  test::RandomTree a, b;
-  SphereTree treeA, treeB;
-  Pose poseA, poseB;
-  float margin;
-};
-
-PairCase randomCase(std::uint64_t seed, std::uint32_t spheresPerNode = 1) {
-  std::mt19937_64 engine(seed);
-  test::RandomTree a = test::randomTree(seed * 2, 300, 3);
-  test::RandomTree b = test::randomTree(seed * 2 + 1, 200, static_cast<std::uint32_t>(1 + engine() % 3));
-  if (spheresPerNode == 2)
-    for (test::RandomTree* tree : {&a, &b}) test::addBounds(*tree, seed);
-  SphereTree treeA = std::move(SphereTree::create(a.data)).value();
-  SphereTree treeB = std::move(SphereTree::create(b.data)).value();
-  const Pose poseA = test::randomPose(engine, 1.2);
-  const Pose poseB = test::randomPose(engine, 1.2);
-  return {std::move(a), std::move(b), std::move(treeA), std::move(treeB), poseA, poseB, 0.05F};
-}
-
-// The promise of any stop: two points of the bodies closer than the margin lie in a reported pair that may touch.
-void expectEveryTouchReported(const PairCase& c, const Traversal& traversal) {
-  PairSet reported;
-  for (const auto& pairs : {traversal.leafPairs(), traversal.front()})
-    for (const NodePair& p : pairs)
-      if (traversal.mayTouch(p)) reported.insert({p.a, p.b});
-  const auto isReported = [&](std::uint32_t recordA, std::uint32_t recordB) {
-    for (std::uint32_t a = recordA;; a = c.treeA.data().nodes[a].parent) {
-      for (std::uint32_t b = recordB;; b = c.treeB.data().nodes[b].parent) {
-        if (reported.contains({c.treeA.nodeAt(a), c.treeB.nodeAt(b)})) return true;
-        if (b == 0) break;
-      }
-      if (a == 0) return false;
-    }
-  };
-  for (std::size_t i = 0; i < c.a.points.size(); ++i)
-    for (std::size_t j = 0; j < c.b.points.size(); ++j) {
-      const double separation = distance(c.poseA * Vec3d(c.a.points[i]), c.poseB * Vec3d(c.b.points[j]));
-      if (separation <= c.margin) ASSERT_TRUE(isReported(c.a.leafOfPoint[i], c.b.leafOfPoint[j])) << i << ", " << j;
-    }
-}
+using test::expectEveryTouchReported;
+using test::PairCase;
+using test::PairSet;
+using test::randomCase;
+using test::setOf;
+using test::treeOfOneBall;
 
 // The answer of a traversal does not depend on the memory it holds.
 void expectSameOnceFitted(Traversal& traversal) {
@@ -71,34 +28,6 @@ void expectSameOnceFitted(Traversal& traversal) {
   const auto before = said();
   traversal.shrinkToFit();
   EXPECT_EQ(said(), before);
-}
-
-// In the world, in double; negative where they overlap.
-double gapOf(const PairCase& c, const Sphere& a, const Sphere& b) {
-  const double reach = a.radius * c.poseA.scale + b.radius * c.poseB.scale + c.margin;
-  return distance(c.poseA * Vec3d(a.center), c.poseB * Vec3d(b.center)) - reach;
-}
-
-// Brute force: all pairs of leaves whose bounds overlap, no hierarchy.
-PairSet overlappingLeaves(const PairCase& c, double slack) {
-  PairSet set;
-  for (const NodeId a : c.treeA.levelCut(c.treeA.depth()))
-    for (const NodeId b : c.treeB.levelCut(c.treeB.depth()))
-      if (gapOf(c, c.treeA.bound(a), c.treeB.bound(b)) <= slack) set.insert({a, b});
-  return set;
-}
-
-SphereTree treeOfOneBall(const Sphere& ball, std::vector<Sphere> bounds = {}) {
-  SphereTreeData data;
-  data.bounds = std::move(bounds);
-  NodeData& node = data.nodes.emplace_back();
-  node.center = ball.center;
-  node.radius = ball.radius;
-  node.supportCount = 1;
-  node.triangleCount = 4;
-  data.supportPoints = {ball.center};
-  test::detail::addTetrahedron(data);
-  return std::move(SphereTree::create(std::move(data))).value();
 }
 
 // Products of float matrices turn and stretch a little: those of a tree four compounds deep by up to 35 units of 2^-24
@@ -137,7 +66,7 @@ TEST(TreePairTraversal, Unlimited_FindsEveryTouchAndOnlyOverlappingLeaves) {
     expectEveryTouchReported(c, traversal);
     const PairSet found = setOf(traversal.leafPairs());
     EXPECT_EQ(found.size(), traversal.leafPairs().size()) << "no pair is reported twice";
-    const PairSet allowed = overlappingLeaves(c, 40 * kOverlapSlack);
+    const PairSet allowed = test::overlappingLeaves(c, 40 * kOverlapSlack);
     for (const auto& pair : found) EXPECT_TRUE(allowed.contains(pair));
     touchingCases += !found.empty();
   }
@@ -170,78 +99,6 @@ TEST(TreePairTraversal, StoppedAtEveryOperation_GivesTheSameBits) {
                              whole.leafPairs().end()));
     }
   }
-}
-
-// Bounds decide which pairs are found, in which order and at what cost, as if they were all there is; which node of a
-// pair is split, and what a pair certifies, is said by the errors of the spheres.
-TEST(TreePairTraversal, TwoSpheresANode_FindsWhatTheBoundsAloneFind) {
-  std::size_t pairs = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const PairCase c = randomCase(seed, 2);
-    const auto boundsAlone = [](SphereTreeData data) {
-      for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        data.nodes[i].center = data.bounds[i].center;
-        data.nodes[i].radius = data.bounds[i].radius;
-      }
-      data.bounds.clear();
-      return std::move(SphereTree::create(std::move(data))).value();
-    };
-    const SphereTree a = boundsAlone(c.a.data), b = boundsAlone(c.b.data);
-    TreePairTraversal two, one;
-    two.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
-    one.start(a, b, c.poseA, c.poseB, c.margin);
-    while (!two.done()) {
-      Budget ofTwo = Budget::operations(100), ofOne = Budget::operations(100);
-      ASSERT_EQ(two.refine(ofTwo), one.refine(ofOne));
-      ASSERT_EQ(ofTwo.used(), ofOne.used());
-      ASSERT_TRUE(std::ranges::equal(two.front(), one.front()));
-      ASSERT_EQ(two.worstFrontError(), one.worstFrontError());
-    }
-    ASSERT_TRUE(std::ranges::equal(two.leafPairs(), one.leafPairs()));
-    pairs += two.leafPairs().size();
-  }
-  EXPECT_GT(pairs, 1000U) << "the cases must mostly touch to mean anything";
-}
-
-TEST(TreePairTraversal, TwoSpheresANode_RootsMeetByTheirBounds) {
-  const SphereTree largeBound = treeOfOneBall({{}, 1}, {{{}, 2}}), largeSphere = treeOfOneBall({{}, 2}, {{{}, 1}});
-  Pose away;
-  away.translation = {3.5, 0, 0};
-  for (const SphereTree* tree : {&largeBound, &largeSphere}) {
-    TreePairTraversal traversal;
-    traversal.start(*tree, *tree, {}, away, 0);
-    const bool isFound = tree == &largeBound;
-    ASSERT_EQ(traversal.leafPairs().size(), isFound ? 1U : 0U);
-    if (isFound) EXPECT_FALSE(traversal.mayTouch(traversal.leafPairs()[0])) << "its spheres are apart";
-  }
-}
-
-// Wherever it is stopped: what touches is reported by a pair whose spheres touch too, and a pair says so as brute force
-// does.
-TEST(TreePairTraversal, TwoSpheresANode_AnswersWithTheSpheresAtEveryStop) {
-  std::size_t touching = 0, apart = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const PairCase c = randomCase(seed, 2);
-    const double slack = 40 * double(kOverlapSlack);
-    TreePairTraversal traversal;
-    traversal.start(c.treeA, c.treeB, c.poseA, c.poseB, c.margin);
-    for (bool isDone = traversal.done(); !isDone; isDone = traversal.done()) {
-      Budget budget = Budget::operations(150);
-      (void)traversal.refine(budget);
-      expectEveryTouchReported(c, traversal);
-      for (const auto& pairs : {traversal.front(), traversal.leafPairs()})
-        for (const NodePair& p : pairs) {
-          const double gap = gapOf(c, c.treeA.sphere(p.a), c.treeB.sphere(p.b));
-          const bool mayTouch = traversal.mayTouch(p);
-          if (std::abs(gap) > slack) ASSERT_EQ(mayTouch, gap < 0);
-          ++(mayTouch ? touching : apart);
-        }
-    }
-  }
-  EXPECT_GT(touching, 1000U);
-  EXPECT_GT(apart, 100U) << "no pair is ruled out by its spheres: the test shows nothing";
 }
 
 TEST(TreePairTraversal, StoppedAtEveryStep_GivesTheSameBits) {
