@@ -19,22 +19,34 @@ double largestCoordinate(const Vec3d& v) {
 
 CoverProof::CoverProof(const SphereTree& tree, const TriangleMesh& mesh) : tree_(tree), mesh_(mesh) {
   smallestPiece_ = kMinPiece * boundsOf(mesh).diagonal();
+  const std::size_t count = tree.spheresPerNode();
+  balls_.resize(kFamilyWidth * tree.families().size() * count);
   double reach = 0;
   for (const Vec3d& v : mesh.vertices) reach = std::max(reach, largestCoordinate(toTree(v)));
-  for (const NodeData& node : tree.data().nodes)
-    reach = std::max(reach, largestCoordinate(Vec3d(node.center)) + static_cast<double>(node.radius));
+  for (std::uint32_t i = 0; i < tree.nodeCount(); ++i) {
+    const NodeId node = tree.nodeAt(i);
+    const Sphere both[] = {tree.sphere(node), tree.bound(node)};
+    for (std::size_t k = 0; k < count; ++k) {
+      reach = std::max(reach, largestCoordinate(Vec3d(both[k].center)) + static_cast<double>(both[k].radius));
+      balls_[node * count + k] = {Vec3d(both[k].center), both[k].radius};
+    }
+  }
   // Let u = 2^-53, and every coordinate at most `reach`. A corner minus the origin rounds by u reach, and each halving
   // of an edge rounds by u reach too. Longest-edge bisection needs at most 52 halvings (edges shrink below sqrt(3)
   // 2^(-n/2), Adler 1983). A corner minus a centre rounds by 2 u reach. Squares, sum and the comparison round by 8 u of
   // the distance, which is below 4 reach. The total is less than 100 u reach for each coordinate, times sqrt(3) for the
   // vector. So 2^-45 = 256 u covers it, with room for the arithmetic of the radii here.
   guard_ = 0x1p-45 * reach;
-  balls_.resize(std::size_t{kFamilyWidth} * tree.families().size());
-  for (std::uint32_t i = 0; i < tree.nodeCount(); ++i) {
-    const NodeData& node = tree.data().nodes[i];
-    const double inner = static_cast<double>(node.radius) - guard_;
-    balls_[tree.nodeAt(i)] = {Vec3d(node.center), node.radius, inner >= 0 ? inner * inner : -1};
+  for (GuardedBall& ball : balls_) {
+    const double inner = ball.radius - guard_;
+    ball.innerSq = inner >= 0 ? inner * inner : -1;
   }
+}
+
+double CoverProof::outside(NodeId node, const Vec3d& point) const {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const GuardedBall& ball : ballsOf(node)) most = std::max(most, distance(point, ball.center) - ball.radius);
+  return most;
 }
 
 /// The proof for one triangle, depth-first over its pieces. Each piece carries the nodes that may still hold it or a
@@ -75,17 +87,21 @@ class CoverProof::Search {
     while (!stack_.empty()) {
       const NodeId node = stack_.back();
       stack_.pop_back();
-      const GuardedBall& ball = proof_.balls_[node];
-      const bool whole = std::all_of(piece.begin(), piece.end(),
-                                     [&](const Vec3d& p) { return lengthSq(p - ball.center) <= ball.innerSq; });
+      const std::span<const GuardedBall> balls = proof_.ballsOf(node);
+      const bool whole = std::ranges::all_of(balls, [&](const GuardedBall& ball) {
+        return std::ranges::all_of(piece, [&](const Vec3d& p) { return lengthSq(p - ball.center) <= ball.innerSq; });
+      });
       if (whole && isEnd(node)) return true;
       if (whole) {
         const std::uint32_t family = proof_.tree_.childFamily(node);
         for (std::uint32_t lane = 0; lane < proof_.tree_.familySize(family); ++lane)
           stack_.push_back(family * kFamilyWidth + lane);
       } else {
-        const double touch = ball.radius + reach + proof_.guard_;
-        if (lengthSq(middle - ball.center) <= touch * touch) partial.push_back(node);
+        const bool touches = std::ranges::all_of(balls, [&](const GuardedBall& ball) {
+          const double touch = ball.radius + reach + proof_.guard_;
+          return lengthSq(middle - ball.center) <= touch * touch;
+        });
+        if (touches) partial.push_back(node);
       }
     }
     return false;
@@ -120,13 +136,12 @@ std::optional<UncoveredPiece> CoverProof::firstFailure(const std::vector<NodeId>
   if (failure.triangle == kNone) return std::nullopt;
   double gap = std::numeric_limits<double>::infinity();
   for (const NodeId node : tree_.levelCut(level)) {
-    double outside = distance(failure.point, balls_[node].center) - balls_[node].radius;
+    double ofChain = outside(node, failure.point);
     for (std::uint32_t i = tree_.node(node).parent; descend && node != kRootNode; i = tree_.data().nodes[i].parent) {
-      const GuardedBall& ancestor = balls_[tree_.nodeAt(i)];
-      outside = std::max(outside, distance(failure.point, ancestor.center) - ancestor.radius);
+      ofChain = std::max(ofChain, outside(tree_.nodeAt(i), failure.point));
       if (i == 0) break;
     }
-    gap = std::min(gap, outside);
+    gap = std::min(gap, ofChain);
   }
   return UncoveredPiece{failure.triangle, failure.point + tree_.origin(), gap};
 }

@@ -40,6 +40,7 @@ BuildInfo infoOf(const TriangleMesh& mesh, const BuildOptions& options) {
   if (options.optimiser) method += std::string("+optimise-") + optimiserName(*options.optimiser);
   if (options.balance) method += "+balance-" + balanceName(*options.balance);
   if (options.division != SurfaceDivision::standOff) method += std::string("+divide-") + divisionName(options.division);
+  if (options.twoSpheres) method += "+two-spheres";
   return {mesh.name, mesh.sha256, std::move(method), options.branching, options.depth, options.samples, options.seed};
 }
 
@@ -105,7 +106,7 @@ std::optional<SphereTreeData> buildData(const TriangleMesh& mesh, const BuildOpt
   const SignedDistance solid(mesh);
   if (!inBody) regions = grow(solid);
   if (regions.empty() || !reporter.keepGoing() || !report("certifying errors", 0.9)) return std::nullopt;
-  SphereTreeData data = makeTreeData(regions, solid);
+  SphereTreeData data = makeTreeData(regions, solid, options.twoSpheres);
   data.info = infoOf(mesh, options);
   return data;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balls/enclosing_ball.h"
 #include "cairn/core/outward_rounding.h"
 #include "certify/protrusion.h"
 #include "regions/region_normals.h"
@@ -19,13 +20,15 @@ namespace {
 /// The records of one node, before all records are joined.
 struct NodeParts {
   NodeData record;
+  Sphere bound;  // of trees with two spheres a node
   std::vector<Vec3> supportPoints, faceNormals;
   std::vector<std::uint32_t> triangles;  // of a leaf
 };
 
 class Writer {
  public:
-  Writer(const RegionTree& regions, const SignedDistance& solid) : regions_(regions), solid_(solid) {
+  Writer(const RegionTree& regions, const SignedDistance& solid, bool twoSpheres)
+      : regions_(regions), solid_(solid), twoSpheres_(twoSpheres) {
     data_.mass = massPropertiesOf(solid.mesh());
     data_.origin = Vec3d(Vec3(data_.mass.centerOfMass));
     double reach = 0;
@@ -63,7 +66,7 @@ class Writer {
       const std::vector<Vec3d> cube = cubeCorners(node.region.cube);
       held.insert(held.end(), cube.begin(), cube.end());
     }
-    writeBall(node.region.ball, held, parts.record);
+    writeBalls(node.region.ball, held, parts);
     const std::vector<FacingArea> areas = facingAreas(node.region.pieces, solid_.mesh());
     parts.faceNormals = dominantNormals(areas);
     parts.record.normalCone = normalConeOf(areas);
@@ -97,20 +100,31 @@ class Writer {
     NodeParts parts;
     parts.record.parent = node.parent;
     const std::vector<Vec3d> corners = cubeCorners(node.region.cube);
-    writeBall(node.region.ball, corners, parts.record);
+    writeBalls(node.region.ball, corners, parts);
     for (const Vec3d& p : corners) parts.supportPoints.emplace_back(toTree(p));
     parts.triangles = {nearestOf(regions_[node.parent].region.pieces, node.region.ball.center)};
     return parts;
   }
 
-  void writeBall(const Ball& ball, const std::vector<Vec3d>& corners, NodeData& record) const {
-    record.center = Vec3(toTree(ball.center));
-    const Vec3d center = data_.origin + Vec3d(record.center);
+  Vec3d centerOf(const Sphere& sphere) const { return data_.origin + Vec3d(sphere.center); }
+
+  /// The sphere around about this centre that holds the corners.
+  Sphere sphereAround(const Vec3d& center, const std::vector<Vec3d>& corners) const {
+    Sphere sphere{Vec3(toTree(center)), 0};
     double farthestSq = 0;
-    for (const Vec3d& p : corners) farthestSq = std::max(farthestSq, lengthSq(p - center));
-    record.radius = roundUp(std::sqrt(farthestSq) + guard_);
+    for (const Vec3d& p : corners) farthestSq = std::max(farthestSq, lengthSq(p - centerOf(sphere)));
+    sphere.radius = roundUp(std::sqrt(farthestSq) + guard_);
+    return sphere;
+  }
+
+  void writeBalls(const Ball& ball, const std::vector<Vec3d>& corners, NodeParts& parts) const {
+    NodeData& record = parts.record;
+    const Sphere sphere = sphereAround(ball.center, corners);
+    record.center = sphere.center;
+    record.radius = sphere.radius;
+    if (twoSpheres_) parts.bound = sphereAround(smallestEnclosingBall(corners).center, corners);
     const CertifiedProtrusion protrusion =
-        certifiedProtrusion(solid_, center, record.radius, defaultProtrusionTolerance(solid_));
+        certifiedProtrusion(solid_, centerOf(sphere), record.radius, defaultProtrusionTolerance(solid_));
     record.error = roundUp(protrusion.upper);
     record.innerRadius = std::clamp(roundDown(protrusion.depth - guard_), 0.0F, record.radius);
   }
@@ -132,6 +146,7 @@ class Writer {
     record.normalCount = static_cast<std::uint32_t>(parts.faceNormals.size());
     data_.faceNormals.insert(data_.faceNormals.end(), parts.faceNormals.begin(), parts.faceNormals.end());
     data_.nodes.push_back(record);
+    if (twoSpheres_) data_.bounds.push_back(parts.bound);
   }
 
   /// Leaves are in depth-first order, so a node's range is the concatenation of its descendants' ranges.
@@ -147,14 +162,15 @@ class Writer {
 
   const RegionTree& regions_;
   const SignedDistance& solid_;
+  bool twoSpheres_;
   SphereTreeData data_;
   double guard_ = 0;  // mesh unit
 };
 
 }  // namespace
 
-SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid) {
-  return Writer(regions, solid).write();
+SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid, bool twoSpheres) {
+  return Writer(regions, solid, twoSpheres).write();
 }
 
 }  // namespace cairn::builder

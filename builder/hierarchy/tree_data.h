@@ -9,7 +9,7 @@ namespace cairn::builder {
 /// Converts a tree of regions into the records of a sphere-tree. Balls are rounded to float so that they still hold
 /// their regions, and errors are certified. Support points, normals and source triangles are collected. Parallel over
 /// the nodes; the result does not depend on the number of threads. Precondition: `regions` has at least a root.
-/// `SphereTreeData::info` stays unset.
-SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid);
+/// `SphereTreeData::info` stays unset. `twoSpheres`: see `BuildOptions`.
+SphereTreeData makeTreeData(const RegionTree& regions, const SignedDistance& solid, bool twoSpheres);
 
 }  // namespace cairn::builder

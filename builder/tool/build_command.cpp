@@ -31,6 +31,7 @@ constexpr const char* kAboutBuild =
     "  cairn build rock.obj -o rock.cairn --depth 4 --samples 20000 --json report.json\n"
     "  cairn build rock.obj -o quick.cairn --method octree --no-evaluate\n"
     "  cairn build rock.obj -o lean.cairn --balance 0.05\n"
+    "  cairn build rock.obj -o hybrid.cairn --method hybrid --two-spheres\n"
     "  cairn build rock.obj -o thesis.cairn --method burst --optimise thesis --balance work --division planes\n"
     "  cairn build scan.ply -o scan.cairn --repair\n"
     "  cairn build ship.dae -o ship.cairn --wrap --wrap-alpha 0.05 --mesh-output skin.ply";
@@ -198,6 +199,9 @@ void addBuildCommand(CLI::App& app, Action& action) {
   sub->add_option("--samples", command->options.samples, "Surface pieces the spheres are fitted to, about")
       ->check(CLI::Range(100U, 1000000U))
       ->capture_default_str();
+  sub->add_flag("--two-spheres", command->options.twoSpheres,
+                "Give each node two spheres: traversals test the smallest one around its region, and the method's own "
+                "answers; with --method hybrid as in the thesis");
   sub->add_flag("--level-meshes", command->options.levelMeshes,
                 "Also make a coarser closed mesh for each level, with a certified distance to the mesh both ways");
   addSeedOption(*sub, command->options.seed, "Same mesh, options and seed: same bytes");

@@ -40,6 +40,7 @@ Json describe(const SphereTree& tree) {
   const double diagonal = diagonalOf(tree);
   Json json = buildInfoJson(tree);
   json["leaves"] = tree.leafCount();
+  json["spheres_per_node"] = tree.spheresPerNode();
   json["vertices"] = tree.vertices().size();
   json["triangles"] = tree.triangles().size();
   json["diagonal"] = diagonal;
@@ -65,7 +66,8 @@ Json describe(const SphereTree& tree) {
 }
 
 void print(const std::string& file, const Json& json) {
-  fmt::print("{}: {} nodes, {} leaves, {} KiB in memory\n", file, json["nodes"].get<std::uint64_t>(),
+  fmt::print("{}: {} nodes, {}{} leaves, {} KiB in memory\n", file, json["nodes"].get<std::uint64_t>(),
+             json["spheres_per_node"] == 2 ? "each with a sphere that bounds and one that answers, " : "",
              json["leaves"].get<std::uint64_t>(), json["memory_bytes"].get<std::uint64_t>() / 1024);
   fmt::print("built from {} ({} triangles, diagonal {:.6g}) by {}, branching {}, depth {}, {} samples, seed {}\n",
              json["mesh"].get<std::string>(), json["triangles"].get<std::uint64_t>(), json["diagonal"].get<double>(),

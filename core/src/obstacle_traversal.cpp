@@ -33,6 +33,13 @@ Progress ObstacleTraversal::refine(Budget& budget) {
   return Progress::done;
 }
 
+bool ObstacleTraversal::mayTouch(const NodePair& pair) const {
+  if (tree_->spheresPerNode() == 1) return true;
+  Family ofNode;
+  ofNode.set(0, tree_->sphere(pair.a));
+  return (obstacle_->touches(ofNode, 1, pair.b) & 1U) != 0;
+}
+
 float ObstacleTraversal::pairError(const NodePair& pair) const {
   return tree_->error(pair.a) * errorScale_;
 }

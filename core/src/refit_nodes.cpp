@@ -43,17 +43,27 @@ struct Fit {
   SurfaceDepth surface{};
 };
 
+// The distances of a node's places from a centre.
+struct PlaceDistances {
+  double farthest = 0, nearest = std::numeric_limits<double>::infinity();
+};
+
+PlaceDistances distancesFrom(const Vec3& center, const MovedMesh& mesh, std::uint32_t record) {
+  PlaceDistances squared;
+  for (const std::uint32_t place : mesh.binding.placesOf(record)) {
+    const double sq = lengthSq(mesh.places[place] - Vec3d(center));
+    squared.farthest = std::max(squared.farthest, sq);
+    squared.nearest = std::min(squared.nearest, sq);
+  }
+  return {std::sqrt(squared.farthest), std::sqrt(squared.nearest)};
+}
+
 Fit fitAround(const MovedMesh& mesh, std::uint32_t record, const Vec3& center, std::uint32_t guess,
               SurfaceDepthSearch& search) {
   Fit fit{.center = center};
-  double farthestSq = 0, nearestSq = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t place : mesh.binding.placesOf(record)) {
-    const double sq = lengthSq(mesh.places[place] - Vec3d(center));
-    farthestSq = std::max(farthestSq, sq);
-    nearestSq = std::min(nearestSq, sq);
-  }
-  fit.nearestPlace = std::sqrt(nearestSq);
-  fit.radius = roundUp(std::sqrt(farthestSq) + mesh.rounding);
+  const PlaceDistances places = distancesFrom(center, mesh, record);
+  fit.nearestPlace = places.nearest;
+  fit.radius = roundUp(places.farthest + mesh.rounding);
   fit.surface = search.at(mesh.surface, center, guess);
   fit.depth = fit.surface.depth - mesh.rounding;
   fit.error = std::max(0.0F, roundUp(double(fit.radius) - fit.depth));
@@ -112,6 +122,12 @@ NodeData refittedNode(const MovedMesh& mesh, std::uint32_t record, SurfaceDepthS
   n.innerRadius = std::clamp(roundDown(fit.depth), 0.0F, n.radius);
   n.normalCone = coneOf(mesh, record, motion);
   return n;
+}
+
+Sphere refittedBound(const MovedMesh& mesh, std::uint32_t record) {
+  const Vec3d first(mesh.first.data().bounds[record].center);
+  const Vec3 center(motionOf(mesh, record)(first));
+  return {center, roundUp(distancesFrom(center, mesh, record).farthest + mesh.rounding)};
 }
 
 }  // namespace cairn

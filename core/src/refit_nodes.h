@@ -22,6 +22,9 @@ struct MovedMesh {
 /// The node at its new place: ball, error, inner radius, and normal cone. See `TreeRefit` for why they hold.
 NodeData refittedNode(const MovedMesh& mesh, std::uint32_t record, SurfaceDepthSearch& search);
 
+/// The node's bound around the same places, where nodes have two spheres.
+Sphere refittedBound(const MovedMesh& mesh, std::uint32_t record);
+
 /// How the node's region moved: by the rotation, scale and translation that follow its places and normals best.
 LocalMotion motionOf(const MovedMesh& mesh, std::uint32_t record);
 

@@ -82,12 +82,17 @@ class Cutter {
       halve(part, longest);
   }
 
-  // In radii.
+  // Out of the sphere and its bound, in radii.
   double excess(std::span<const Vec3d> corners, std::uint32_t leaf) const {
-    const NodeData& n = tree_.data().nodes[leaf];
+    const NodeId node = tree_.nodeAt(leaf);
+    const double own = excess(corners, tree_.sphere(node));
+    return tree_.spheresPerNode() == 1 ? own : std::max(own, excess(corners, tree_.bound(node)));
+  }
+
+  static double excess(std::span<const Vec3d> corners, const Sphere& ball) {
     double farthest = 0;
-    for (const Vec3d& corner : corners) farthest = std::max(farthest, distance(corner, Vec3d(n.center)));
-    return farthest / double(n.radius) - 1;
+    for (const Vec3d& corner : corners) farthest = std::max(farthest, distance(corner, Vec3d(ball.center)));
+    return farthest / double(ball.radius) - 1;
   }
 
   void halve(const Part& part, std::size_t side) {

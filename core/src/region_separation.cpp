@@ -57,7 +57,7 @@ struct SphereColumns {
 /// The spheres of as many nodes as there are lanes, in the pair frame.
 template <class NodeOfLane>
 HWY_INLINE SphereColumns spheresOf(const PlacedRegions& regions, NodeOfLane nodeOfLane) {
-  const TraversalNode* const nodes = regions.tree.traversalNodes().data();
+  const TraversalNode* const nodes = regions.tree.answeringNodes().data();
   const Columns s = loadColumns([&](std::uint32_t lane) HWY_ATTR { return nodes + nodeOfLane(lane); }, 0);
   return {moved(regions.toPair, {s.x, s.y, s.z}), hn::Mul(s.w, hn::Set(FamilyTag(), regions.toPair.scale))};
 }

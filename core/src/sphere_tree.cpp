@@ -53,6 +53,7 @@ SphereTree::SphereTree(SphereTreeData data) : data_(std::move(data)) {
   linkFamilies();
   const std::size_t slots = families_.size() * kFamilyWidth;
   traversalNodes_.resize(slots);
+  if (!data_.bounds.empty()) answeringNodes_.resize(slots);
   support_.resize(slots);
   recordIndex_.resize(slots, kNoRecord);
   level_.resize(slots, 0);
@@ -111,11 +112,13 @@ void SphereTree::packNode(std::uint32_t record) {
 void SphereTree::packBall(std::uint32_t record) {
   const NodeData& n = data_.nodes[record];
   const NodeId id = nodeAt_[record];
-  families_[id / kFamilyWidth].set(id % kFamilyWidth, {n.center, n.radius});
+  const Sphere bound = data_.bounds.empty() ? Sphere{n.center, n.radius} : data_.bounds[record];
+  families_[id / kFamilyWidth].set(id % kFamilyWidth, bound);
   TraversalNode& node = traversalNodes_[id];
-  node = {n.center, n.radius, node.childFamily, n.error, node.childLanes, n.innerRadius};
+  node = {bound.center, bound.radius, node.childFamily, n.error, node.childLanes, n.innerRadius};
+  if (!answeringNodes_.empty()) answeringNodes_[id] = {.center = n.center, .radius = n.radius};
   support_[id] = packSupport(supportPoints(id));
-  extent_ = std::max(extent_, length(n.center) + n.radius);
+  extent_ = std::max({extent_, length(n.center) + n.radius, length(bound.center) + bound.radius});
 }
 
 void SphereTree::packFlatness(NodeId id) {
@@ -168,9 +171,9 @@ std::size_t SphereTree::memoryBytes() const {
                 levelSurfaces_[level - 1].features.memoryBytes() + levelSurfaces_[level - 1].patches.memoryBytes();
   return ofLevels + sizeof(*this) + bytesOf(data_.nodes) + bytesOf(data_.supportPoints) + bytesOf(data_.faceNormals) +
          bytesOf(data_.regionTriangles) + bytesOf(data_.vertices) + bytesOf(data_.triangles) + bytesOf(families_) +
-         bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) +
-         bytesOf(corners_) + bytesOf(firstCorner_) + bytesOf(familySize_) + bytesOf(nodeAt_) +
-         surface_.features.memoryBytes() + surface_.patches.memoryBytes();
+         bytesOf(flatness_) + bytesOf(traversalNodes_) + bytesOf(answeringNodes_) + bytesOf(data_.bounds) +
+         bytesOf(support_) + bytesOf(recordIndex_) + bytesOf(level_) + bytesOf(corners_) + bytesOf(firstCorner_) +
+         bytesOf(familySize_) + bytesOf(nodeAt_) + surface_.features.memoryBytes() + surface_.patches.memoryBytes();
 }
 
 }  // namespace cairn

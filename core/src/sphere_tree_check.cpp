@@ -36,13 +36,18 @@ bool rangeFits(std::uint64_t first, std::uint64_t count, std::size_t size) {
   return first + count <= size;
 }
 
-Status checkNumbers(const NodeData& n, const std::string& name) {
-  if (!isFinite(n.center) || !std::isfinite(n.radius) || !std::isfinite(n.error) || !std::isfinite(n.innerRadius))
-    return bad(name + " has a number that is not finite");
-  if (!(n.radius > 0)) return bad(name + " has no positive radius");
-  if (n.radius > kMaxLength ||
-      std::max({std::abs(n.center.x), std::abs(n.center.y), std::abs(n.center.z)}) > kMaxLength)
+Status checkBall(const Sphere& ball, const std::string& name) {
+  const Vec3& c = ball.center;
+  if (!isFinite(c) || !std::isfinite(ball.radius)) return bad(name + " has a number that is not finite");
+  if (!(ball.radius > 0)) return bad(name + " has no positive radius");
+  if (std::max({ball.radius, std::abs(c.x), std::abs(c.y), std::abs(c.z)}) > kMaxLength)
     return bad(name + " lies outside the range of lengths that can be tested");
+  return {};
+}
+
+Status checkNumbers(const NodeData& n, const std::string& name) {
+  if (Status s = checkBall({n.center, n.radius}, name); !s) return s;
+  if (!std::isfinite(n.error) || !std::isfinite(n.innerRadius)) return bad(name + " has a number that is not finite");
   if (n.error < 0) return bad(name + " has a negative error");
   if (n.innerRadius < 0 || n.innerRadius > n.radius) return bad(name + " has an inner radius outside 0 to its radius");
   if (!isUnit(n.normalCone.axis) || !(std::abs(n.normalCone.cosine) <= 1))
@@ -88,6 +93,15 @@ Status checkNodes(const SphereTreeData& d) {
     if (level[i] > kMaxDepth) return bad(name + " lies deeper than " + std::to_string(kMaxDepth) + " levels");
     if (++children[n.parent] > kFamilyWidth) return bad(nth("node", n.parent) + " has more than eight children");
   }
+  return {};
+}
+
+Status checkBounds(const SphereTreeData& d) {
+  if (!d.bounds.empty() && d.bounds.size() != d.nodes.size())
+    return bad("it has " + std::to_string(d.bounds.size()) + " bounds for " + std::to_string(d.nodes.size()) +
+               " nodes");
+  for (std::size_t i = 0; i < d.bounds.size(); ++i)
+    if (Status s = checkBall(d.bounds[i], "the bound of " + nth("node", i)); !s) return s;
   return {};
 }
 
@@ -181,6 +195,7 @@ Status checkTree(const SphereTreeData& data) {
   if (Status s = checkMeshPart(data); !s) return s;
   if (Status s = checkMass(data); !s) return s;
   if (Status s = checkNodes(data); !s) return s;
+  if (Status s = checkBounds(data); !s) return s;
   return checkProportions(data);
 }
 

@@ -71,6 +71,14 @@ NodeData unpack(const file::Node& n) {
   return node;
 }
 
+file::Bound pack(const Sphere& s) {
+  return {pack(s.center), s.radius};
+}
+
+Sphere unpack(const file::Bound& b) {
+  return {unpack(b.center()), b.radius()};
+}
+
 std::array<std::uint32_t, 3> unpack(const file::Triangle& t) {
   return {t.a(), t.b(), t.c()};
 }
@@ -160,6 +168,7 @@ SphereTreeData unpack(const file::Tree& t) {
   data.triangles = unpackAll<std::array<std::uint32_t, 3>>(*t.triangles());
   if (t.level_meshes() != nullptr)
     for (const file::LevelMesh* mesh : *t.level_meshes()) data.levelMeshes.push_back(unpack(*mesh));
+  if (t.bounds() != nullptr) data.bounds = unpackAll<Sphere>(*t.bounds());
   data.info = unpack(*t.build());
   return data;
 }
@@ -222,11 +231,12 @@ std::vector<std::byte> encodeTree(const SphereTree& tree) {
   const auto vertices = packAll<file::Vec3f>(builder, data.vertices);
   const auto triangles = packAll<file::Triangle>(builder, data.triangles);
   const auto levelMeshes = packLevelMeshes(builder, data.levelMeshes);
+  const auto bounds = data.bounds.empty() ? 0 : packAll<file::Bound>(builder, data.bounds);
   const auto build = packBuild(builder, data.info);
   const file::Vec3d origin = pack(data.origin);
   const file::Mass mass = pack(data.mass);
   file::FinishTreeBuffer(builder, file::CreateTree(builder, kTreeFileVersion, 0, &origin, &mass, nodes, support,
-                                                   normals, regions, vertices, triangles, build, levelMeshes));
+                                                   normals, regions, vertices, triangles, build, levelMeshes, bounds));
 
   std::vector<std::byte> bytes(builder.GetSize());
   std::memcpy(bytes.data(), builder.GetBufferPointer(), bytes.size());

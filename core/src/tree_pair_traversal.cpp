@@ -17,7 +17,7 @@ void TreePairTraversal::start(const SphereTree& a, const SphereTree& b, const Po
   margin_ = margin;
   movePoses(poseA, poseB);
 
-  Sphere rootB = b.sphere(kRootNode);
+  Sphere rootB = b.bound(kRootNode);
   rootB = {a_.fromOther * rootB.center, rootB.radius * a_.fromOther.scale + a_.margin};
   if ((overlap(a.family(0), rootB) & 1U) == 0) return;
   const bool resolved = a.isLeaf(kRootNode) && b.isLeaf(kRootNode);
@@ -48,6 +48,14 @@ Progress TreePairTraversal::refine(Budget& budget) {
                          side.margin};
   };
   return refineStaircase(body(a_), body(b_), {queue_, head_, leafPairs_}, budget);
+}
+
+bool TreePairTraversal::mayTouch(const NodePair& pair) const {
+  if (a_.tree->spheresPerNode() == 1 && b_.tree->spheresPerNode() == 1) return true;
+  Family ofA;
+  ofA.set(0, a_.tree->sphere(pair.a));
+  const Sphere b = b_.tree->sphere(pair.b);
+  return (overlap(ofA, {a_.fromOther * b.center, b.radius * a_.fromOther.scale + a_.margin}) & 1U) != 0;
 }
 
 float TreePairTraversal::pairError(const NodePair& pair) const {

@@ -100,6 +100,7 @@ void TreeRefit::State::move(SphereTree& tree, std::span<const Vec3> vertices) {
   tree.extent_ = 0;
   for (std::uint32_t record = 0; record < tree.nodeCount(); ++record) {
     tree.data_.nodes[record] = refittedNode(mesh, record, search);
+    if (!tree.data_.bounds.empty()) tree.data_.bounds[record] = refittedBound(mesh, record);
     tree.packBall(record);
   }
   for (const NodeId node : tree.nodeAt_) tree.packFlatness(node);

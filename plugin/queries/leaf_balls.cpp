@@ -5,13 +5,16 @@
 
 namespace cairn::bullet {
 
-LeafBalls::LeafBalls(const SphereTree& tree) : families_(tree.families().begin(), tree.families().end()) {
+LeafBalls::LeafBalls(const SphereTree& tree) : families_(tree.families().size()) {
   const auto radiusOf = [&](NodeId node) -> float& {
     return families_[node / kFamilyWidth].radius[node % kFamilyWidth];
   };
   const auto last = tree.nodeCount();
-  for (std::uint32_t record = 0; record < last; ++record)
-    if (!tree.isLeaf(tree.nodeAt(record))) radiusOf(tree.nodeAt(record)) = 0;
+  for (std::uint32_t record = 0; record < last; ++record) {
+    const NodeId node = tree.nodeAt(record);
+    const Sphere ball = tree.sphere(node);
+    families_[node / kFamilyWidth].set(node % kFamilyWidth, {ball.center, tree.isLeaf(node) ? ball.radius : 0});
+  }
   for (std::uint32_t record = 0; record < last; ++record) {
     const NodeId leaf = tree.nodeAt(record);
     if (!tree.isLeaf(leaf)) continue;

@@ -18,7 +18,7 @@ class LeafBalls {
   /// The tree must outlive this object. Cost: linear in leaves times depth.
   explicit LeafBalls(const SphereTree& tree);
 
-  /// Like the tree's family of this index, with the same centres and lanes.
+  /// Like the tree's family of this index, with the same lanes and the centres of the nodes' spheres.
   const Family& family(std::uint32_t index) const { return families_[index]; }
   /// Bytes this object holds.
   std::size_t memoryBytes() const { return sizeof *this + families_.capacity() * sizeof(Family); }

@@ -21,29 +21,33 @@ constexpr std::uint64_t kToTheEnd = Budget::kUnlimited;
 class InterruptedTori : public ::testing::Test {
  protected:
   InterruptedTori()
-      : model_(scenes::makeModel(std::make_shared<const SphereTree>(std::move(
-                                     builder::buildTree(torus(1, 0.4, 16, 8), {.method = builder::Method::octree,
-                                                                               .depth = 2,
-                                                                               .samples = 1000,
-                                                                               .optimiser = std::nullopt,
-                                                                               .balance = std::nullopt})
-                                         .value())),
-                                 1)),
+      : model_(modelBy(builder::Method::octree, false)),
         recording_(scenes::recordConverge(model_, {.bodies = 6, .runs = 1, .frames = 200}).value()),
         surface_(scenes::ExactSurface::create(model_.vertices, model_.triangles).value()) {}
+
+  static scenes::Model modelBy(builder::Method method, bool twoSpheres) {
+    builder::BuildOptions options;
+    options.method = method;
+    options.depth = 2;
+    options.samples = 1000;
+    options.twoSpheres = twoSpheres;
+    SphereTree tree = builder::buildTree(torus(1, 0.4, 16, 8), options).value();
+    return scenes::makeModel(std::make_shared<const SphereTree>(std::move(tree)), 1);
+  }
+  void expectNeverBeyondAndNeverMissed(const scenes::Model& model) const;
 
   scenes::Model model_;
   scenes::Recording recording_;
   scenes::ExactSurface surface_;
 };
 
-TEST_F(InterruptedTori, AreNeverFartherApartThanCertifiedAndNeverMissed) {
-  InterruptedFrame traversals(model_);
+void InterruptedTori::expectNeverBeyondAndNeverMissed(const scenes::Model& model) const {
+  InterruptedFrame traversals(model);
   const std::vector<std::uint64_t> operations{0, 50, 200, 1000, kToTheEnd};
   std::uint32_t checked = 0, meeting = 0, unresolved = 0;
   for (std::uint32_t frame = 0; frame < recording_.framesPerRun; frame += 20) {
     const auto motions = recording_.frame(0, frame);
-    const scenes::FrameTruth truth(surface_, model_, motions);
+    const scenes::FrameTruth truth(surface_, model, motions);
     const auto found = traversals.interrupt(motions, operations, &truth);
     ASSERT_EQ(found.size(), operations.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -61,6 +65,37 @@ TEST_F(InterruptedTori, AreNeverFartherApartThanCertifiedAndNeverMissed) {
   EXPECT_GT(checked, 100U) << "the frames show nothing";
   EXPECT_GT(meeting, 0U);
   EXPECT_GT(unresolved, 0U);
+}
+
+TEST_F(InterruptedTori, AreNeverFartherApartThanCertifiedAndNeverMissed) {
+  expectNeverBeyondAndNeverMissed(model_);
+}
+
+TEST_F(InterruptedTori, OfTwoSpheresANodeAreNeverFartherApartThanCertifiedAndNeverMissed) {
+  expectNeverBeyondAndNeverMissed(modelBy(builder::Method::hybrid, true));
+}
+
+// The smallest spheres alone find the same pairs, and say more of them with a greater error.
+TEST_F(InterruptedTori, OfTwoSpheresANodeErrLessThanTheirBoundsAlone) {
+  const scenes::Model two = modelBy(builder::Method::hybrid, true),
+                      bounds = modelBy(builder::Method::gridVolume, false);
+  InterruptedFrame ofTwo(two), ofBounds(bounds);
+  std::uint64_t answers = 0, answersOfBounds = 0;
+  double error = 0, errorOfBounds = 0;
+  for (std::uint32_t frame = 0; frame < recording_.framesPerRun; frame += 4) {
+    const auto motions = recording_.frame(0, frame);
+    const Interrupted a = ofTwo.interrupt(motions, std::vector{kToTheEnd}, nullptr).front();
+    const Interrupted b = ofBounds.interrupt(motions, std::vector{kToTheEnd}, nullptr).front();
+    EXPECT_LE(a.spherePairs, b.spherePairs) << "frame " << frame;
+    EXPECT_LE(a.worst, b.worst) << "frame " << frame;
+    answers += a.spherePairs;
+    answersOfBounds += b.spherePairs;
+    error += a.worst;
+    errorOfBounds += b.worst;
+  }
+  EXPECT_GT(answers, 100U) << "the frames show nothing";
+  EXPECT_LT(answers, answersOfBounds);
+  EXPECT_LT(error, 0.9 * errorOfBounds);
 }
 
 TEST_F(InterruptedTori, AnswerTheSameWhateverOtherInterruptionsThereAre) {
@@ -121,7 +156,7 @@ std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0,
   for (const char* name : {"hubbard", "octree"}) trees.push_back({name, frames(1, 1), {{}, {}}});
   for (const char* name : {"merge", "expand", "combined", "combined optimised", "grid"})
     trees.push_back({name, frames(share, best), {{}, {}}});
-  trees.push_back({"hybrid", frames(share / 2, best), {{}, {}}});
+  for (const char* name : {"hybrid", kTwoSpheres}) trees.push_back({name, frames(share / 2, best), {{}, {}}});
   Table table = emptyInterruptionTable();
   for (const std::string& model : models) addInterruptionRows(table, model, {15000, kToTheEnd}, trees);
   return judgeInterruption(table);
@@ -129,7 +164,7 @@ std::vector<Claim> claimsOf(double share, double best, std::uint32_t missed = 0,
 
 TEST(Verdict, OfInterruptionTurnsWithTheData) {
   EXPECT_EQ(verdictOf(claimsOf(0.2, 1.1)), Verdict::reproduced) << whyText(claimsOf(0.2, 1.1));
-  EXPECT_EQ(claimsOf(0.2, 1.1).size(), 11U);
+  EXPECT_EQ(claimsOf(0.2, 1.1).size(), 12U);
   EXPECT_EQ(verdictOf(claimsOf(0.2, 1.1, 0, {"bunny"})), Verdict::inPart) << "some claims name the dragon";
   const auto half = claimsOf(0.5, 1.1);
   EXPECT_EQ(verdictOf(half), Verdict::inPart);

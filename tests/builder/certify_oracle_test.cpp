@@ -19,9 +19,11 @@ namespace {
 using test::uniform;
 
 bool holds(const SphereTree& tree, NodeId node, const Vec3d& point) {
-  const Sphere s = tree.sphere(node);
-  const double radius = s.radius;
-  return lengthSq(point - (tree.origin() + Vec3d(s.center))) <= radius * radius;
+  const auto isIn = [&](const Sphere& s) {
+    const double radius = s.radius;
+    return lengthSq(point - (tree.origin() + Vec3d(s.center))) <= radius * radius;
+  };
+  return isIn(tree.sphere(node)) && isIn(tree.bound(node));
 }
 
 /// Whether a traversal that prunes at every ball without the point, stopped at `level`, still has a ball with it.
@@ -58,10 +60,21 @@ void forSurfacePoints(const TriangleMesh& mesh, std::mt19937_64& engine, const E
 // A random point of a triangle is rounded and may lie this far beside it.
 constexpr double kBeside = 1e-14;
 
+/// Larger balls from elsewhere, which hold what the nodes' balls hold.
+void addBounds(SphereTreeData& data, std::mt19937_64& engine) {
+  for (const NodeData& node : data.nodes) {
+    const Vec3 shift = Vec3(test::randomPoint(engine)) * (0.3F * node.radius);
+    data.bounds.push_back({node.center + shift, 1.0001F * (node.radius + length(shift))});
+  }
+}
+
 /// A tree some of whose balls were made smaller, by a little or a lot.
-SphereTree shrunkenTree(const TriangleMesh& mesh, std::mt19937_64& engine) {
+SphereTree shrunkenTree(const TriangleMesh& mesh, bool twoSpheres, std::mt19937_64& engine) {
   const double share = uniform(engine, 0, 0.2), least = uniform(engine, 0.5, 1);
   return test::tampered(test::quickTree(mesh), [&](SphereTreeData& data) {
+    if (twoSpheres) addBounds(data, engine);
+    for (Sphere& bound : data.bounds)
+      if (uniform(engine) < share) bound.radius *= static_cast<float>(uniform(engine, least, 1));
     for (NodeData& node : data.nodes) {
       if (uniform(engine) >= share) continue;
       node.radius *= static_cast<float>(uniform(engine, least, 1));
@@ -101,16 +114,18 @@ void expectCoverAsBruteForce(const TriangleMesh& mesh, const SphereTree& tree, s
 }
 
 TEST(CoverProof, AgreesWithBruteForceOnRandomlyShrunkenTrees) {
-  Outcomes outcomes;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937_64 engine(seed);
-    const TriangleMesh mesh = seed % 2 == 0 ? test::lumpyBall(3, seed) : test::torus(1, 0.4, 8, 5);
-    expectCoverAsBruteForce(mesh, shrunkenTree(mesh, engine), engine, outcomes);
+  for (const bool twoSpheres : {false, true}) {
+    Outcomes outcomes;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << (twoSpheres ? ", two spheres a node" : ""));
+      std::mt19937_64 engine(seed);
+      const TriangleMesh mesh = seed % 2 == 0 ? test::lumpyBall(3, seed) : test::torus(1, 0.4, 8, 5);
+      expectCoverAsBruteForce(mesh, shrunkenTree(mesh, twoSpheres, engine), engine, outcomes);
+    }
+    // Both answers were put to the test.
+    EXPECT_GT(outcomes.proven, 10);
+    EXPECT_GT(outcomes.refuted, 10);
   }
-  // Both answers were put to the test.
-  EXPECT_GT(outcomes.proven, 10);
-  EXPECT_GT(outcomes.refuted, 10);
 }
 
 /// The farthest of a grid of points in the ball from the solid, by brute force over all triangles in extended

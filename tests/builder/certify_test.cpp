@@ -223,6 +223,27 @@ TEST(Certify, TellsCoveredFromReachable) {
   EXPECT_FALSE(certificate.levels[1].coverageProven);
 }
 
+// Of two spheres a node either may leave the gap, and the error is that of the one which answers.
+TEST(Certify, OfTwoSpheresANode_JudgesTheCoverOfBothAndTheErrorOfOne) {
+  const TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 1));
+  const SphereTree one = test::quickTree(mesh);
+  const SphereTree two = tampered(one, [](SphereTreeData& d) {
+    for (const NodeData& n : d.nodes) d.bounds.push_back({n.center, 2 * n.radius});
+  });
+  EXPECT_EQ(certify(two, mesh).value().failures(two), std::vector<std::string>{})
+      << "a large bound has no error of its own";
+  const auto isRefuted = [&](const auto& change) {
+    const SphereTree broken = tampered(two, change);
+    const Certificate certificate = certify(broken, mesh).value();
+    EXPECT_TRUE(certificate.levels[0].reachableProven);
+    return !certificate.levels[1].coverageProven && !certificate.levels[2].reachableProven &&
+           certificate.levels[2].coverageProven;
+  };
+  EXPECT_TRUE(isRefuted([](SphereTreeData& d) { shrink(d.nodes[1], 0.6F); }));
+  EXPECT_TRUE(isRefuted([](SphereTreeData& d) { d.bounds[1].radius *= 0.3F; }));
+  EXPECT_TRUE(isRefuted([](SphereTreeData& d) { d.bounds[1].center.x += 3 * d.bounds[1].radius; }));
+}
+
 TEST(Certify, RefutesAnErrorThatIsTooSmall) {
   const TriangleMesh mesh = test::lumpyBall(5, 8);
   const SphereTree tree = test::quickTree(mesh);

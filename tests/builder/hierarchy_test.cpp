@@ -95,6 +95,7 @@ struct SetTreatment {
   std::optional<Balance> balance;
   SurfaceDivision division;
   const char* goldenHash;  ///< of a small cuboid's tree; see SmallTree_HasItsGoldenHash
+  bool twoSpheres = false;
 };
 
 class EveryTreatment : public testing::TestWithParam<SetTreatment> {
@@ -104,6 +105,7 @@ class EveryTreatment : public testing::TestWithParam<SetTreatment> {
     o.optimiser = GetParam().optimiser;
     o.balance = GetParam().balance;
     o.division = GetParam().division;
+    o.twoSpheres = GetParam().twoSpheres;
     return o;
   }
 };
@@ -120,6 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         SetTreatment{"unoptimised", Method::combined, Optimiser::none, {}, kOwn, "5ba1073db3cf0d90"},
         SetTreatment{"gridPlanes", Method::grid, {}, {}, SurfaceDivision::planes, "54e7f1d6a37e495f"},
         SetTreatment{"hybrid", Method::hybrid, {}, {}, kOwn, "44aabb652bc53938"},
+        SetTreatment{"hybridTwoSpheres", Method::hybrid, {}, {}, kOwn, "8785261117476870", true},
         SetTreatment{"spawnByCairn", Method::spawn, Optimiser::cairn, {}, kOwn, "04a0e03380b8554f"}),
     [](const auto& treatment) { return std::string(treatment.param.name); });
 
@@ -145,8 +148,9 @@ TEST(Build, Treatment_IsNamedInTheTree) {
   options.optimiser = Optimiser::thesis;
   options.balance = constantExcess(0.05);
   options.division = SurfaceDivision::planes;
+  options.twoSpheres = true;
   EXPECT_EQ(built(test::meshOf(test::cuboid({1, 1, 1}, 1)), options).info().method,
-            "merge+optimise-thesis+balance-0.05+divide-planes");
+            "merge+optimise-thesis+balance-0.05+divide-planes+two-spheres");
 }
 
 TEST(Build, Combined_BeatsTheOctreeByFar) {

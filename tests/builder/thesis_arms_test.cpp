@@ -136,6 +136,36 @@ TEST(ThesisArms, GridTrees_ShareTheirRegionsAndDifferInTheSphereOfEach) {
   }
 }
 
+// 7.1.5: "Each node of the sphere-tree contains the minimum volume bounding sphere, as produced by the grid algorithm,
+// and a minimum error sphere covering the same region."
+TEST(ThesisArms, HybridTrees_HaveTheVolumesBoundsAndTheLeastErrorsSpheres) {
+  const TriangleMesh mesh = test::lumpyBall(2, 3);
+  const auto dataOf = [&](Method method, bool twoSpheres) {
+    BuildOptions options;
+    options.method = method;
+    options.depth = 2;
+    options.samples = 1000;
+    options.twoSpheres = twoSpheres;
+    return buildTree(mesh, options).value().data();
+  };
+  const SphereTreeData volume = dataOf(Method::gridVolume, false), least = dataOf(Method::hybrid, false);
+  SphereTreeData two = dataOf(Method::hybrid, true);
+  ASSERT_EQ(two.bounds.size(), volume.nodes.size());
+  double errors = 0, errorsOfBounds = 0, radii = 0, radiiOfBounds = 0;
+  for (std::size_t i = 0; i < two.bounds.size(); ++i) {
+    EXPECT_EQ(two.bounds[i], (Sphere{volume.nodes[i].center, volume.nodes[i].radius})) << "node " << i;
+    errors += two.nodes[i].error;
+    errorsOfBounds += volume.nodes[i].error;
+    radii += two.nodes[i].radius;
+    radiiOfBounds += two.bounds[i].radius;
+  }
+  EXPECT_LT(errors, 0.7 * errorsOfBounds);
+  EXPECT_LT(radiiOfBounds, 0.9 * radii);
+  two.bounds.clear();
+  two.info = least.info;
+  EXPECT_EQ(two, least) << "all else is the tree of one sphere a node";
+}
+
 // 3.3, Alg. 1: spheres get smaller until too many are needed, so that a family has several children; and no sphere has
 // more stand-off than the whole region's one, which is what a family of less than two would leave.
 TEST(ThesisArms, GridFamilies_HaveSeveralChildrenWithLessErrorThanTheirParent) {

@@ -121,7 +121,19 @@ TEST_F(Tool, InspectDescribesTheTree) {
   EXPECT_EQ(report.at("levels").size(), 3U);
   EXPECT_EQ(report.at("levels")[0].at("spheres"), 1);
   EXPECT_EQ(report.at("triangles"), 200);
+  EXPECT_EQ(report.at("spheres_per_node"), 1);
   EXPECT_EQ(run("inspect " + quoted("rock.cairn")).exitCode, 0);
+}
+
+TEST_F(Tool, TwoSpheresANodeAreBuiltProvedAndDescribed) {
+  ASSERT_EQ(build("--no-evaluate --two-spheres").exitCode, 0);
+  const ProgramResult proof = run("certify " + quoted("rock.obj") + " " + quoted("rock.cairn"));
+  EXPECT_EQ(proof.exitCode, 0) << proof.errors;
+  const Json report = Json::parse(run("inspect " + quoted("rock.cairn") + " --json -").output);
+  EXPECT_EQ(report.at("spheres_per_node"), 2);
+  EXPECT_EQ(report.at("method"), "octree+two-spheres");
+  const ProgramResult shown = run("inspect " + quoted("rock.cairn"));
+  EXPECT_NE(shown.output.find("a sphere that bounds and one that answers"), std::string::npos) << shown.output;
 }
 
 TEST_F(Tool, ExportWritesEveryForm) {

@@ -18,7 +18,8 @@ namespace {
 constexpr float kExactly = std::numeric_limits<float>::infinity();
 
 /// A tree whose nodes have one to sixteen support points in their balls; with `ties`, on a coarse grid, so that several
-/// are often as far along a direction, and centres and radii as well.
+/// are often as far along a direction, and centres and radii as well. Every other one has bounds, which are of no
+/// concern here.
 SphereTree treeWithRegions(std::mt19937_64& engine, bool ties) {
   SphereTreeData data = test::randomTree(engine(), 150, 2).data;
   const auto placed = [&](const Vec3& p) {
@@ -34,6 +35,8 @@ SphereTree treeWithRegions(std::mt19937_64& engine, bool ties) {
     for (std::uint32_t i = 0; i < node.supportCount; ++i)
       data.supportPoints.push_back(placed(node.center + Vec3(test::randomPoint(engine)) * node.radius));
   }
+  if (data.nodes.size() % 2 == 0)
+    for (const NodeData& node : data.nodes) data.bounds.push_back({node.center * 0.5F, 3 * node.radius});
   return std::move(SphereTree::create(std::move(data))).value();
 }
 

@@ -35,6 +35,29 @@ TEST(SphereTree, Nodes_KeepTheirRecordsAndLinks) {
   }
 }
 
+TEST(SphereTree, TwoSpheresANode_OneBoundsAndTheOtherAnswers) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    test::RandomTree random = test::randomTree(seed);
+    const SphereTree one = treeOf(random.data);
+    test::addBounds(random, seed);
+    const SphereTree two = treeOf(random.data);
+    EXPECT_EQ(one.spheresPerNode(), 1U);
+    EXPECT_EQ(two.spheresPerNode(), 2U);
+    EXPECT_GT(two.memoryBytes(), one.memoryBytes());
+    for (std::uint32_t record = 0; record < two.nodeCount(); ++record) {
+      const NodeId id = two.nodeAt(record);
+      EXPECT_EQ(one.bound(id), one.sphere(id));
+      EXPECT_EQ(two.sphere(id), one.sphere(id)) << "seed " << seed;
+      EXPECT_EQ(two.bound(id), random.data.bounds[record]);
+      EXPECT_EQ(two.family(id / kFamilyWidth).sphere(id % kFamilyWidth), random.data.bounds[record]);
+      EXPECT_EQ(two.error(id), one.error(id));
+      EXPECT_EQ(two.childFamily(id), one.childFamily(id));
+      for (const Sphere& ball : {two.sphere(id), two.bound(id)})
+        EXPECT_GE(two.extent(), length(ball.center) + ball.radius);
+    }
+  }
+}
+
 TEST(SphereTree, LevelCut_IsAnAntichainThatEveryLeafPathCrossesOnce) {
   const SphereTree tree = treeOf(test::randomTree(5).data);
   for (std::uint32_t level = 0; level <= tree.depth(); ++level) {
@@ -74,6 +97,11 @@ TEST_P(SphereTreeDamage, Create_RefusesAndNamesIt) {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
+
+std::vector<Sphere>& boundsOf(SphereTreeData& data) {
+  for (const NodeData& n : data.nodes) data.bounds.push_back({n.center, n.radius});
+  return data.bounds;
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Elements, SphereTreeDamage,
@@ -133,6 +161,16 @@ INSTANTIATE_TEST_SUITE_P(
                [](auto& d) {
                  d.levelMeshes.assign(kMaxDepth + 1, {d.vertices, d.triangles, 0});
                }},
+        Damage{"it has 2 bounds for",
+               [](auto& d) {
+                 d.bounds = {{{}, 1}, {{}, 1}};
+               }},
+        Damage{"the bound of node 3 has a number that is not finite", [](auto& d) { boundsOf(d)[3].radius = kNan; }},
+        Damage{"the bound of node 3 has a number that is not finite", [](auto& d) { boundsOf(d)[3].center.x = kInf; }},
+        Damage{"the bound of node 3 has no positive radius", [](auto& d) { boundsOf(d)[3].radius = 0; }},
+        Damage{"the bound of node 3 lies outside the range of lengths", [](auto& d) { boundsOf(d)[3].radius = 1e16F; }},
+        Damage{"the bound of node 3 lies outside the range of lengths",
+               [](auto& d) { boundsOf(d)[3].center.z = -1e30F; }},
         Damage{"support point 0 is not finite", [](auto& d) { d.supportPoints[0].z = kNan; }},
         Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 1e20F; }},
         Damage{"support point 2 lies far outside the root's ball", [](auto& d) { d.supportPoints[2].y = 3e38F; }},
@@ -143,10 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"has its moments of inertia", [](auto& d) { d.mass.principalMoments.y = 1e-30; }},
         Damage{"has its moments of inertia", [](auto& d) { d.mass.inertia(1, 1) = 1e-30; }},
         Damage{"has its moments of inertia", [](auto& d) { d.mass.inertia(0, 1) = 1e9; }},
-        Damage{"face normal 0 is not a unit vector",
-               [](auto& d) {
-                 d.faceNormals = {{1, 1, 0}};
-               }},
+        Damage{"face normal 0 is not a unit vector", [](auto& d) { d.faceNormals = {{1, 1, 0}}; }},
         Damage{"its volume is not positive", [](auto& d) { d.mass.volume = -1; }},
         Damage{"its moments of inertia are not positive", [](auto& d) { d.mass.principalMoments.y = 0; }},
         Damage{"its principal axes are not a rotation", [](auto& d) { d.mass.principalAxes(0, 0) = -1; }},

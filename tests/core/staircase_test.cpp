@@ -9,20 +9,24 @@
 namespace cairn::staircase_test {
 namespace {
 
-SphereTree randomTree(std::uint64_t seed, std::uint32_t points, std::uint32_t depth) {
-  return std::move(SphereTree::create(test::randomTree(seed, points, depth).data)).value();
+SphereTree randomTree(std::uint64_t seed, std::uint32_t points, std::uint32_t depth, bool twoSpheres) {
+  test::RandomTree random = test::randomTree(seed, points, depth);
+  if (twoSpheres) test::addBounds(random, seed);
+  return std::move(SphereTree::create(std::move(random.data))).value();
 }
 
-/// Pairs of unlike trees, so that leaves of one meet inner nodes of the other, in unlike scales.
+/// Pairs of unlike trees, so that leaves of one meet inner nodes of the other, in unlike scales. Every third tree has
+/// two spheres a node.
 struct StaircaseCase {
-  explicit StaircaseCase(std::uint64_t seed) : engine(seed) {
+  explicit StaircaseCase(std::uint64_t seed) : engine(seed), twoSpheres(seed % 3) {
     poseA = test::randomPose(engine, 0.6);
     poseB = test::randomPose(engine, 0.6);
   }
 
   std::mt19937_64 engine;
-  SphereTree treeA = randomTree(engine(), 400, static_cast<std::uint32_t>(engine() % 4));
-  SphereTree treeB = randomTree(engine(), 150, static_cast<std::uint32_t>(1 + engine() % 3));
+  std::uint64_t twoSpheres;
+  SphereTree treeA = randomTree(engine(), 400, static_cast<std::uint32_t>(engine() % 4), twoSpheres == 1);
+  SphereTree treeB = randomTree(engine(), 150, static_cast<std::uint32_t>(1 + engine() % 3), twoSpheres == 2);
   Pose poseA, poseB;
   static constexpr float kMargin = 0.02F;
 };

@@ -22,7 +22,9 @@ class TreeFile : public testing::Test {
     folder_ = fs::path(testing::TempDir()) / (std::string("cairn_") + info->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    SphereTreeData data = test::randomTree(21, 60, 2).data;
+    test::RandomTree random = test::randomTree(21, 60, 2);
+    test::addBounds(random, 21);
+    SphereTreeData& data = random.data;
     data.info = {"rock.obj", "00ff", "combined", 8, 3, 5000, 42};
     data.origin = {1.5, -2, 1e6};
     data.mass.centerOfMass += data.origin;
@@ -47,6 +49,18 @@ TEST_F(TreeFile, RoundTrip_IsExactAndGivesTheSameBytes) {
   ASSERT_TRUE(back.ok()) << back.error().message;
   EXPECT_EQ(back.value().data(), tree_->data());
   EXPECT_EQ(encodeTree(back.value()), bytes);
+}
+
+TEST_F(TreeFile, OneSphereANode_StoresNoBounds) {
+  SphereTreeData data = tree_->data();
+  const std::vector<std::byte> two = encodeTree(*tree_);
+  data.bounds.clear();
+  const std::vector<std::byte> one = encodeTree(SphereTree::create(data).value());
+  EXPECT_GE(two.size(), one.size() + 16 * data.nodes.size());
+  const Result<SphereTree> back = decodeTree(one);
+  ASSERT_TRUE(back.ok()) << back.error().message;
+  EXPECT_EQ(back.value().spheresPerNode(), 1U);
+  EXPECT_EQ(back.value().data(), data);
 }
 
 TEST_F(TreeFile, SaveAndLoad_LeaveOneFile) {

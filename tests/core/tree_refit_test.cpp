@@ -53,8 +53,8 @@ std::shared_ptr<const SphereTree> cubeInOctants() {
 }
 
 bool holds(const SphereTree& tree, NodeId node, const Vec3d& p) {
-  const Sphere ball = tree.sphere(node);
-  return distance(p, Vec3d(ball.center)) <= double(ball.radius);
+  const auto isIn = [&](const Sphere& ball) { return distance(p, Vec3d(ball.center)) <= double(ball.radius); };
+  return isIn(tree.sphere(node)) && isIn(tree.bound(node));
 }
 
 // Whether a point of a triangle lies in a leaf that lists the triangle, and in all of the leaf's ancestors.
@@ -166,7 +166,8 @@ void isAsIfRead(const SphereTree& moved) {
   for (std::uint32_t record = 0; record < fresh.nodeCount(); ++record) {
     const NodeId node = fresh.nodeAt(record);
     EXPECT_EQ(fresh.sphere(node), moved.sphere(node));
-    EXPECT_EQ(fresh.family(node / kFamilyWidth).sphere(node % kFamilyWidth), moved.sphere(node));
+    EXPECT_EQ(fresh.bound(node), moved.bound(node));
+    EXPECT_EQ(fresh.family(node / kFamilyWidth).sphere(node % kFamilyWidth), moved.bound(node));
     EXPECT_EQ(fresh.error(node), moved.error(node));
     EXPECT_EQ(fresh.innerRadius(node), moved.innerRadius(node));
     EXPECT_EQ(fresh.traversalNodes()[node].childLanes, moved.traversalNodes()[node].childLanes);
@@ -175,6 +176,16 @@ void isAsIfRead(const SphereTree& moved) {
     EXPECT_TRUE(std::ranges::equal(fresh.regionCorners(node), moved.regionCorners(node)));
     EXPECT_EQ(fresh.support(node).point(3), moved.support(node).point(3));
   }
+}
+
+TEST(TreeRefit, HoldsBothSpheresOfANode) {
+  const MovingMesh mesh = bendingBar(6);
+  const auto tree = withTwoSpheres(*plainTree(mesh.first, 4), kSeed);
+  followsForAThousandSteps(mesh, tree);
+  TreeRefit refit = bound(tree);
+  const auto moved = refitted(refit, mesh.inTree(*tree, 0.7));
+  EXPECT_EQ(moved->spheresPerNode(), 2U);
+  isAsIfRead(*moved);
 }
 
 TEST(TreeRefit, IsAsATreeReadWithItsNumbers) {

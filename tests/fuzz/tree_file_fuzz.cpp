@@ -34,9 +34,11 @@ void useTree(const SphereTree& tree) {
   cairn::Budget budget = cairn::Budget::operations(20000);
   (void)traversal.refine(budget);
   require(budget.used() <= 20000, "a budget was exceeded");
-  for (const cairn::NodePair& pair : traversal.leafPairs())
+  for (const cairn::NodePair& pair : traversal.leafPairs()) {
+    (void)traversal.mayTouch(pair);
     for (const cairn::NodeId id : {pair.a, pair.b})
       require(id % cairn::kFamilyWidth < tree.familySize(id / cairn::kFamilyWidth), "a dead lane was reported");
+  }
 }
 
 void mendChecksum(std::vector<std::byte>& bytes) {

@@ -24,7 +24,8 @@ constexpr unsigned int kEveryFlags[] = {Flags::kF_None, Flags::kF_FilterBackface
 std::vector<std::shared_ptr<bullet::SphereTreeShape>> everyShape() {
   return {treeShape(plainTree(twoCuboids({0.5, 0.4, 0.3}, {0.9, 0.2, 0.1}, 6), 3), btScalar(1.7)),
           treeShape(plainTree(ball(1, 12), 200), btScalar(0.01)), treeShape(plainTree(torus(1, 0.3, 24), 2)),
-          treeShape(plainTree(cuboid({1, 1, 1}, 1), 1), btScalar(30))};
+          treeShape(plainTree(cuboid({1, 1, 1}, 1), 1), btScalar(30)),
+          treeShape(withTwoSpheres(*plainTree(torus(1, 0.4, 16), 2), 7))};
 }
 
 TEST(Ray, FindsWhatAllTrianglesGiveWhateverIsAskedFor) {

@@ -117,8 +117,24 @@ inline RandomTree randomTree(std::uint64_t seed, std::uint32_t pointCount = 300,
   return tree;
 }
 
+/// Gives each node a second ball that holds its points, from elsewhere, as its bound.
+inline void addBounds(RandomTree& tree, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::vector<Sphere>& bounds = tree.data.bounds;
+  for (const NodeData& node : tree.data.nodes)
+    bounds.push_back({node.center + Vec3(randomPoint(engine)) * (0.4F * node.radius), 0});
+  for (std::size_t i = 0; i < tree.points.size(); ++i)
+    for (std::uint32_t record = tree.leafOfPoint[i];; record = tree.data.nodes[record].parent) {
+      Sphere& bound = bounds[record];
+      bound.radius = std::max(bound.radius, distance(tree.points[i], bound.center));
+      if (record == 0) break;
+    }
+  for (Sphere& bound : bounds) bound.radius = bound.radius * 1.0001F + 1e-4F;
+}
+
 /// The same tree in another unit.
 inline void scaleTree(SphereTreeData& data, float factor) {
+  for (Sphere& bound : data.bounds) bound = {bound.center * factor, bound.radius * factor};
   for (NodeData& node : data.nodes) {
     node.center = node.center * factor;
     node.radius *= factor;

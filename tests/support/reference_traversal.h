@@ -70,7 +70,7 @@ class ReferenceTraversal {
   }
   static FamilyStep step(const Side& split, std::uint32_t family, const Side& other, NodeId node) {
     return {&split.tree->family(family), &split.fromOther, node,
-            other.tree->sphere(node),    split.margin,     split.tree->livingLanes(family)};
+            other.tree->bound(node),     split.margin,     split.tree->livingLanes(family)};
   }
   bool splitsA(const NodePair& pair) const {
     if (a_.tree->isLeaf(pair.a)) return false;

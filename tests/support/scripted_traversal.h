@@ -30,6 +30,7 @@ class ScriptedTraversal final : public Traversal {
     }
     return Progress::done;
   }
+  bool mayTouch(const NodePair& /*pair*/) const override { return true; }
   float pairError(const NodePair& pair) const override { return errors_[pair.a]; }
 
  private:

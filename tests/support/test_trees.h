@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "cairn/core/sphere_tree.h"
+#include "random_tree.h"
 #include "test_solids.h"
 
 namespace cairn::test {
@@ -204,6 +205,22 @@ inline std::shared_ptr<const SphereTree> plainTree(const Solid& solid, std::uint
   Result<SphereTree> tree = SphereTree::create(PlainTreeBuilder(solid, trianglesPerLeaf).build());
   if (!tree) throw std::runtime_error(tree.error().message);
   return std::make_shared<const SphereTree>(std::move(tree).value());
+}
+
+/// The tree with its balls as bounds, and larger ones from elsewhere to answer.
+inline std::shared_ptr<const SphereTree> withTwoSpheres(const SphereTree& tree, std::uint64_t seed) {
+  SphereTreeData data = tree.data();
+  std::mt19937_64 engine(seed);
+  for (NodeData& n : data.nodes) {
+    data.bounds.push_back({n.center, n.radius});
+    const Vec3 shift = Vec3(randomPoint(engine)) * (0.2F * n.radius);
+    n.center += shift;
+    n.radius += length(shift) * 1.001F;
+    n.error = 2 * n.radius;
+  }
+  Result<SphereTree> two = SphereTree::create(std::move(data));
+  if (!two) throw std::runtime_error(two.error().message);
+  return std::make_shared<const SphereTree>(std::move(two).value());
 }
 
 }  // namespace cairn::test

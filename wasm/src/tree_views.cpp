@@ -24,6 +24,7 @@ Result<SphereTree> cutBelow(const SphereTree& tree, int depth) {
   std::size_t kept = 0;
   while (kept < data.nodes.size() && !isDeeper(static_cast<std::uint32_t>(kept))) ++kept;
   data.nodes.resize(kept);
+  if (!data.bounds.empty()) data.bounds.resize(kept);
   return SphereTree::create(std::move(data));
 }
 

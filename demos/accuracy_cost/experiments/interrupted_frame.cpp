@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cairn/core/round_robin.h"
 #include "scenes/truth/placed_body.h"
@@ -89,23 +90,27 @@ Interrupted InterruptedFrame::run(std::uint64_t operations) {
   return found;
 }
 
+template <class Visit>
+void InterruptedFrame::forEachAnswer(const Visit& visit) const {
+  for (const BodyPair& pair : std::span(pairs_).first(overlapping_))
+    for (const auto pairs : {pair.traversal.front(), pair.traversal.leafPairs()})
+      for (const NodePair& nodes : pairs)
+        if (pair.traversal.mayTouch(nodes)) visit(pair, nodes);
+}
+
 void InterruptedFrame::addErrors(Interrupted& found) const {
   double sum = 0, squares = 0;
+  const BodyPair* last = nullptr;
   found.best = INFINITY;
-  for (std::size_t i = 0; i < overlapping_; ++i) {
-    const TreePairTraversal& traversal = pairs_[i].traversal;
-    for (const auto pairs : {traversal.front(), traversal.leafPairs()})
-      for (const NodePair& nodes : pairs) {
-        const double error = static_cast<double>(traversal.pairError(nodes)) / model_.size;
-        found.worst = std::max(found.worst, error);
-        found.best = std::min(found.best, error);
-        sum += error;
-        squares += error * error;
-      }
-    const std::size_t count = traversal.front().size() + traversal.leafPairs().size();
-    found.spherePairs += count;
-    if (count > 0) ++found.bodyPairs;
-  }
+  forEachAnswer([&](const BodyPair& pair, const NodePair& nodes) {
+    const double error = static_cast<double>(pair.traversal.pairError(nodes)) / model_.size;
+    found.worst = std::max(found.worst, error);
+    found.best = std::min(found.best, error);
+    sum += error;
+    squares += error * error;
+    ++found.spherePairs;
+    if (std::exchange(last, &pair) != &pair) ++found.bodyPairs;
+  });
   if (found.spherePairs == 0) found.best = 0;
   const auto count = static_cast<double>(std::max<std::uint64_t>(found.spherePairs, 1));
   found.mean = sum / count;
@@ -117,21 +122,17 @@ void InterruptedFrame::check(const scenes::FrameTruth& truth, Interrupted& found
   const std::uint64_t stride = found.spherePairs / kChecked + 1;
   std::uint64_t number = 0;
   std::vector<scenes::BodyPair> reported;
-  for (std::size_t i = 0; i < overlapping_; ++i) {
-    const BodyPair& pair = pairs_[i];
-    for (const auto pairs : {pair.traversal.front(), pair.traversal.leafPairs()})
-      for (const NodePair& nodes : pairs) {
-        if (number++ % stride != 0) continue;
-        const double apart = separation(truth, pair, nodes) / model_.size;
-        const double certified = static_cast<double>(pair.traversal.pairError(nodes)) / model_.size;
-        ++answer.checked;
-        answer.separationSum += apart;
-        answer.worstSeparation = std::max(answer.worstSeparation, apart);
-        if (apart > certified + kRounding) ++answer.beyondCertificate;
-      }
-    if (!pair.traversal.front().empty() || !pair.traversal.leafPairs().empty())
-      reported.emplace_back(pair.first, pair.second);
-  }
+  forEachAnswer([&](const BodyPair& pair, const NodePair& nodes) {
+    const scenes::BodyPair bodies(pair.first, pair.second);
+    if (reported.empty() || reported.back() != bodies) reported.push_back(bodies);
+    if (number++ % stride != 0) return;
+    const double apart = separation(truth, pair, nodes) / model_.size;
+    const double certified = static_cast<double>(pair.traversal.pairError(nodes)) / model_.size;
+    ++answer.checked;
+    answer.separationSum += apart;
+    answer.worstSeparation = std::max(answer.worstSeparation, apart);
+    if (apart > certified + kRounding) ++answer.beyondCertificate;
+  });
   answer.meeting = static_cast<std::uint32_t>(truth.meeting().size());
   for (const scenes::BodyPair& pair : truth.meeting())
     if (!std::ranges::binary_search(reported, pair)) ++answer.missed;

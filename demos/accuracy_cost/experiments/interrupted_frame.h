@@ -26,7 +26,7 @@ struct ContactTruth {
 };
 
 /// The state of a frame's traversals at an interruption (thesis 7.2). Lengths are fractions of body size. The error of
-/// a pair of spheres is the sum of their certified errors.
+/// a pair of spheres is the sum of their certified errors. Pairs of bounds whose spheres are apart do not count.
 struct Interrupted {
   std::uint64_t operations = 0;
   std::uint64_t spherePairs = 0;
@@ -58,6 +58,9 @@ class InterruptedFrame {
   void place(std::span<const scenes::BodyMotion> motions);
   void findPairs();
   Interrupted run(std::uint64_t operations);
+  /// Calls `visit(body pair, its traversal's pair of nodes)` for each pair of spheres that answers.
+  template <class Visit>
+  void forEachAnswer(const Visit& visit) const;
   void addErrors(Interrupted& found) const;
   void check(const scenes::FrameTruth& truth, Interrupted& found) const;
   double separation(const scenes::FrameTruth& truth, const BodyPair& pair, const NodePair& nodes) const;

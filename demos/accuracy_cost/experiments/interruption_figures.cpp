@@ -73,7 +73,7 @@ std::vector<Figure> drawInterruption(const Table& table) {
     return trees;
   };
   const auto medial = present({"merge", "expand", "combined", "combined optimised", "cairn adaptive"});
-  const auto divided = present({"hubbard", "grid", "grid-volume", "hybrid", "cairn adaptive"});
+  const auto divided = present({"hubbard", "grid", "grid-volume", "hybrid", kTwoSpheres, "cairn adaptive"});
   std::vector<Figure> figures{overview(table)};
   for (const std::string& model : table.texts("model")) {
     if (!medial.empty()) figures.push_back(ratios(table, model, "hubbard", medial));

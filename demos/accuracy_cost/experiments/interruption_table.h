@@ -15,6 +15,8 @@ namespace cairn::accuracy_cost {
 /// The trees that other trees are compared with.
 inline constexpr std::array kReferences{"hubbard", "octree"};
 inline constexpr const char* kCompletion = "completion";
+/// The construction that traverses the smallest spheres and answers with those of least error (thesis 7.1.5).
+inline constexpr const char* kTwoSpheres = "hybrid two spheres";
 
 /// The results of one tree in the frames of all runs: by frame, by interruption.
 using InterruptedFrames = std::vector<std::vector<Interrupted>>;

@@ -27,7 +27,7 @@ enum class Method : std::uint8_t {
   spawn,        ///< spheres of one stand-off grown from each other, without a medial axis (5.4)
   solidOctree,  ///< octree with the cubes inside the solid, which fill it but cover no surface (3.1.2)
   grid,         ///< cells of a cubic grid, freely turned and moved; then each sphere moves by itself (3.3, 6.1)
-  hybrid,       ///< the regions of grid, each with the sphere of least certified error (7.1.5)
+  hybrid,       ///< the regions of grid, each with the sphere of least certified error (7.1.5; see `twoSpheres`)
   hubbard,      ///< one medial axis for the whole solid, merged pairwise by neighbours (4.1 to 4.3)
   adaptive,     ///< whole levels of equal error instead of single regions (Cairn's own)
   gridVolume,   ///< the regions of grid, each with its smallest sphere (3.3, 7.1.5)
@@ -61,6 +61,9 @@ struct BuildOptions {
   /// region by region (`fitsRegions`).
   std::optional<Balance> balance;
   bool levelMeshes = false;  ///< also make a coarser mesh for each level, see level_meshes.h
+  /// Nodes get two spheres: the smallest ball of the region, which traversals test, and the method's own, which
+  /// answers. With `hybrid` these are the hybrid trees of thesis 7.1.5.
+  bool twoSpheres = false;
   /// How the spheres of a region share its surface. Other values than `standOff` are allowed only for methods that fit
   /// spheres region by region, and not with the optimiser `cairn`, which moves the seams itself.
   SurfaceDivision division = SurfaceDivision::standOff;

@@ -57,7 +57,9 @@ struct Certificate {
 };
 
 /// Proves, or refutes by a witness, that a sphere-tree bounds a mesh. The tree is not trusted and may come from any
-/// source. Its spheres are taken as the exact reals of their floats, placed at the tree's origin.
+/// source. Its spheres are taken as the exact reals of their floats, placed at the tree's origin. Where nodes have two
+/// spheres, errors are proved of those that answer, and the cover of both: a point is covered by a node whose spheres
+/// both hold it.
 ///
 /// A triangle lies in a ball exactly when its corners do. A triangle that lies in no single chain of balls is split
 /// until its pieces do. Pieces are split down to `kMinPiece` of the bounding box's diagonal. Branch and bound

@@ -17,7 +17,7 @@ namespace cairn::builder {
 /// The fit of one level's cut (all nodes of the level and all leaves above it) to its mesh. Lengths are fractions of
 /// the mesh's bounding-box diagonal, volumes are fractions of the solid's volume. "Certified" numbers are proved
 /// (certify.h). The others are the thesis's measures (7.1.1) and are sampled. A sphere's error is the largest distance
-/// from the solid to a point of the sphere.
+/// from the solid to a point of the sphere. Where nodes have two spheres, these are the ones that answer.
 struct LevelFit {
   std::uint32_t level = 0;          ///< 0 is the root
   std::uint32_t spheres = 0;        ///< number of spheres in the cut

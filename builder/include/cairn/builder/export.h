@@ -15,7 +15,8 @@
 namespace cairn::builder {
 
 /// Returns one line `level x y z r parent` per sphere, breadth-first, in mesh frame and unit. `parent` is the 0-based
-/// line of the parent, -1 for the root. Positions and radii have enough digits to give back the same doubles. Linear.
+/// line of the parent, -1 for the root. Here and below, nodes with two spheres give the one that answers. Positions and
+/// radii have enough digits to give back the same doubles. Linear.
 ///
 ///     writeFile("bunny.spheres", spheresText(tree));
 std::string spheresText(const SphereTree& tree);

@@ -44,7 +44,7 @@ struct NormalCone {
 /// One node as a builder or a file describes it. All lengths in mesh units; all positions in the *tree frame*: mesh
 /// axes, origin at `SphereTreeData::origin`.
 struct NodeData {
-  Vec3 center;               ///< of the node's ball
+  Vec3 center;               ///< of the node's ball: the one that answers, where the node has two
   float radius = 0;          ///< the closed ball holds the node's region of the surface
   float error = 0;           ///< certified protrusion: no point of the ball is farther from the solid
   float innerRadius = 0;     ///< the concentric ball of this radius lies inside the solid; 0 when the centre does not
@@ -59,8 +59,8 @@ struct NodeData {
 
 /// The data that a traversal reads of a node to split or move it: half a cache line.
 struct alignas(32) TraversalNode {
-  Vec3 center;                    ///< of the node's ball, tree frame
-  float radius = 0;               ///< of the node's ball
+  Vec3 center;                    ///< of the node's bound, tree frame
+  float radius = 0;               ///< of the node's bound
   std::uint32_t childFamily = 0;  ///< 0 for a leaf (family 0 is the root's own)
   float error = 0;                ///< as `NodeData::error`
   std::uint32_t childLanes = 0;   ///< of the child family, packed: see the functions below
@@ -99,6 +99,7 @@ struct LevelMesh {
 /// Everything a tree consists of, unpacked. Nodes are breadth-first, the children of a node contiguous, the root first.
 struct SphereTreeData {
   std::vector<NodeData> nodes;                          ///< at least the root
+  std::vector<Sphere> bounds;                           ///< of each node, tree frame; none: the nodes' balls bound too
   std::vector<Vec3> supportPoints;                      ///< tree frame
   std::vector<Vec3> faceNormals;                        ///< unit, tree frame
   std::vector<std::uint32_t> regionTriangles;           ///< indices into triangles
@@ -117,6 +118,10 @@ struct SphereTreeData {
 /// Hot data is one cache-aligned block of centres and radii per family of up to eight siblings, and half a cache line
 /// per node; what only contacts or reports need is kept apart. Invariant, proved by the builder: every point of every
 /// source triangle lies in a leaf all of whose ancestors contain it too; that is what makes pruning at a parent safe.
+///
+/// **Two spheres a node** (the hybrid trees of thesis 7.1.5). A node has a *sphere*, which answers, and a *bound*,
+/// which traversals test. The invariant holds for both. Errors and inner radii are the sphere's: bounds traverse,
+/// errors answer. In most trees each sphere is its own bound.
 class CAIRN_CORE_EXPORT SphereTree {
  public:
   /// Checks everything a traversal relies on (order, links, finiteness, ranges) but not the cover, which needs the
@@ -148,8 +153,19 @@ class CAIRN_CORE_EXPORT SphereTree {
 
   /// By NodeId; those of dead lanes are never to be read.
   std::span<const TraversalNode> traversalNodes() const { return traversalNodes_; }
-  /// The node's ball, tree frame.
-  Sphere sphere(NodeId node) const { return {traversalNodes_[node].center, traversalNodes_[node].radius}; }
+  /// The nodes' own spheres, in the same places; of their numbers only these are to be read.
+  std::span<const TraversalNode> answeringNodes() const {
+    return answeringNodes_.empty() ? traversalNodes_ : answeringNodes_;
+  }
+  /// 2 where nodes have bounds of their own, else 1.
+  std::uint32_t spheresPerNode() const { return answeringNodes_.empty() ? 1 : 2; }
+  /// The node's ball, tree frame: what a traversal that stops here answers with.
+  Sphere sphere(NodeId node) const {
+    const TraversalNode& n = answeringNodes()[node];
+    return {n.center, n.radius};
+  }
+  /// What traversals test in the node's place, tree frame: it holds the same region. The families consist of these.
+  Sphere bound(NodeId node) const { return {traversalNodes_[node].center, traversalNodes_[node].radius}; }
   /// The node's certified error, tree unit: no point of its ball is farther from the solid.
   float error(NodeId node) const { return traversalNodes_[node].error; }
   /// Radius of the concentric ball inside the solid, tree unit; 0 where the centre is outside.
@@ -211,7 +227,7 @@ class CAIRN_CORE_EXPORT SphereTree {
   const BuildInfo& info() const { return data_.info; }
   /// Everything the tree consists of, unpacked. Cold.
   const SphereTreeData& data() const { return data_; }
-  /// How far a node's ball reaches from the tree frame's origin, in its unit, to some roundings: nothing of the tree is
+  /// How far a node's balls reach from the tree frame's origin, in its unit, to some roundings: nothing of the tree is
   /// farther out.
   float extent() const { return extent_; }
   /// Bytes of memory the tree holds, shared by all its bodies.
@@ -235,6 +251,7 @@ class CAIRN_CORE_EXPORT SphereTree {
   SphereTreeData data_;
   std::vector<Family> families_;
   std::vector<TraversalNode> traversalNodes_;  // by NodeId, as are the arrays below it
+  std::vector<TraversalNode> answeringNodes_;  // none where each sphere is its own bound
   std::vector<SupportBlock> support_;
   std::vector<std::uint32_t> recordIndex_;
   std::vector<std::uint8_t> level_;

@@ -53,8 +53,11 @@ class CAIRN_CORE_EXPORT Traversal {
   /// Fully resolved pairs, in the order they were found.
   std::span<const NodePair> leafPairs() const { return leafPairs_.pairs(); }
 
+  /// Whether the spheres of a reported pair touch, as its bounds did when it was found. False proves that nothing of
+  /// its regions does. Always true in trees of one sphere a node. Cost: an update and a test, which is not charged.
+  virtual bool mayTouch(const NodePair& pair) const = 0;
   /// Certified bound, in world length, on how far apart the solids below the two nodes of a pair can be although the
-  /// pair is reported. Of surfaces it says that only where neither body lies wholly inside the other.
+  /// pair is reported and may touch. Of surfaces it says that only where neither body lies wholly inside the other.
   virtual float pairError(const NodePair& pair) const = 0;
   /// Worst `pairError` of these pairs, 0 for none. To be overridden only to be faster.
   virtual float worstOf(std::span<const NodePair> pairs) const;

@@ -18,7 +18,7 @@ namespace cairn {
 ///
 /// **Cover.** Binding cuts each triangle into parts, and gives each part to a leaf that lists the triangle. The motion
 /// is affine on a triangle, so parts stay convex hulls of their moved corners. A ball that holds these holds the part.
-/// A leaf's new ball holds the corners of its parts, and so do the balls of its ancestors. That is the invariant of
+/// A leaf's new balls hold the corners of its parts, and so do the balls of its ancestors. That is the invariant of
 /// `SphereTree`, whatever the motion.
 ///
 /// **Error.** A centre moves with its region, by a rotation, a scale and a translation. Where its ball then comes out

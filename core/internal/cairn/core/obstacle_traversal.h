@@ -28,6 +28,7 @@ class CAIRN_CORE_EXPORT ObstacleTraversal final : public Traversal {
   void start(const SphereTree& tree, float scale, const Obstacle& obstacle);
 
   Progress refine(Budget& budget) override;
+  bool mayTouch(const NodePair& pair) const override;
   float pairError(const NodePair& pair) const override;
   float worstOf(std::span<const NodePair> pairs) const override;
 

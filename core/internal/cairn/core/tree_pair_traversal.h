@@ -20,6 +20,7 @@ class CAIRN_CORE_EXPORT TreePairTraversal final : public Traversal {
   void movePoses(const Pose& poseA, const Pose& poseB);
 
   Progress refine(Budget& budget) override;
+  bool mayTouch(const NodePair& pair) const override;
   float pairError(const NodePair& pair) const override;
   float worstOf(std::span<const NodePair> pairs) const override;
 
