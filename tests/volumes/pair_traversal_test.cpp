@@ -92,9 +92,9 @@ TEST_P(Traversals, PosesTouch) {
   const double size = solid.bounds().diagonal(), tolerance = 1e-3 * size;
   std::mt19937_64 engine(test::kVolumeSeed);
   for (const RigidMove& move : touchingPoses(solid, 8, test::kVolumeSeed, tolerance)) {
-    const Gap gap = surfaceGap(solid, mesh, move, tolerance / 2);
-    EXPECT_LE(gap.upper, tolerance);
-    EXPECT_GE(gap.lower, -2 * tolerance);  // advancement stops half a tolerance in at most, the bounds are as wide
+    const Gap gap = surfaceGap(solid, mesh, move, tolerance / 8);
+    EXPECT_LT(gap.upper, 0);
+    EXPECT_GE(gap.lower, -tolerance);
     for (const builder::Piece& piece : movedPart(builder::piecesOf(mesh), move))
       for (int i = 0; i < 4; ++i) EXPECT_GE(-oracle.depth(test::pointOf(piece, engine)), gap.lower);
   }

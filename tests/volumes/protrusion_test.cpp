@@ -68,13 +68,16 @@ TEST(VolumeProtrusionOfSweptBalls, IsWhatGeometrySays) {
     EXPECT_GE(proved.upper, expected);
     EXPECT_LE(proved.upper, expected * 1.01 + tolerance.absolute * 1.01);
   };
-  const std::array<Vec3d, 2> axes{Vec3d{1, 0, 0}, {0, 1, 0}};
+  const std::array<Vec3d, 3> axes{Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   // Flush with top and bottom, half a unit out at the sides.
-  expectError({VolumeKind::roundedBox, {}, axes, {4.5, 2.5}, 1}, 0.5);
-  expectError({VolumeKind::roundedBox, {}, axes, {3, 1}, 0.5}, 0);
+  expectError({VolumeKind::slab, {}, axes, {4.5, 2.5, 0}, 1}, 0.5);
+  expectError({VolumeKind::slab, {}, axes, {3, 1, 0}, 0.5}, 0);
+  // The solid itself; and a box that is farthest out at its corners.
+  expectError({VolumeKind::box, {}, axes, {5, 3, 1}, 0}, 0);
+  expectError({VolumeKind::box, {}, axes, {5.3, 3.4, 1}, 0}, 0.5);
   // Above and below by half, in the direction of the axis by one and a half.
-  expectError({VolumeKind::capsule, {}, axes, {5, 0}, 1.5}, 1.5);
-  expectError({VolumeKind::capsule, {}, axes, {3, 0}, 1.5}, 0.5);
+  expectError({VolumeKind::capsule, {}, axes, {5, 0, 0}, 1.5}, 1.5);
+  expectError({VolumeKind::capsule, {}, axes, {3, 0, 0}, 1.5}, 0.5);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace cairn::test {
 
 inline constexpr std::uint64_t kVolumeSeed = 20;
-inline constexpr std::array kAllKinds{bench::VolumeKind::ball, bench::VolumeKind::capsule,
-                                      bench::VolumeKind::roundedBox};
+inline constexpr std::array kAllKinds{bench::VolumeKind::ball, bench::VolumeKind::capsule, bench::VolumeKind::slab,
+                                      bench::VolumeKind::box};
 
 /// The generated solid of this name.
 inline builder::TriangleMesh solidNamed(const std::string& name) {

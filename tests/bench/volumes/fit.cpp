@@ -49,11 +49,11 @@ SweptBall capsuleAround(const Framed& framed, const Vec3d& through) {
   for (const Vec3d& p : framed.points) radius = std::max(radius, away(p));
   Interval along;
   for (const Vec3d& p : framed.points) along.add(dot(p - through, u), slackAt(radius, away(p)));
-  return {VolumeKind::capsule, through + u * along.middle(), {u, v}, {along.half(), 0}, radius};
+  return {VolumeKind::capsule, through + u * along.middle(), {u, v, w}, {along.half(), 0, 0}, radius};
 }
 
-/// The rounded box along the first two axes, in the plane through `through`.
-SweptBall boxAround(const Framed& framed, const Vec3d& through) {
+/// The slab along the first two axes, in the plane through `through`.
+SweptBall slabAround(const Framed& framed, const Vec3d& through) {
   const auto& [u, v, w] = framed.axes;
   double radius = 0;
   for (const Vec3d& p : framed.points) radius = std::max(radius, std::abs(dot(p - through, w)));
@@ -64,7 +64,7 @@ SweptBall boxAround(const Framed& framed, const Vec3d& through) {
     y.add(dot(p - through, v), slack);
   }
   SweptBall box{
-      VolumeKind::roundedBox, through + u * x.middle() + v * y.middle(), {u, v}, {x.half(), y.half()}, radius};
+      VolumeKind::slab, through + u * x.middle() + v * y.middle(), {u, v, w}, {x.half(), y.half(), 0}, radius};
   // Points off a corner are within their slack of both sides, but not of the corner: the box grows towards them.
   for (const Vec3d& p : framed.points) {
     const Vec3d off = p - box.nearestOnCore(p);
@@ -123,29 +123,43 @@ std::array<Vec3d, 3> turnedToFit(const Framed& framed) {
   return {turned, cross(w, turned), w};
 }
 
+/// The box along the axes, without rounding.
+SweptBall boxAround(const Framed& framed) {
+  SweptBall box{VolumeKind::box, {}, framed.axes, {}, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Interval along;
+    for (const Vec3d& p : framed.points) along.add(dot(p, framed.axes[i]), 0);
+    box.center += framed.axes[i] * along.middle();
+    box.half[i] = along.half();
+  }
+  return box;
+}
+
+/// The estimate looks at the core's corners and the middles between them.
+Fit fitAt(const SignedDistance& solid, const SweptBall& volume) {
+  double shallowest = std::numeric_limits<double>::infinity();
+  const auto last = [&](int axis) { return axis < volume.dimensions() ? 1 : 0; };
+  for (int x = -last(0); x <= last(0); ++x)
+    for (int y = -last(1); y <= last(1); ++y)
+      for (int z = -last(2); z <= last(2); ++z)
+        shallowest = std::min(shallowest,
+                              solid.depth(volume.onCore({x * volume.half[0], y * volume.half[1], z * volume.half[2]})));
+  return {volume, volume.radius - shallowest};
+}
+
 /// Lowers the estimate of the volume that `around(center)` makes, by moves of the centre along `directions`.
 template <class Around>
 Fit descend(const SignedDistance& solid, const Vec3d& start, std::span<const Vec3d> directions, const Around& around) {
-  const auto fitAt = [&](const Vec3d& center) {
-    const SweptBall volume = around(center);
-    double shallowest = std::numeric_limits<double>::infinity();
-    const int lastX = volume.dimensions() > 0 ? 1 : 0, lastY = volume.dimensions() > 1 ? 1 : 0;
-    for (int x = -lastX; x <= lastX; ++x)
-      for (int y = -lastY; y <= lastY; ++y)
-        shallowest = std::min(shallowest, solid.depth(volume.center + volume.axes[0] * (x * volume.half[0]) +
-                                                      volume.axes[1] * (y * volume.half[1])));
-    return Fit{volume, volume.radius - shallowest};
-  };
   constexpr double kShortest =
       0.02;  // of the first volume's reach: shorter steps gain less than certificates tell apart
   Vec3d center = start;
-  Fit best = fitAt(center);
+  Fit best = fitAt(solid, around(center));
   const double size = best.volume.reach();
   for (double step = size; step > kShortest * size; step /= 2)
     for (const Vec3d& direction : directions)
       for (const double side : {-step, step}) {
         const Vec3d moved = center + direction * side;
-        const Fit trial = fitAt(moved);
+        const Fit trial = fitAt(solid, around(moved));
         if (trial.estimate >= best.estimate) continue;
         best = trial;
         center = moved;
@@ -155,11 +169,12 @@ Fit descend(const SignedDistance& solid, const Vec3d& start, std::span<const Vec
 
 Fit sweptFit(VolumeKind kind, const SignedDistance& solid, const Framed& framed) {
   const auto& [u, v, w] = framed.axes;
-  if (kind == VolumeKind::roundedBox) {
+  if (kind == VolumeKind::box) return fitAt(solid, boxAround(framed));
+  if (kind == VolumeKind::slab) {
     Interval height;
     for (const Vec3d& p : framed.points) height.add(dot(p, w), 0);
     const std::array<Vec3d, 1> directions{w};
-    return descend(solid, w * height.middle(), directions, [&](const Vec3d& at) { return boxAround(framed, at); });
+    return descend(solid, w * height.middle(), directions, [&](const Vec3d& at) { return slabAround(framed, at); });
   }
   std::vector<Vec3d> flat;
   for (const Vec3d& p : framed.points) flat.push_back(p - u * dot(p, u));

@@ -14,7 +14,7 @@ namespace {
 
 using builder::SignedDistance;
 
-// Of the diagonal. Poses touch up to this, far below the least error compared.
+// Of the diagonal. Bodies overlap by less, which is far below the least error compared.
 constexpr double kTouch = 1e-4;
 
 double median(std::vector<double> values) {
@@ -147,7 +147,7 @@ Comparison compareSets(const NamedMesh& named, const std::vector<KindSet>& sets,
 
 std::vector<SameParts> compareOnSameParts(const NamedMesh& named, const std::vector<double>& errorPercents,
                                           std::size_t mostParts) {
-  constexpr std::array kKinds{VolumeKind::ball, VolumeKind::capsule, VolumeKind::roundedBox};
+  constexpr std::array kKinds{VolumeKind::ball, VolumeKind::capsule, VolumeKind::slab, VolumeKind::box};
   const SignedDistance solid(named.mesh);
   const double size = solid.bounds().diagonal();
   const VolumeChoice choice(solid);

@@ -29,7 +29,7 @@ struct AtError {
   double operations = 0, tests = 0, pairs = 0;    ///< of one traversal of two bodies that touch: mean of all poses
   double microseconds = 0;                        ///< CPU time of one: mean of all poses, median of runs
 
-  std::size_t allNodes() const { return nodes[0] + nodes[1] + nodes[2]; }
+  std::size_t allNodes() const { return nodes[0] + nodes[1] + nodes[2] + nodes[3]; }
   /// Pair tests of all nodes, in tests of two balls.
   double cost() const {
     double sum = 0;

@@ -38,7 +38,7 @@ inline double overlapSlack(double lengths) {
 }
 
 /// Whether two volumes may have a point in common. Never false for two that are `slack` apart or nearer. Exact up to
-/// `slack` for balls and capsules; true for some pairs of rounded boxes that are a little apart.
+/// `slack` for balls and capsules; true for some pairs of slabs and boxes that are a little apart.
 inline bool mayMeet(const PlainBall& a, const PlainBall& b, double slack) {
   const double reach = a.radius + b.radius + slack;
   return lengthSq(a.center - b.center) <= reach * reach;
@@ -66,8 +66,8 @@ inline bool separates(const SweptBall& a, const SweptBall& b, const Vec3d& direc
   return gap > 0 && gap * gap > reach * reach * lengthSq(direction);
 }
 
-/// For cores of which one at least is a rectangle. Answers true when points of the cores are near enough, false when a
-/// direction separates them; true when neither is found.
+/// For cores of which one at least is a rectangle or a box. Answers true when points of the cores are near enough,
+/// false when a direction separates them; true when neither is found.
 inline bool boxesMayMeet(const SweptBall& a, const SweptBall& b, double reach) {
   constexpr int kProjections = 3;
   Vec3d p = a.nearestOnCore(b.center);
@@ -78,7 +78,7 @@ inline bool boxesMayMeet(const SweptBall& a, const SweptBall& b, double reach) {
     if (separates(a, b, q - p, reach)) return false;
   }
   for (const SweptBall* v : {&a, &b}) {
-    if (v->dimensions() < 2) continue;
+    if (v->dimensions() != 2) continue;  // a box's normals are its axes, below
     if (separates(a, b, cross(v->axes[0], v->axes[1]), reach)) return false;
   }
   for (int i = 0; i < a.dimensions(); ++i)

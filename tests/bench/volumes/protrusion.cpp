@@ -18,13 +18,13 @@ using builder::SignedDistance;
 /// Points of the core between two bounds along each axis, plus directions between three unit vectors times [inner,
 /// outer].
 struct Cell {
-  std::array<double, 2> lower{}, upper{};  ///< along the core's axes
+  std::array<double, 3> lower{}, upper{};  ///< along the core's axes
   std::array<Vec3d, 3> directions;
   double inner = 0, outer = 0;
   double bound = 0;              ///< proved: no point of the cell is farther from the solid
   std::uint32_t face = 0;        ///< a triangle of the face that proved it
   double coreDepth = 0;          ///< no point of the core's part is less deep
-  std::array<double, 3> gain{};  ///< how unequal the bound is along the core's axes and among directions
+  std::array<double, 4> gain{};  ///< how unequal the bound is along the core's axes and among directions
 
   friend bool operator<(const Cell& a, const Cell& b) { return a.bound < b.bound; }
 };
@@ -49,7 +49,7 @@ std::pair<double, double> extentOf(const Points& points, const Vec3d& along) {
   return extent;
 }
 
-enum class Cut : std::uint8_t { alongFirst, alongSecond, directions, radius };
+enum class Cut : std::uint8_t { alongFirst, alongSecond, alongThird, directions, radius };
 
 class VolumeSearch {
  public:
@@ -80,28 +80,32 @@ class VolumeSearch {
   void offerFarPoints(std::uint32_t triangle) {
     Cell near;
     near.face = triangle;
-    const std::array<Vec3d, 3> axes{volume_.axes[0], volume_.axes[1], cross(volume_.axes[0], volume_.axes[1])};
-    const int lastX = volume_.half[0] > 0 ? 1 : 0, lastY = volume_.half[1] > 0 ? 1 : 0;
-    for (int x = -lastX; x <= lastX; ++x)
-      for (int y = -lastY; y <= lastY; ++y) {
-        const Vec3d core = corePoint(x * volume_.half[0], y * volume_.half[1]);
-        for (const Vec3d& axis : axes)
-          for (const double side : {-volume_.radius, volume_.radius}) (void)ask(core + axis * side, near);
-        const SignedDistance::Answer atCore = ask(core, near);
-        const Vec3d away = atCore.depth > 0 ? atCore.nearest.point - core : core - atCore.nearest.point;
-        if (lengthSq(away) > 0) (void)ask(core + normalized(away) * volume_.radius, near);
+    for (int i = 0; i < 27; ++i) {
+      const std::array<int, 3> at{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+      std::array<double, 3> along{};
+      bool isMet = false;  // before, where the core has no extent
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        along[axis] = at[axis] * volume_.half[axis];
+        isMet |= at[axis] != 0 && !(volume_.half[axis] > 0);
       }
+      if (isMet) continue;
+      const Vec3d core = volume_.onCore(along);
+      for (const Vec3d& axis : volume_.axes)
+        for (const double side : {-volume_.radius, volume_.radius}) (void)ask(core + axis * side, near);
+      const SignedDistance::Answer atCore = ask(core, near);
+      const Vec3d away = atCore.depth > 0 ? atCore.nearest.point - core : core - atCore.nearest.point;
+      if (lengthSq(away) > 0) (void)ask(core + normalized(away) * volume_.radius, near);
+    }
   }
 
   double refine(double whole, std::uint32_t triangle) {
     offerFarPoints(triangle);
-    const Vec3d third = cross(volume_.axes[0], volume_.axes[1]);
     for (int octant = 0; octant < 8; ++octant) {
       const double x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
       Cell cell;
-      cell.lower = {-volume_.half[0], -volume_.half[1]};
+      cell.lower = {-volume_.half[0], -volume_.half[1], -volume_.half[2]};
       cell.upper = volume_.half;
-      cell.directions = {volume_.axes[0] * x, volume_.axes[1] * y, third * z};
+      cell.directions = {volume_.axes[0] * x, volume_.axes[1] * y, volume_.axes[2] * z};
       cell.outer = volume_.radius;
       cell.bound = whole;
       cell.face = triangle;
@@ -129,8 +133,8 @@ class VolumeSearch {
   Cut cutOf(const Cell& cell) const {
     const auto& [a, b, c] = cell.directions;
     const double across = std::sqrt(std::max({lengthSq(a - b), lengthSq(b - c), lengthSq(c - a)}));
-    const std::array<double, 4> width{cell.upper[0] - cell.lower[0], cell.upper[1] - cell.lower[1], across * cell.outer,
-                                      cell.outer - cell.inner};
+    const std::array<double, 5> width{cell.upper[0] - cell.lower[0], cell.upper[1] - cell.lower[1],
+                                      cell.upper[2] - cell.lower[2], across * cell.outer, cell.outer - cell.inner};
     const auto most =
         static_cast<std::size_t>(std::max_element(cell.gain.begin(), cell.gain.end()) - cell.gain.begin());
     const auto widest = static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
@@ -160,7 +164,7 @@ class VolumeSearch {
       parts.assign(2, cell);
       parts[0].outer = parts[1].inner = (cell.inner + cell.outer) / 2;
     } else {
-      const std::size_t axis = cut == Cut::alongFirst ? 0 : 1;
+      const auto axis = static_cast<std::size_t>(cut);
       if (!(cell.upper[axis] > cell.lower[axis])) return parts;
       parts.assign(2, cell);
       parts[0].upper[axis] = parts[1].lower[axis] = (cell.lower[axis] + cell.upper[axis]) / 2;
@@ -170,12 +174,26 @@ class VolumeSearch {
   }
 
   Vec3d middleOfCore(const Cell& cell) const {
-    return corePoint((cell.lower[0] + cell.upper[0]) / 2, (cell.lower[1] + cell.upper[1]) / 2);
+    std::array<double, 3> middle;
+    for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = (cell.lower[axis] + cell.upper[axis]) / 2;
+    return volume_.onCore(middle);
+  }
+  Vec3d cornerOfCore(const Cell& cell, std::size_t corner) const {
+    std::array<double, 3> at;
+    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = corner >> axis & 1 ? cell.upper[axis] : cell.lower[axis];
+    return volume_.onCore(at);
+  }
+  /// Whether it is another corner than those of lower numbers.
+  bool hasCorner(std::size_t corner) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((corner >> axis & 1) != 0 && !(volume_.half[axis] > 0)) return false;
+    return true;
   }
   /// Bounds the depth of the core's part from below: by the depth of its middle (1-Lipschitz) or, for a part inside, by
   /// its distance from each triangle. The latter does not mind how long the part is.
   void measureCore(Cell& cell) {
-    const double half = std::hypot(cell.upper[0] - cell.lower[0], cell.upper[1] - cell.lower[1]) / 2;
+    const double half =
+        std::hypot(cell.upper[0] - cell.lower[0], cell.upper[1] - cell.lower[1], cell.upper[2] - cell.lower[2]) / 2;
     const double depth = ask(middleOfCore(cell), cell).depth;
     cell.coreDepth = depth - half;
     if (depth > 0 && solid_.mesh().triangles.size() <= kFewTriangles) {
@@ -188,28 +206,24 @@ class VolumeSearch {
   /// sure.
   double apartFromSurface(const Cell& cell) const {
     const Vec3d middle = middleOfCore(cell);
-    std::array<Vec3d, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] =
-          middle + (corePoint(i & 1 ? cell.upper[0] : cell.lower[0], i & 2 ? cell.upper[1] : cell.lower[1]) - middle) *
-                       (1 - kShrink);
+    std::array<Vec3d, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = middle + (cornerOfCore(cell, i) - middle) * (1 - kShrink);
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < solid_.mesh().triangles.size() && least > 0; ++t)
       least = std::min(least, separation(corners, solid_.mesh().corners(t)));
     return least;
   }
   /// The widest gap along the triangle's normal or one of the volume's axes: at most the distance.
-  double separation(const std::array<Vec3d, 4>& core, const std::array<Vec3d, 3>& triangle) const {
+  double separation(const std::array<Vec3d, 8>& core, const std::array<Vec3d, 3>& triangle) const {
     double widest = -std::numeric_limits<double>::infinity();
     for (const Vec3d& along : {normalized(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])), volume_.axes[0],
-                               volume_.axes[1], cross(volume_.axes[0], volume_.axes[1])}) {
+                               volume_.axes[1], volume_.axes[2]}) {
       const auto [low, high] = extentOf(core, along);
       const auto [lower, upper] = extentOf(triangle, along);
       widest = std::max({widest, lower - high, low - upper});
     }
     return widest;
   }
-  Vec3d corePoint(double x, double y) const { return volume_.center + volume_.axes[0] * x + volume_.axes[1] * y; }
 
   SignedDistance::Answer ask(const Vec3d& point, const Cell& cell) {
     const SignedDistance::Answer answer = solid_.query(point, solid_.distanceToTriangle(cell.face, point));
@@ -252,35 +266,37 @@ class VolumeSearch {
     const auto& [a, b, c] = cell.directions;
     // As in `certifiedProtrusion`: directions between a, b, c reach 1 / cosine of the plane through them.
     const double outer = cell.outer / std::abs(dot(a, normalized(cross(b - a, c - a))));
-    const int lastX = volume_.half[0] > 0 ? 1 : 0, lastY = volume_.half[1] > 0 ? 1 : 0;
     double toFace = 0, toPointSq = 0;
     Vec3d farthest = point;
-    std::array<std::array<double, 2>, 2> most{};  // by the core's corner
-    std::array<double, 3> mostAmong{};            // by direction
-    for (int x = 0; x <= lastX; ++x)
-      for (int y = 0; y <= lastY; ++y)
-        for (std::size_t k = 0; k < 3; ++k)
-          for (const bool isOuter : {false, true}) {
-            const Vec3d core = corePoint(x ? cell.upper[0] : cell.lower[0], y ? cell.upper[1] : cell.lower[1]);
-            const Vec3d corner = core + cell.directions[k] * (isOuter ? outer : cell.inner);
-            toPointSq = std::max(toPointSq, lengthSq(corner - point));
-            const double far = distanceToFace(face, corner);
-            most[x][y] = std::max(most[x][y], far);
-            mostAmong[k] = std::max(mostAmong[k], far);
-            if (far <= toFace) continue;
-            toFace = far;
-            farthest = core + cell.directions[k] * (isOuter ? cell.outer : cell.inner);
-          }
+    std::array<double, 8> most{};       // by the core's corner
+    std::array<double, 3> mostAmong{};  // by direction
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (!hasCorner(i)) continue;
+      const Vec3d core = cornerOfCore(cell, i);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const bool isOuter : {false, true}) {
+          const Vec3d corner = core + cell.directions[k] * (isOuter ? outer : cell.inner);
+          toPointSq = std::max(toPointSq, lengthSq(corner - point));
+          const double far = distanceToFace(face, corner);
+          most[i] = std::max(most[i], far);
+          mostAmong[k] = std::max(mostAmong[k], far);
+          if (far <= toFace) continue;
+          toFace = far;
+          farthest = core + cell.directions[k] * (isOuter ? cell.outer : cell.inner);
+        }
+    }
     cell.bound = std::min(cell.bound, std::sqrt(toPointSq) - depth);
     if (toFace + faces_.guard() > cell.bound) return;
     cell.bound = toFace + faces_.guard();
     cell.face = face;
     worst = farthest;
     cell.gain = {};
-    if (lastX) cell.gain[0] = std::max(std::abs(most[0][0] - most[1][0]), std::abs(most[0][1] - most[1][1]));
-    if (lastY) cell.gain[1] = std::max(std::abs(most[0][0] - most[0][1]), std::abs(most[1][0] - most[1][1]));
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (hasCorner(i) && (i >> axis & 1) != 0)
+          cell.gain[axis] = std::max(cell.gain[axis], std::abs(most[i] - most[i ^ (std::size_t{1} << axis)]));
     const auto [least, greatest] = std::minmax_element(mostAmong.begin(), mostAmong.end());
-    cell.gain[2] = std::max(*greatest - *least, outer - cell.outer);
+    cell.gain[3] = std::max(*greatest - *least, outer - cell.outer);
   }
 
   const SignedDistance& solid_;

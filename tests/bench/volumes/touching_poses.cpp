@@ -68,7 +68,7 @@ Gap surfaceGap(const SignedDistance& solid, const TriangleMesh& mesh, const Rigi
 
 std::vector<RigidMove> touchingPoses(const SignedDistance& solid, std::size_t count, std::uint64_t seed,
                                      double tolerance) {
-  constexpr int kMostSteps = 2000;  // of at least half a tolerance each, far more than conservative advancement takes
+  constexpr int kMostSteps = 4000;  // of at least half a tolerance each, far more than conservative advancement takes
   std::mt19937_64 engine(seed);
   const TriangleMesh& mesh = solid.mesh();
   std::vector<RigidMove> poses;
@@ -80,8 +80,8 @@ std::vector<RigidMove> touchingPoses(const SignedDistance& solid, std::size_t co
     double way = 2 * solid.bounds().diagonal();
     for (int step = 0; step < kMostSteps && way > 0; ++step) {
       pose.translation = to - pose.rotation * from + along * way;
-      const Gap gap = surfaceGap(solid, mesh, pose, tolerance / 2);
-      if (gap.upper <= tolerance) break;
+      const Gap gap = surfaceGap(solid, mesh, pose, tolerance / 8);
+      if (gap.upper <= -tolerance / 4) break;
       way -= std::max(gap.lower, tolerance / 2);
     }
     poses.push_back(pose);

@@ -19,9 +19,9 @@ struct Gap {
 Gap surfaceGap(const builder::SignedDistance& solid, const builder::TriangleMesh& mesh, const RigidMove& move,
                double tolerance);
 
-/// Poses of a second body of the same mesh beside the first. Each is turned at random and lies with some point of its
-/// surface towards some point of the first one's; it has moved along a random direction until the gap was below
-/// `tolerance`. Only the meshes decide, no volumes. Same seed, same poses.
+/// Poses of a second body of the same mesh beside the first, in which surfaces cross, at most `tolerance` deep. Each is
+/// turned at random and has moved along a random direction, with some point of its surface towards some point of the
+/// first one's. Only the meshes decide, no volumes. Same seed, same poses.
 std::vector<RigidMove> touchingPoses(const builder::SignedDistance& solid, std::size_t count, std::uint64_t seed,
                                      double tolerance);
 

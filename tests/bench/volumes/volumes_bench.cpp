@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spheres against spheres, capsules and rounded boxes mixed (thesis 8.3.6): volumes, certified error and traversal time
+// Spheres against spheres, capsules, slabs and boxes mixed (thesis 8.3.6): volumes, certified error and traversal time
 // at equal error. One thread, CPU time, medians of interleaved runs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -23,20 +24,22 @@ struct Options {
   MeasureOptions measure;
 };
 
-constexpr std::array<const char*, kVolumeKinds> kKindNames{"ball", "capsule", "box"};
+constexpr std::array<const char*, kVolumeKinds> kKindNames{"ball", "capsule", "slab", "box"};
 
 std::vector<KindSet> setsOf(const Options& options) {
-  const VolumeKind ball = VolumeKind::ball, capsule = VolumeKind::capsule, box = VolumeKind::roundedBox;
-  std::vector<KindSet> sets{{"spheres", {ball}}, {"mixed", {ball, capsule, box}}};
-  if (options.allSets) sets.insert(sets.end(), {{"and capsules", {ball, capsule}}, {"and boxes", {ball, box}}});
+  const VolumeKind ball = VolumeKind::ball, capsule = VolumeKind::capsule, slab = VolumeKind::slab,
+                   box = VolumeKind::box;
+  std::vector<KindSet> sets{{"spheres", {ball}}, {"mixed", {ball, capsule, slab, box}}};
+  if (options.allSets)
+    sets.insert(sets.end(),
+                {{"swept", {ball, capsule, slab}}, {"and capsules", {ball, capsule}}, {"and boxes", {ball, box}}});
   return sets;
 }
 
 void printCosts(const MeasureOptions& options) {
   const PairCosts costs = measurePairCosts(options);
-  fmt::print(
-      "One volume moved and tested against another, ns (plain balls: {:.1f}); costs that choices go by: {}, {}, {}\n",
-      costs.plainBalls, kPairCost[0], kPairCost[1], kPairCost[2]);
+  fmt::print("One volume moved and tested against another, ns (plain balls: {:.1f}); costs that choices go by: {}\n",
+             costs.plainBalls, fmt::join(kPairCost, ", "));
   fmt::print("{:<9}", "");
   for (const char* name : kKindNames) fmt::print("{:>9}", name);
   for (std::size_t a = 0; a < kVolumeKinds; ++a) {
@@ -49,25 +52,27 @@ void printCosts(const MeasureOptions& options) {
 void printSameParts(const NamedMesh& named, const Options& options) {
   const auto rows = compareOnSameParts(named, options.measure.errorPercents, options.mostSameParts);
   fmt::print("Parts of the spheres' tree, and the certified error of each kind around them, % of the diagonal\n");
-  fmt::print("                  ball           capsule             box           best at equal cost\n");
-  fmt::print("error %  parts   worst    mean   worst    mean   worst    mean   balls capsules boxes\n");
+  fmt::print("                  ball           capsule            slab             box           best at equal cost\n");
+  fmt::print(
+      "error %  parts   worst    mean   worst    mean   worst    mean   worst    mean   balls capsules slabs boxes\n");
   for (const SameParts& row : rows) {
     fmt::print("{:7}{:7}", row.errorPercent, row.parts);
     for (std::size_t k = 0; k < kVolumeKinds; ++k) fmt::print("{:8.3f}{:8.3f}", row.worst[k], row.mean[k]);
-    fmt::print("{:8}{:9}{:6}\n", row.chosen[0], row.chosen[1], row.chosen[2]);
+    fmt::print("{:8}{:9}{:6}{:6}\n", row.chosen[0], row.chosen[1], row.chosen[2], row.chosen[3]);
   }
 }
 
 void printSet(const Comparison& c, const KindSet& set, std::size_t s) {
   fmt::print("{}, grown in {:.1f} s\n", set.name, c.growSeconds[s]);
   fmt::print(
-      "error %   nodes   balls capsules boxes     KiB   pairs     tests operations        us   to spheres: nodes    "
+      "error %   nodes   balls capsules slabs boxes     KiB   pairs     tests operations        us   to spheres: nodes "
+      "   "
       "time  keep\n");
   for (std::size_t i = 0; i < c.sets[s].size(); ++i) {
     const AtError &row = c.sets[s][i], &spheres = c.sets[0][i];
-    fmt::print("{:7}{:8}{:8}{:9}{:6}{:8.1f}{:8.1f}{:10.0f}{:11.0f}{:10.2f}", row.errorPercent, row.allNodes(),
-               row.nodes[0], row.nodes[1], row.nodes[2], static_cast<double>(row.bytes) / 1024, row.pairs, row.tests,
-               row.operations, row.microseconds);
+    fmt::print("{:7}{:8}{:8}{:9}{:6}{:6}{:8.1f}{:8.1f}{:10.0f}{:11.0f}{:10.2f}", row.errorPercent, row.allNodes(),
+               row.nodes[0], row.nodes[1], row.nodes[2], row.nodes[3], static_cast<double>(row.bytes) / 1024, row.pairs,
+               row.tests, row.operations, row.microseconds);
     if (s > 0)
       fmt::print("{:20.4f}{:8.3f}  {}", static_cast<double>(row.allNodes()) / static_cast<double>(spheres.allNodes()),
                  row.microseconds / spheres.microseconds, isWorthKeeping(row, spheres) ? "mixed" : "spheres");
@@ -131,7 +136,8 @@ int main(int argc, char** argv) {
   app.add_option("--most-parts", options.mostSameParts, "Of the spheres' tree that all kinds are fitted to")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_flag("--all-sets", options.allSets, "Also spheres with capsules alone and with rounded boxes alone");
+  app.add_flag("--all-sets", options.allSets,
+               "Also spheres with capsules and slabs, with capsules alone and with boxes alone");
   app.add_option("--seed", options.measure.seed, "Of the poses")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return run(options);
