@@ -69,6 +69,12 @@ TEST_P(Traversals, FindEveryPairOfPartsThatCross) {
       const Vec3d from = anyPoint();
       move.translation = anyPoint() - move.rotation * from;
       const double lengths = 2 * size + 2 * length(solid.bounds().center()) + length(move.translation);
+      const double rootErrors = 2 * tree.nodes[0].error;
+      EXPECT_EQ(traversal.run(traversed(tree), traversed(tree), move, inverseOf(move), error, lengths, 1).worstError,
+                rootErrors);
+      const double left =
+          traversal.run(traversed(tree), traversed(tree), move, inverseOf(move), error, lengths).worstError;
+      EXPECT_LE(left, 2 * error);
       (void)traversal.run(traversed(tree), traversed(tree), move, inverseOf(move), error, lengths);
       const std::set<std::pair<std::uint32_t, std::uint32_t>> found(traversal.found().begin(), traversal.found().end());
       for (const std::uint32_t b : cut) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,7 @@ using builder::SignedDistance;
 
 // Of the diagonal. Bodies overlap by less, which is far below the least error compared.
 constexpr double kTouch = 1e-4;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -44,7 +46,7 @@ Scene sceneOf(const SignedDistance& solid, const MeasureOptions& options) {
 class Traversing {
  public:
   virtual ~Traversing() = default;
-  virtual PairWork run(std::size_t pose, double error) = 0;
+  virtual PairWork run(std::size_t pose, double error, double mostCost) = 0;
   virtual std::size_t found() const = 0;
 };
 
@@ -52,8 +54,8 @@ template <class Volume>
 class TraversingOf final : public Traversing {
  public:
   TraversingOf(TraversedTree<Volume> tree, const Scene& scene) : tree_(std::move(tree)), scene_(scene) {}
-  PairWork run(std::size_t pose, double error) override {
-    return traversal_.run(tree_, tree_, scene_.bToA[pose], scene_.aToB[pose], error, scene_.lengths);
+  PairWork run(std::size_t pose, double error, double mostCost) override {
+    return traversal_.run(tree_, tree_, scene_.bToA[pose], scene_.aToB[pose], error, scene_.lengths, mostCost);
   }
   std::size_t found() const override { return traversal_.found().size(); }
 
@@ -77,12 +79,24 @@ std::unique_ptr<Traversing> traversingOf(const VolumeTree& tree, const KindSet& 
 
 void countWork(Traversing& traversing, std::size_t poses, double error, AtError& row) {
   for (std::size_t pose = 0; pose < poses; ++pose) {
-    const PairWork work = traversing.run(pose, error);
+    const PairWork work = traversing.run(pose, error, kUnlimited);
     row.tests += static_cast<double>(work.tests);
     row.operations += static_cast<double>(work.operations());
     row.pairs += static_cast<double>(traversing.found());
   }
   for (double* sum : {&row.tests, &row.operations, &row.pairs}) *sum /= static_cast<double>(poses);
+}
+
+/// The certified error of traversals cut short, per cent of the size, by cost.
+std::vector<double> interruptedErrors(Traversing& traversing, double error, double size,
+                                      const MeasureOptions& options) {
+  std::vector<double> errors;
+  for (const double cost : options.costs) {
+    double sum = 0;
+    for (std::size_t pose = 0; pose < options.poses; ++pose) sum += traversing.run(pose, error, cost).worstError;
+    errors.push_back(100 * sum / size / static_cast<double>(options.poses));
+  }
+  return errors;
 }
 
 void countNodes(const VolumeTree& tree, double error, AtError& row) {
@@ -100,7 +114,7 @@ double timedRound(Traversing& traversing, std::size_t poses, double error, doubl
   const double start = cpuSeconds();
   double spent = 0;
   while (rounds == 0 || spent < leastSeconds) {
-    for (std::size_t pose = 0; pose < poses; ++pose) (void)traversing.run(pose, error);
+    for (std::size_t pose = 0; pose < poses; ++pose) (void)traversing.run(pose, error, kUnlimited);
     ++rounds;
     spent = cpuSeconds() - start;
   }
@@ -124,7 +138,7 @@ Comparison compareSets(const NamedMesh& named, const std::vector<KindSet>& sets,
   const SignedDistance solid(named.mesh);
   const double size = solid.bounds().diagonal();
   const Scene scene = sceneOf(solid, options);
-  Comparison out{named.name, named.mesh.triangles.size(), {}, {}};
+  Comparison out{named.name, named.mesh.triangles.size(), {}, {}, {}};
   std::vector<std::unique_ptr<Traversing>> traversings;
   const double least = *std::min_element(options.errorPercents.begin(), options.errorPercents.end());
   for (const KindSet& set : sets) {
@@ -132,6 +146,7 @@ Comparison compareSets(const NamedMesh& named, const std::vector<KindSet>& sets,
     const VolumeTree tree = growTree(solid, set.kinds, {.error = least / 100 * size});
     out.growSeconds.push_back(cpuSeconds() - start);
     traversings.push_back(traversingOf(tree, set, scene));
+    out.interrupted.push_back(interruptedErrors(*traversings.back(), least / 100 * size, size, options));
     out.sets.emplace_back();
     for (const double percent : options.errorPercents) {
       AtError row{.errorPercent = percent};

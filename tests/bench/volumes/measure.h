@@ -17,6 +17,7 @@ struct MeasureOptions {
   std::size_t poses = 200, runs = 5;
   double runMs = 20;                                     ///< least length of a timed run
   std::vector<double> errorPercents{5, 2, 1, 0.5, 0.2};  ///< of the mesh's diagonal
+  std::vector<double> costs{10, 30, 100, 300, 1000};     ///< at which traversals are interrupted, tests of two balls
   std::uint64_t seed = 1;
 };
 
@@ -44,12 +45,14 @@ inline bool isWorthKeeping(const AtError& mixed, const AtError& spheres) {
   return mixed.cost() < spheres.cost();
 }
 
-/// One mesh: the same errors, the same poses, for each set.
+/// One mesh: the same errors, the same poses, for each set. `interrupted` is the certified error of pairs (both nodes'
+/// together, the worst of each traversal, mean of all poses) at a cost, in per cent of the diagonal.
 struct Comparison {
   std::string name;
   std::size_t triangles = 0;
-  std::vector<double> growSeconds;         ///< by set
-  std::vector<std::vector<AtError>> sets;  ///< by set, then by error
+  std::vector<double> growSeconds;               ///< by set
+  std::vector<std::vector<double>> interrupted;  ///< by set, then by cost
+  std::vector<std::vector<AtError>> sets;        ///< by set, then by error
 };
 
 /// Parts of the surface that the first set's tree ends at, and how each kind of volume stands around the same parts.

@@ -80,11 +80,22 @@ void printSet(const Comparison& c, const KindSet& set, std::size_t s) {
   }
 }
 
+void printInterrupted(const Comparison& c, const std::vector<KindSet>& sets, const MeasureOptions& options) {
+  fmt::print("Interrupted: worst certified error of a pair, % of the diagonal, after tests that cost\n{:<9}", "");
+  for (const double cost : options.costs) fmt::print("{:>9}", cost);
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    fmt::print("\n{:<9}", sets[s].name);
+    for (const double error : c.interrupted[s]) fmt::print("{:9.2f}", error);
+  }
+  fmt::print("\n");
+}
+
 void compare(const NamedMesh& named, const Options& options) {
   const std::vector<KindSet> sets = setsOf(options);
   const Comparison c = compareSets(named, sets, options.measure);
   fmt::print("\n{} ({} triangles)\n", c.name, c.triangles);
   for (std::size_t s = 0; s < sets.size(); ++s) printSet(c, sets[s], s);
+  printInterrupted(c, sets, options.measure);
   printSameParts(named, options);
   fflush(stdout);
 }
