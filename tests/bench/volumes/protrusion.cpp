@@ -73,7 +73,9 @@ class VolumeSearch {
   }
 
  private:
-  bool closeEnough(double upper) const { return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute; }
+  bool closeEnough(double upper) const {
+    return upper <= best_ * (1 + tolerance_.relative) + tolerance_.absolute || best_ > tolerance_.ofInterest;
+  }
 
   /// Good first witnesses lie off the core's ends and middles, along the axes and away from the surface nearest to
   /// them.

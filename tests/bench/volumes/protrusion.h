@@ -16,7 +16,7 @@ namespace cairn::bench {
 /// six points, so their sum lies in the hull of the sums. The distance to one flat convex face is convex, hence
 /// largest at one of these.
 ///
-/// Precondition: `faces` are those of the solid's mesh. Ends as `tolerance` says; `ofInterest` is not used. Cost: some
+/// Precondition: `faces` are those of the solid's mesh. Ends as `tolerance` says. Cost: some
 /// hundred to some thousand queries.
 builder::CertifiedProtrusion volumeProtrusion(const builder::SignedDistance& solid, const FlatFaces& faces,
                                               const SweptBall& volume, const builder::ProtrusionTolerance& tolerance);

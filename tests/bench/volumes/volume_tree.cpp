@@ -10,6 +10,7 @@
 namespace cairn::bench {
 namespace {
 
+using builder::ProtrusionTolerance;
 using builder::SignedDistance;
 
 // Axes with more coordinates than this belong to a surface that is not made of blocks.
@@ -84,7 +85,9 @@ VolumeNode VolumeChoice::best(const SurfacePart& part, std::span<const VolumeKin
   for (const VolumeKind kind : kinds) {
     const std::optional<Fit> found = fit_(kind, part);
     if (!found) continue;
-    const double error = volumeProtrusion(solid_, faces_, found->volume, tolerance_).upper;
+    ProtrusionTolerance tolerance = tolerance_;
+    tolerance.ofInterest = least / costOf(kind);  // what sticks out farther is not taken
+    const double error = volumeProtrusion(solid_, faces_, found->volume, tolerance).upper;
     const double weighed = costOf(kind) * std::max(error, tolerance_.absolute);
     if (!(weighed < least)) continue;
     least = weighed;

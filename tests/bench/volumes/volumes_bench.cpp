@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string mesh, only;
-  std::size_t mostSameParts = 3000;
+  std::size_t mostSameParts = 1000;
   bool allSets = false;
   MeasureOptions measure;
 };
