@@ -15,6 +15,8 @@ using builder::SignedDistance;
 
 // Axes with more coordinates than this belong to a surface that is not made of blocks.
 constexpr std::size_t kMostCoordinates = 12;
+// Queries of a certificate; spheres take some hundred. Ended here, it is less tight, which counts against the volume.
+constexpr std::uint32_t kMostQueries = 4000;
 
 double costOf(VolumeKind kind) {
   return kPairCost[static_cast<std::size_t>(kind)];
@@ -77,7 +79,9 @@ class Growth {
 }  // namespace
 
 VolumeChoice::VolumeChoice(const SignedDistance& solid)
-    : solid_(solid), faces_(solid.mesh()), fit_(solid), tolerance_(builder::defaultProtrusionTolerance(solid)) {}
+    : solid_(solid), faces_(solid.mesh()), fit_(solid), tolerance_(builder::defaultProtrusionTolerance(solid)) {
+  tolerance_.maxQueries = kMostQueries;
+}
 
 VolumeNode VolumeChoice::best(const SurfacePart& part, std::span<const VolumeKind> kinds) const {
   VolumeNode best;
