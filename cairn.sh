@@ -42,7 +42,7 @@ Cairn: collision detection that keeps its deadline.
   ./cairn.sh bench budgets [OPTIONS] what budgets of operations cost in accuracy and save in time, policy by policy, and what
                              several threads save, as tables and a figure (--help lists the options)
   ./cairn.sh bench volumes [MESH] [OPTIONS] spheres against spheres, capsules, slabs and boxes mixed, as nodes of a tree: volumes, error
-                             and traversal time (default of rod, plate, beam, chair, ball, rock and the bunny; ten minutes)
+                             and traversal time (default of rod, plate, beam, chair, ball, rock and the bunny; five minutes)
   ./cairn.sh bench worlds [OPTIONS] what thousands of bodies that lie still cost beside a hundred that move, time and bytes
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench moving [OPTIONS] what it costs a tree to follow a moving mesh, and how much wider its errors are than those of

@@ -15,8 +15,8 @@ namespace cairn::bench {
 enum class VolumeKind : std::uint8_t { ball, capsule, slab, box };
 inline constexpr std::size_t kVolumeKinds = 4;
 
-/// All points within `radius` of the *core*: a point, a segment, a rectangle or a box. Convex.
-/// Mesh frame and unit.
+/// All points within `radius` of the *core*: a point, a segment, a rectangle or a box. Convex. Mesh
+/// frame and unit.
 struct SweptBall {
   VolumeKind kind = VolumeKind::ball;
   Vec3d center;  ///< middle of the core
@@ -47,8 +47,8 @@ constexpr std::size_t storedBytes(VolumeKind kind) {
   return sizeof(float) * (4 + 3 * static_cast<std::size_t>(kind));
 }
 
-/// What a pair test of two volumes of one kind costs, in tests of two balls: rounded from what `volumes_bench` measures
-/// (its first table). Fixed, so that trees are the same on every machine.
+/// What a pair test of two volumes of one kind costs, in tests of two balls (mixed code): rounded from what
+/// `volumes_bench` measures (its first table). Fixed, so that trees are the same on every machine.
 inline constexpr std::array<double, kVolumeKinds> kPairCost{1, 4, 9, 12};
 
 }  // namespace cairn::bench
