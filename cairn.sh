@@ -41,6 +41,8 @@ Cairn: collision detection that keeps its deadline.
                              tree's levels (--help lists the options)
   ./cairn.sh bench budgets [OPTIONS] what budgets of operations cost in accuracy and save in time, policy by policy, and what
                              several threads save, as tables and a figure (--help lists the options)
+  ./cairn.sh bench volumes [MESH] [OPTIONS] spheres against spheres, capsules, slabs and boxes mixed, as nodes of a tree: volumes, error
+                             and traversal time (default of rod, plate, beam, chair, ball, rock and the bunny; five minutes)
   ./cairn.sh bench worlds [OPTIONS] what thousands of bodies that lie still cost beside a hundred that move, time and bytes
   ./cairn.sh bench memory [TREE] bytes of a tree, its shapes, bodies and pairs, beside GImpact's (default a generated ball)
   ./cairn.sh bench moving [OPTIONS] what it costs a tree to follow a moving mesh, and how much wider its errors are than those of
@@ -246,6 +248,18 @@ bench_builder() {
   tests/bench/builder.sh "$@"
 }
 
+bench_volumes() {
+  local mesh
+  need "${everything[@]}" tests
+  configure_and_build release --target cairn make_rock volumes_bench > /dev/null
+  if (($# == 0)) || [[ $1 == -* ]]; then
+    mkdir -p out/bench
+    fetch_mesh out/bench > /dev/null
+    set -- "$mesh" "$@"
+  fi
+  build/release/bin/volumes_bench "$@"
+}
+
 bench_covers() {
   case " $* " in *' --help '* | *' -h '*) python3 tests/bench/covers.py --help; return ;; esac
   need "${everything[@]}"
@@ -277,6 +291,7 @@ bench() {
     queries) bench_program query "${@:2}"; return ;;
     budgets) bench_budgets "${@:2}"; return ;;
     covers) bench_covers "${@:2}"; return ;;
+    volumes) bench_volumes "${@:2}"; return ;;
     effects | fits | interrupted | kernel | laws | matrix | memory | moving | still | terrain | textbook | traversal | worlds) bench_program "$@"; return ;;
   esac
   build release
