@@ -2,21 +2,20 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
-#include <BulletSoftBody/btSoftBody.h>
 
-#include <cstdint>
-#include <vector>
+#include <memory>
 
-#include "cairn/bullet/sphere_tree_shape.h"
-#include "node_barrier.h"
+#include "bullets_answer.h"
+#include "soft_pair.h"
 
 namespace cairn::soft {
 
-/// The pair of a soft body and a sphere-tree: contacts of nodes in each step, in the order of the nodes.
+/// What a Bullet world calls for a soft body and a sphere-tree. Asks in each step what Bullet asks of soft bodies, and
+/// gives Bullet's answer where nodes are not to meet a tree.
 class NodeContacts final : public btCollisionAlgorithm {
  public:
-  NodeContacts(const btCollisionAlgorithmConstructionInfo& info, bool isTreeFirst)
-      : btCollisionAlgorithm(info), isTreeFirst_(isTreeFirst) {}
+  NodeContacts(const btCollisionAlgorithmConstructionInfo& info, btCollisionDispatcher& dispatcher)
+      : btCollisionAlgorithm(info), bullets_(dispatcher), pair_(std::make_unique<SoftPair>()) {}
 
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
@@ -27,9 +26,8 @@ class NodeContacts final : public btCollisionAlgorithm {
   void getAllContactManifolds(btManifoldArray&) override {}  // nodes' contacts are the soft body's own
 
  private:
-  bool isTreeFirst_;
-  NodeBarrierSearch search_;
-  std::vector<std::uint32_t> guesses_;  // by node: the triangle that was nearest
+  BulletsAnswer bullets_;
+  std::unique_ptr<SoftPair> pair_;  // apart: a dispatcher's pool has little room for an algorithm
 };
 
 }  // namespace cairn::soft

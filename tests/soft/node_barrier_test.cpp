@@ -57,12 +57,12 @@ TEST_P(NodeBarrier_, IsTheFaceEnteredFirstOrTheNearestPoint) {
   constexpr std::uint64_t kSeed = 45;
   SCOPED_TRACE(kSeed);
   std::mt19937_64 engine(kSeed);
-  std::uint32_t guess = 0;
+  NodeTrack track;
   int entered = 0, near = 0, none = 0;
   for (int i = 0; i < kWays; ++i) {
     const Vec3 from(test::randomPoint(engine) * 1.5);
     const Vec3 to = from + Vec3(test::randomPoint(engine) * uniform(engine, 0.0, 0.6));
-    const std::optional<NodeBarrier> barrier = search_.find(surface_, from, to, kMargin, guess);
+    const std::optional<NodeBarrier> barrier = search_.find(surface_, from, to, kMargin, track);
     const Crossing crossing = firstCrossing(oracle_, Vec3d(from), Vec3d(to));
     const double distance = oracle_.toSurface(Vec3d(to));
     if (crossing.share <= 1 && crossing.enters) {
@@ -95,17 +95,54 @@ TEST_P(NodeBarrier_, DoesNotDependOnTheGuess) {
   std::mt19937_64 engine(7);
   for (int i = 0; i < 300; ++i) {
     const Vec3 point(test::randomPoint(engine));
-    std::uint32_t first = 0, last = static_cast<std::uint32_t>(tree_->triangles().size()) - 1;
+    NodeTrack first, last;
+    last.triangle = static_cast<std::uint32_t>(tree_->triangles().size()) - 1;
     const auto a = search_.find(surface_, point, point, 1, first), b = search_.find(surface_, point, point, 1, last);
     ASSERT_EQ(a.has_value(), b.has_value());
     if (a) EXPECT_EQ(a->separation, b->separation);
   }
 }
 
+// A track saves searches and changes no answer: nodes that wander, with their tracks and with new ones.
+TEST_P(NodeBarrier_, DoesNotDependOnTheTrack) {
+  constexpr std::uint64_t kSeed = 11;
+  SCOPED_TRACE(kSeed);
+  std::mt19937_64 engine(kSeed);
+  for (int node = 0; node < 40; ++node) {
+    NodeTrack track;
+    Vec3 place(test::randomPoint(engine) * 1.5);
+    for (int step = 0; step < 60; ++step) {
+      const Vec3 to = place + Vec3(test::randomPoint(engine) * uniform(engine, 0.0, 0.1));
+      NodeTrack fresh;
+      const auto a = search_.find(surface_, place, to, kMargin, track),
+                 b = search_.find(surface_, place, to, kMargin, fresh);
+      ASSERT_EQ(a.has_value(), b.has_value());
+      if (a) EXPECT_EQ(a->separation, b->separation);
+      place = to;
+    }
+  }
+}
+
+// A rigid motion, where it must go with the whole mesh.
+TEST_P(NodeBarrier_, CarriedPointsGoWithTheTriangle) {
+  std::mt19937_64 engine(5);
+  const Mat3d turn = test::randomRotation(engine);
+  const Vec3d shift = test::randomPoint(engine);
+  std::vector<Vec3> moved;
+  for (const Vec3& v : tree_->vertices()) moved.emplace_back(turn * Vec3d(v) + shift);
+  const SurfaceView second{moved, tree_->triangles(), nullptr};
+  for (int i = 0; i < 100; ++i) {
+    const auto triangle = static_cast<std::uint32_t>(uniform(engine) * double(tree_->triangles().size()));
+    const Vec3 point(test::randomPoint(engine));
+    EXPECT_LT(distance(Vec3d(carried(point, surface_, second, triangle)), turn * Vec3d(point) + shift), 1e-3)
+        << "of floats a unit wide, and triangles of some hundredths";
+  }
+}
+
 TEST_P(NodeBarrier_, WaysThatAreNoNumbersMeetNothing) {
-  std::uint32_t guess = 0;
+  NodeTrack track;
   const float nan = std::nanf("");
-  EXPECT_FALSE(search_.find(surface_, {nan, 0, 0}, {0, 0, nan}, kMargin, guess));
+  EXPECT_FALSE(search_.find(surface_, {nan, 0, 0}, {0, 0, nan}, kMargin, track));
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, NodeBarrier_,

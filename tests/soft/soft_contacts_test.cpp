@@ -124,8 +124,7 @@ TEST(SoftContacts, AMeshThatMovesPushesACloth) {
   }
   for (int i = 0; i < cloth.m_nodes.size(); ++i) highest = std::max(highest, double(cloth.m_nodes[i].m_x.z()));
   EXPECT_GT(highest, 0.74);                                 // the ball's top is at 0.75
-  const double perStep = 0.25 * std::numbers::pi / 2 / 60;  // the most that the surface moves
-  EXPECT_LT(deepestNode(cloth, *ball, at(0, 0, 0)), 2 * perStep);
+  EXPECT_LT(deepestNode(cloth, *ball, at(0, 0, 0)), 0.05);  // half a cell: links are solved after contacts
 }
 
 TEST(SoftContacts, RunsEndInTheSameBits) {
@@ -142,6 +141,94 @@ TEST(SoftContacts, RunsEndInTheSameBits) {
     return hash.value();
   };
   EXPECT_EQ(run(), run());
+}
+
+// It is one whether a body moves or a plate does.
+TEST(SoftContacts, AThinPlateThatMovesPassesNoNode) {
+  for (const btScalar speed : {btScalar(2), btScalar(10), btScalar(20)}) {
+    SCOPED_TRACE(double(speed));
+    SoftWorld world({0, 0, 0});
+    const auto plate = treeShape(test::cuboid({4, 4, 0.005}, 4));
+    btRigidBody& body = world.add(plate, 1000, at(0, 0, 2));
+    body.setLinearVelocity({0, 0, -speed});
+    btSoftBody* const ball = btSoftBodyHelpers::CreateEllipsoid(world.world.getWorldInfo(), {0, 0, 0},
+                                                                {btScalar(0.5), btScalar(0.5), btScalar(0.5)}, 200);
+    ball->m_cfg.kPR = 20;
+    world.add(ball, 1);
+    for (double gone = 0; gone < 3; gone += double(speed * kStep)) world.run(1);
+    double highest = -1e9;
+    for (int i = 0; i < ball->m_nodes.size(); ++i) highest = std::max(highest, double(ball->m_nodes[i].m_x.z()));
+    EXPECT_LT(highest, double(body.getWorldTransform().getOrigin().z()));
+  }
+}
+
+// Faster than Bullet's solver knows: it has no velocity of a mesh that moves by itself.
+TEST(SoftContacts, AMeshThatRisesLiftsACloth) {
+  for (const double speed : {0.5, 2.0, 4.0}) {
+    SCOPED_TRACE(speed);
+    SoftWorld world;
+    const MovingMesh rising{"slab", test::cuboid({4, 4, 0.05}, 4), [](const Vec3d& p, double phase) {
+                              return p + Vec3d{0, 0, phase};
+                            }};
+    const auto slab = treeShape(rising.first);
+    const SphereTree first = slab->tree();
+    btRigidBody& body = world.add(slab, 0, at(0, 0, 0));
+    body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.1)}, 1, 10, 1, false);
+    world.run(60);
+    double height = 0;
+    for (int i = 0; i < 60; ++i) {
+      height += speed * double(kStep);
+      ASSERT_TRUE(slab->setVertices(rising.inTree(first, height)));
+      world.run(1);
+    }
+    EXPECT_GT(lowest(cloth), height) << "nodes are below the slab's middle";
+  }
+}
+
+TEST(SoftContacts, AskWhatBulletAsks) {
+  const auto lowestWith = [](int flags, bool anchored) {
+    SoftWorld world;
+    btRigidBody& plate = world.add(treeShape(test::cuboid({4, 4, 0.2}, 4)), 0, at(0, 0, 0));
+    btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.4)}, 1, 12, 1, false);
+    cloth.m_cfg.collisions = flags;
+    if (anchored) cloth.appendAnchor(0, &plate, true);
+    world.run(90);
+    return lowest(cloth);
+  };
+  EXPECT_GT(lowestWith(btSoftBody::fCollision::SDF_RS, false), 0.1);
+  EXPECT_LT(lowestWith(0, false), -1) << "a body that collides with nothing";
+  EXPECT_LT(lowestWith(btSoftBody::fCollision::SDF_RS, true), -0.1) << "a body anchored to what it is not to meet";
+}
+
+TEST(SoftContacts, AShapeMayBeExchangedWhileItsPairLives) {
+  SoftWorld world;
+  const auto ball = treeShape(test::ball(0.5, 3)), slab = treeShape(test::cuboid({3, 3, 0.2}, 1));
+  const auto box = std::make_shared<btBoxShape>(btVector3(1, 1, btScalar(0.1)));
+  btRigidBody& body = world.add(ball, 0, at(0, 0, 0));
+  btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.6)}, 1, 12, 1, false);
+  world.run(20);
+  body.setCollisionShape(slab.get());
+  world.run(20);
+  body.setCollisionShape(box.get());
+  world.run(20);
+  body.setCollisionShape(ball.get());
+  EXPECT_TRUE(std::isfinite(lowest(cloth)));
+}
+
+TEST(SoftContacts, AreInstalledOnceAndGiveBackTheirOwnAlone) {
+  SoftWorld world;
+  const auto second = soft::SoftContacts::install(world.dispatcher);
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find("already"), std::string::npos);
+  { const soft::SoftContacts taken = std::move(world.contacts); }
+  auto again = soft::SoftContacts::install(world.dispatcher);
+  ASSERT_TRUE(again);
+  world.contacts = std::move(again).value();
+  world.add(treeShape(test::cuboid({4, 4, 0.2}, 4)), 0, at(0, 0, 0));
+  btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.4)}, 1, 12, 1, false);
+  world.run(120);
+  EXPECT_GT(lowest(cloth), 0.1);
 }
 
 TEST(SoftContacts, GiveBulletsAlgorithmBack) {
