@@ -24,10 +24,13 @@ void NodeContacts::processCollision(const btCollisionObjectWrapper* body0, const
   // As Bullet's own algorithms for soft bodies do it, which write contacts into an object they were shown as constant.
   auto& soft = const_cast<btSoftBody&>(*btSoftBody::upcast((isSoftFirst ? body0 : body1)->getCollisionObject()));
   const bullet::SphereTreeShape* const shape = bullet::asSphereTree(other.getCollisionShape());
-  if (!shape || !meetsNodes(soft))
-    bullets_.process(body0, body1, info, result);
-  else if (!isIgnored(soft, other.getCollisionObject()))
+  const bool isBullets = !shape || !meetsNodes(soft);
+  if (!isBullets && !isIgnored(soft, other.getCollisionObject())) {
     pair_->meet(soft, other, *shape);
+    return;
+  }
+  *pair_ = {};  // its last step is no longer the last one
+  if (isBullets) bullets_.process(body0, body1, info, result);
 }
 
 }  // namespace cairn::soft

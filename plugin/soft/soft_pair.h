@@ -16,7 +16,7 @@ namespace cairn::soft {
 /// A tree's mesh in the world.
 struct PlacedMesh {
   std::shared_ptr<const SphereTree> tree;
-  btTransform pose;  ///< of the tree's frame, without its scale
+  btTransform pose = btTransform::getIdentity();  ///< of the tree's frame, without its scale
   btScalar scale = 1;
 
   Vec3 toTree(const btVector3& point) const;

@@ -113,8 +113,7 @@ TEST(SoftContacts, AMeshThatMovesPushesACloth) {
                              [](const Vec3d& p, double phase) { return p * (1 + 0.5 * std::sin(phase)); }};
   const auto ball = treeShape(breathing.first);
   const SphereTree first = ball->tree();
-  btRigidBody& body = world.add(ball, 0, at(0, 0, 0));
-  body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  world.addKinematic(ball);
   btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.6)}, 1, 20, 1, true);
   world.run(60);
   double highest = 0;
@@ -172,8 +171,7 @@ TEST(SoftContacts, AMeshThatRisesLiftsACloth) {
                             }};
     const auto slab = treeShape(rising.first);
     const SphereTree first = slab->tree();
-    btRigidBody& body = world.add(slab, 0, at(0, 0, 0));
-    body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    world.addKinematic(slab);
     btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.1)}, 1, 10, 1, false);
     world.run(60);
     double height = 0;
@@ -199,6 +197,21 @@ TEST(SoftContacts, AskWhatBulletAsks) {
   EXPECT_GT(lowestWith(btSoftBody::fCollision::SDF_RS, false), 0.1);
   EXPECT_LT(lowestWith(0, false), -1) << "a body that collides with nothing";
   EXPECT_LT(lowestWith(btSoftBody::fCollision::SDF_RS, true), -0.1) << "a body anchored to what it is not to meet";
+}
+
+// While they are off, a body may go anywhere: what it passes then counts for nothing.
+TEST(SoftContacts, FlagsThatGoOnAgainBeginAnew) {
+  SoftWorld world({0, 0, 0});
+  btRigidBody& body = world.addKinematic(treeShape(test::cuboid({4, 4, 0.1}, 4)));
+  btSoftBody& cloth = world.addCloth({0, 0, btScalar(0.2)}, 1, 8, 1, false);
+  world.run(2);
+  cloth.m_cfg.collisions = 0;
+  world.run(1);
+  body.setWorldTransform(at(0, 0, btScalar(0.4)));  // past the cloth, which is below it now
+  world.run(2);
+  cloth.m_cfg.collisions = btSoftBody::fCollision::SDF_RS;
+  world.run(2);
+  EXPECT_LT(lowest(cloth), 0.3);
 }
 
 TEST(SoftContacts, AShapeMayBeExchangedWhileItsPairLives) {

@@ -48,6 +48,12 @@ class SoftWorld {
     world.addRigidBody(bodies_.back().get());
     return *bodies_.back();
   }
+  /// Moved by nobody but its mesh.
+  btRigidBody& addKinematic(std::shared_ptr<btCollisionShape> shape) {
+    btRigidBody& body = add(std::move(shape), 0, btTransform::getIdentity());
+    body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    return body;
+  }
   btSoftBody& add(btSoftBody* soft, btScalar mass) {
     soft->setTotalMass(mass);
     softs_.emplace_back(soft);
