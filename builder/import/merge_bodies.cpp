@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "import/across_edge.h"
+#include "import/raise_faces.h"
 #include "import/self_intersection.h"
 #include "import/settle.h"
 #include "import/shell_orientation.h"
@@ -68,21 +70,41 @@ void roundTo(double unit, LabelledMesh& labelled) {
   mesh = settled(mesh);
 }
 
-Status uniteOnce(LabelledMesh& labelled, double unit, bool isFirst) {
+LabelledMesh labelledAs(const LabelledMesh& source, PartsOfMesh parts) {
+  LabelledMesh labelled;
+  for (const std::uint32_t t : parts.source) labelled.body.push_back(source.body[t]);
+  labelled.mesh = std::move(parts.mesh);
+  return labelled;
+}
+
+/// Adds what the surface winds around backwards, a little larger: it touches the rest along lines, and then overlaps
+/// it.
+void addFolds(LabelledMesh folds, double unit, double amount, LabelledMesh& labelled) {
+  roundTo(unit, folds);
+  labelled.foldedTriangles = folds.mesh.triangles.size();
+  std::vector<std::uint32_t> all(folds.mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  raiseFaces(folds.mesh, all, amount);
+  roundTo(unit, folds);
+  const auto first = static_cast<std::uint32_t>(labelled.mesh.vertices.size());
+  for (const Vec3d& v : folds.mesh.vertices) labelled.mesh.vertices.push_back(v);
+  for (const auto& [a, b, c] : folds.mesh.triangles)
+    labelled.mesh.triangles.push_back({a + first, b + first, c + first});
+  labelled.body.insert(labelled.body.end(), folds.body.begin(), folds.body.end());
+}
+
+Status uniteOnce(LabelledMesh& labelled, double unit, double amount, bool isFirst) {
   if (isFirst) roundTo(unit, labelled);
   Result<UnitedSurface> surface = unitedSurface(labelled.mesh);
   if (!surface) return surface.error();
-  if (const auto& place = surface.value().insideOut; isFirst && place)
-    return Error{
-        fmt::format("the surface winds backwards around a place at ({:.6g}, {:.6g}, {:.6g}), so that it has "
-                    "no inside there; separate the sheets that cross",
-                    place->x, place->y, place->z)};
   if (isFirst) labelled.cutTriangles = surface.value().cutTriangles;
-  std::vector<std::uint32_t> body;
-  for (const std::uint32_t t : surface.value().source) body.push_back(labelled.body[t]);
-  labelled.mesh = std::move(surface.value().mesh);
-  labelled.body = std::move(body);
+  LabelledMesh folds = labelledAs(labelled, std::move(surface.value().backward));
+  LabelledMesh result = labelledAs(labelled, std::move(surface.value().forward));
+  labelled.mesh = std::move(result.mesh);
+  labelled.body = std::move(result.body);
   roundTo(unit, labelled);
+  // Later only slivers of rounding wind backwards.
+  if (isFirst && !folds.mesh.triangles.empty()) addFolds(std::move(folds), unit, amount, labelled);
   return {};
 }
 
@@ -112,7 +134,7 @@ Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
     }
     if (!crosses && crowded.empty() && !findMisplacedShell(labelled.mesh, shellsOf(labelled.mesh, halfEdges)))
       return labelled;
-    if (Status s = uniteOnce(labelled, unit, round == 0); !s) return s.error();
+    if (Status s = uniteOnce(labelled, unit, kRaised * beadRadius, round == 0); !s) return s.error();
     if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
     if (labelled.mesh.triangles.size() > pieces) break;
   }

@@ -15,9 +15,14 @@ struct LabelledMesh {
   TriangleMesh mesh;
   std::vector<std::uint32_t> body;  ///< for each triangle; `kBead` for those of none
   std::size_t cutTriangles = 0;     ///< triangles of the source that were divided
+  std::size_t foldedTriangles = 0;  ///< parts of triangles around which the source wound backwards
   std::size_t beads = 0;            ///< edges of more than two triangles that got a bead
 };
 inline constexpr std::uint32_t kBead = std::numeric_limits<std::uint32_t>::max();
+
+/// How far surfaces that should meet are moved into each other, in tolerances: half a tolerance is many units of a
+/// float.
+inline constexpr double kRaised = 1.5;
 
 /// The unit of floats at the farthest coordinate. Near the origin floats are finer, and rounding to them would leave
 /// triangles that are nearly without area.

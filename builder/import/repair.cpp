@@ -17,7 +17,8 @@ namespace cairn::builder {
 
 bool RepairCounts::any() const {
   return duplicateTriangles + joinedVertices + splitTriangles + collapsedTriangles + filledHoles + turnedTriangles +
-             movedTriangles + closedGaps + unitedBodies + enclosedBodies + cutTriangles + beadedEdges >
+             movedTriangles + closedGaps + unitedBodies + enclosedBodies + cutTriangles + foldedTriangles +
+             beadedEdges >
          0;
 }
 
@@ -41,6 +42,8 @@ std::string RepairCounts::text() const {
   add(unitedBodies, "body united", "bodies united");
   add(enclosedBodies, "body inside others left out", "bodies inside others left out");
   add(cutTriangles, "triangle cut where surfaces met", "triangles cut where surfaces met");
+  add(foldedTriangles, "part of a triangle around a fold that wound backwards and is solid now",
+      "parts of triangles around folds that wound backwards and are solid now");
   add(beadedEdges, "edge thickened where solids only touched", "edges thickened where solids only touched");
   return text.empty() ? "nothing" : text;
 }

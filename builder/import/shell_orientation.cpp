@@ -63,7 +63,8 @@ int windingNumber(const TriangleMesh& mesh, const Shell& shell, const Vec3d& poi
 std::optional<MisplacedShell> findMisplacedShell(const TriangleMesh& mesh, const Shells& shells) {
   const std::vector<Shell> list = collect(mesh, shells);
   for (const Shell& shell : list) {
-    const Vec3d point = mesh.corners(shell.triangles.front())[0];
+    const auto [a, b, c] = mesh.corners(shell.triangles.front());
+    const Vec3d point = (a + b + c) / 3.0;  // shells may share a corner
     int around = 0;
     for (const Shell& other : list) {
       if (&other != &shell && contains(other.bounds, point)) around += windingNumber(mesh, other, point);

@@ -76,6 +76,7 @@ bool areNear(const Bounds& a, const Bounds& b, double distance) {
 
 void noteCounts(const Merging& merging, RepairCounts& counts) {
   counts.cutTriangles = merging.result.cutTriangles;
+  counts.foldedTriangles = merging.result.foldedTriangles;
   counts.beadedEdges = merging.result.beads;
   counts.unitedBodies = merging.joined.size();
   for (std::uint32_t b = 0; b < merging.hollowOf.size(); ++b)
@@ -84,8 +85,6 @@ void noteCounts(const Merging& merging, RepairCounts& counts) {
 
 /// Moves faces of bodies into neighbours that are near but not joined. Returns the number of pairs.
 std::size_t closeGaps(TriangleMesh& mesh, const Shells& bodies, const Merging& merging, double tolerance) {
-  // Half a tolerance of overlap is many units of a float.
-  constexpr double kOverlap = 1.5;
   std::vector<Body> parts = separated(mesh, bodies);
   std::vector<std::set<std::uint32_t>> raised(bodies.count);
   std::size_t pairs = 0;
@@ -101,7 +100,7 @@ std::size_t closeGaps(TriangleMesh& mesh, const Shells& bodies, const Merging& m
     }
   for (std::uint32_t b = 0; b < bodies.count; ++b) {
     if (raised[b].empty()) continue;
-    raiseFaces(parts[b].mesh, {raised[b].begin(), raised[b].end()}, kOverlap * tolerance);
+    raiseFaces(parts[b].mesh, {raised[b].begin(), raised[b].end()}, kRaised * tolerance);
     putBack(parts[b], mesh);
   }
   return pairs;

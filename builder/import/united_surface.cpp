@@ -146,6 +146,15 @@ Vec3d rounded(const Point& p) {
           CGAL::to_double(CGAL::exact(p.z()))};
 }
 
+/// Adds the sheet where it separates solid from empty space.
+void addWhere(bool isFrontSolid, bool isBackSolid, const Sheet& sheet, PartsOfMesh& parts) {
+  if (isFrontSolid == isBackSolid) return;
+  Triangle t = sheet.corners;
+  if (isFrontSolid) std::swap(t[1], t[2]);
+  parts.mesh.triangles.push_back(t);
+  parts.source.push_back(sheet.source);
+}
+
 UnitedSurface united(const TriangleMesh& mesh) {
   const Arrangement arrangement = arrange(mesh);
   const std::vector<Sheet> sheets = sheetsOf(arrangement);
@@ -153,18 +162,15 @@ UnitedSurface united(const TriangleMesh& mesh) {
   Winding winding(mesh, arrangement.points);
   UnitedSurface result;
   result.cutTriangles = arrangement.cutTriangles;
-  result.mesh.name = mesh.name;
-  for (const Point& p : arrangement.points) result.mesh.vertices.push_back(rounded(p));
+  result.forward.mesh.name = mesh.name;
+  for (const Point& p : arrangement.points) result.forward.mesh.vertices.push_back(rounded(p));
+  result.backward.mesh = result.forward.mesh;
   std::vector<int> inFront(sheets.size());
   for (std::size_t s = 0; s < sheets.size(); ++s) {
     inFront[s] = patches[s] == s ? winding.inFrontOf(sheets[s]) : inFront[patches[s]];
     const int front = inFront[s], behind = front + sheets[s].layers;
-    Triangle t = sheets[s].corners;
-    if (std::min(front, behind) < 0 && !result.insideOut) result.insideOut = result.mesh.vertices[t[0]];
-    if ((front > 0) == (behind > 0)) continue;
-    if (front > 0) std::swap(t[1], t[2]);
-    result.mesh.triangles.push_back(t);
-    result.source.push_back(sheets[s].source);
+    addWhere(front > 0, behind > 0, sheets[s], result.forward);
+    addWhere(front < 0, behind < 0, sheets[s], result.backward);
   }
   return result;
 }

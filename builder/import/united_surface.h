@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "cairn/builder/triangle_mesh.h"
@@ -11,18 +10,23 @@
 
 namespace cairn::builder {
 
-/// The surface of what a mesh encloses, in double precision.
-struct UnitedSurface {
-  TriangleMesh mesh;                  ///< faces away from the solid
+/// Parts of a mesh's triangles, in double precision.
+struct PartsOfMesh {
+  TriangleMesh mesh;
   std::vector<std::uint32_t> source;  ///< for each triangle: the one it is a part of
-  std::size_t cutTriangles = 0;       ///< triangles that were divided where surfaces meet
-  std::optional<Vec3d> insideOut;     ///< a point beside a place around which the mesh winds backwards
 };
 
-/// Returns the surface of all points around which a closed mesh winds once or more. Bodies that overlap or touch become
-/// one, and what lies inside vanishes; shells that face inward stay hollows. All decisions are exact; only the vertices
-/// of the result are rounded. Where solids touch along an edge, that edge has four triangles. Fails, without the mesh's
-/// name, when CGAL does.
+/// The surface of what a mesh encloses.
+struct UnitedSurface {
+  PartsOfMesh forward;           ///< of all points around which it winds once or more; faces away from them
+  PartsOfMesh backward;          ///< likewise, of all points around which it winds backwards
+  std::size_t cutTriangles = 0;  ///< triangles that were divided where surfaces meet
+};
+
+/// Returns the surface of all points around which a closed mesh winds. Bodies that overlap or touch become one, and
+/// what lies inside vanishes; shells that face inward stay hollows. Where a surface folds through itself it winds
+/// backwards. All decisions are exact; only the vertices of the result are rounded. Where solids touch along an edge,
+/// that edge has four triangles. Fails, without the mesh's name, when CGAL does.
 ///
 /// Preconditions: triangles cancel at every edge, vertices at equal positions are one, no triangle lacks area. Cost: as
 /// `arrange`, plus a ray through all triangles for each part of the surface between lines in which it meets itself.

@@ -52,6 +52,7 @@ Json repairJson(const builder::RepairCounts& counts, const builder::RepairOption
           {"united_bodies", counts.unitedBodies},
           {"enclosed_bodies", counts.enclosedBodies},
           {"cut_triangles", counts.cutTriangles},
+          {"folded_triangles", counts.foldedTriangles},
           {"thickened_edges", counts.beadedEdges}};
 }
 

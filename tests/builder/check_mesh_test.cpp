@@ -57,6 +57,20 @@ TEST(CheckMesh, AcceptsNestedShellsThatFaceAwayFromTheSolid) {
   EXPECT_TRUE(checkMesh(test::joined(hollow, box(1))).ok());  // a stone in the cavity
 }
 
+// The shared corner is the cavity's first: where it lies says nothing about the rest.
+TEST(CheckMesh, AcceptsACavityThatSharesACornerWithTheOutside) {
+  TriangleMesh mesh = meshOf(cuboid({1, 1, 1}, 2));
+  const auto x = static_cast<std::uint32_t>(mesh.vertices.size()), y = x + 1, z = x + 2;
+  const auto corner = static_cast<std::uint32_t>(
+      std::ranges::max_element(mesh.vertices, {}, [](const Vec3d& v) { return v.x + v.y + v.z; }) -
+      mesh.vertices.begin());
+  for (const Vec3d& v : {Vec3d{0.1, 0, 0}, Vec3d{0, 0.1, 0}, Vec3d{0, 0, 0.1}}) mesh.vertices.push_back(v);
+  // Facing into the tetrahedron.
+  for (const Triangle& t : {Triangle{corner, x, z}, Triangle{corner, z, y}, Triangle{corner, y, x}, Triangle{x, y, z}})
+    mesh.triangles.push_back(t);
+  EXPECT_TRUE(checkMesh(mesh).ok()) << checkMesh(mesh).error().message;
+}
+
 TEST(CheckMesh, AcceptsAPinchedVertex) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}};

@@ -81,7 +81,7 @@ TEST_F(MeshSource, RepairUnitesBodiesAndSaysSo) {
   EXPECT_EQ(repair.at("weld_fraction"), 1e-4);
   EXPECT_EQ(repair.at("united_bodies"), 2);
   EXPECT_EQ(repair.at("cut_triangles"), 12);
-  for (const char* none : {"moved_triangles", "closed_gaps", "enclosed_bodies", "thickened_edges"})
+  for (const char* none : {"moved_triangles", "closed_gaps", "enclosed_bodies", "folded_triangles", "thickened_edges"})
     EXPECT_EQ(repair.at(none), 0) << none;
 }
 

@@ -23,6 +23,7 @@ struct RepairCounts {
   std::size_t unitedBodies = 0;        ///< bodies that became one with another one
   std::size_t enclosedBodies = 0;      ///< bodies inside others; left out
   std::size_t cutTriangles = 0;        ///< triangles cut where surfaces met
+  std::size_t foldedTriangles = 0;     ///< parts of triangles where the surface folded through itself
   std::size_t beadedEdges = 0;         ///< edges where solids only touched; thickened
 
   /// True when anything was changed.
@@ -47,7 +48,8 @@ struct RepairOptions {
 
 /// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
 /// orientation made consistent and holes filled. Bodies that overlap, touch or are closer than the weld become one. A
-/// body inside another one is left out if both face the same way, and stays a hollow if not. The filling of a hole is a
+/// body inside another one is left out if both face the same way, and stays a hollow if not. Where a surface folds
+/// through itself, the inverted part becomes solid, and grows by one and a half welds, at needles by twelve. The filling of a hole is a
 /// guess. A certificate is about the repaired mesh, not about the file.
 ///
 /// The result has passed `checkMesh`, and its coordinates are floats. It equals the mesh that `importMesh` reads from
