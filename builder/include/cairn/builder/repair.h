@@ -49,8 +49,8 @@ struct RepairOptions {
 /// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
 /// orientation made consistent and holes filled. Bodies that overlap, touch or are closer than the weld become one. A
 /// body inside another one is left out if both face the same way, and stays a hollow if not. Where a surface folds
-/// through itself, the inverted part becomes solid, and grows by one and a half welds, at needles by twelve. The filling of a hole is a
-/// guess. A certificate is about the repaired mesh, not about the file.
+/// through itself, the inverted part becomes solid, and grows by one and a half welds, at needles by twelve. The
+/// filling of a hole is a guess. A certificate is about the repaired mesh, not about the file.
 ///
 /// The result has passed `checkMesh`, and its coordinates are floats. It equals the mesh that `importMesh` reads from
 /// `plyBytes`, and carries the SHA-256 of these bytes. No point of a body is farther outside of it than twice the weld.
