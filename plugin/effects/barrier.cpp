@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ground_layer.h"
 #include "kinetic_energy.h"
 
 namespace cairn::effects {
@@ -48,9 +49,7 @@ bool Barrier::isTouched(const Segment& segment, const Body& body, btScalar timeS
   const btScalar until = std::max(btScalar(0), away - body.radius) / closing;
   const btScalar share = (from + velocity * until).dot(along) / (length * length);
   if (share < 0 || share > 1) return false;
-  const btVector3 there = place + velocity * until;
-  const std::optional<btScalar> ground = ground_.at(there.x(), there.y());
-  return ground && there.z() - *ground <= options_.height;
+  return isInLayer(ground_, options_.height, place + velocity * until);
 }
 
 bool Barrier::isTouched(const Body& body, btScalar timeStep) const {

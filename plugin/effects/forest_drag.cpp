@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "ground_layer.h"
+
 namespace cairn::effects {
 
 std::uint32_t ForestDrag::applyForces(std::span<Body* const> bodies, const Step& step) {
@@ -15,8 +17,7 @@ std::uint32_t ForestDrag::applyForces(std::span<Body* const> bodies, const Step&
     if (body.getLinearVelocity().fuzzyZero()) continue;
     const btVector3& place = body.getCenterOfMassPosition();
     if (!options_.region.contains(place.x(), place.y())) continue;
-    const std::optional<btScalar> ground = ground_.at(place.x(), place.y());
-    if (!ground || place.z() - *ground >= options_.height) continue;
+    if (!isInLayer(ground_, options_.height, place)) continue;
     body.setLinearVelocity(body.getLinearVelocity() *
                            std::exp(-options_.coefficient * body.getInvMass() * step.timeStep));
     ++acted;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "ground_layer.h"
+
 namespace cairn::effects {
 
 std::uint32_t GroundDrag::applyForces(std::span<Body* const> bodies, const Step& step) {
@@ -15,9 +17,8 @@ std::uint32_t GroundDrag::applyForces(std::span<Body* const> bodies, const Step&
     btRigidBody& body = *known->body;
     const btVector3& velocity = body.getLinearVelocity();
     if (velocity.length2() >= belowSquare || velocity.fuzzyZero()) continue;
-    const btVector3& place = body.getCenterOfMassPosition();
-    const std::optional<btScalar> ground = ground_.at(place.x(), place.y());
-    if (!ground || place.z() - known->radius - *ground >= options_.within) continue;
+    const btVector3 underside = body.getCenterOfMassPosition() - btVector3(0, 0, known->radius);
+    if (!isInLayer(ground_, options_.within, underside)) continue;
     const btScalar kept = 1 - options_.deceleration * step.timeStep / velocity.length();
     body.setLinearVelocity(velocity * std::max(btScalar(0), kept));
     ++acted;

@@ -10,7 +10,8 @@ namespace cairn::effects {
 StemGrid::StemGrid(const std::vector<SingleTrees::Stem>& stems, const GroundHeight& ground, btScalar height) {
   for (const SingleTrees::Stem& stem : stems) {
     const std::optional<btScalar> foot = ground.at(stem.x, stem.y);
-    if (foot) stems_.push_back({stem.x, stem.y, stem.diameter, *foot + (stem.height > 0 ? stem.height : height)});
+    const btScalar tall = stem.height > 0 ? stem.height : height;
+    if (foot && tall > 0) stems_.push_back({stem.x, stem.y, stem.diameter, *foot + tall});
   }
   if (!stems_.empty()) sortIntoCells();
 }

@@ -66,10 +66,12 @@ TEST_P(EveryEffect, ActsWhereItsCriterionIsMet) {
 }
 
 TEST_P(EveryEffect, OfNoStrengthIsOff) {
-  ASSERT_TRUE(GetParam().zero);
-  EXPECT_EQ(hashWith(GetParam().zero, {.isSmooth = true}), hashWith(nullptr, {.isSmooth = true}));
-  // Friction of zero is smooth, which bodies with a friction of their own are not without it.
-  if (GetParam().name != "friction") EXPECT_EQ(hashWith(GetParam().zero), hashWithoutSet());
+  ASSERT_FALSE(GetParam().zeros.empty());
+  for (const auto& [parameter, zero] : GetParam().zeros) {
+    EXPECT_EQ(hashWith(zero, {.isSmooth = true}), hashWith(nullptr, {.isSmooth = true})) << parameter;
+    // Friction of zero is smooth, which bodies with a friction of their own are not without it.
+    if (GetParam().name != "friction") EXPECT_EQ(hashWith(zero), hashWithoutSet()) << parameter;
+  }
 }
 
 TEST_P(EffectWithACriterion, MetByNothingIsOff) {

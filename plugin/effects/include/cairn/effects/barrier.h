@@ -35,7 +35,7 @@ class CAIRN_EFFECTS_EXPORT Barrier final : public Effect, ForceHook {
   };
   /// How high the net is, and what it can take.
   struct Options {
-    btScalar height = 0;    ///< above the ground, m, >= 0
+    btScalar height = 0;    ///< above the ground, m, >= 0; zero: nothing
     btScalar capacity = 0;  ///< J, >= 0; zero: nothing
   };
 

@@ -17,7 +17,7 @@ class CAIRN_EFFECTS_EXPORT ForestDrag final : public Effect, ForceHook {
  public:
   /// The forest.
   struct Options {
-    btScalar height = 10;      ///< m above ground
+    btScalar height = 10;      ///< m above ground; zero does nothing
     btScalar coefficient = 0;  ///< kg/s, >= 0; zero does nothing
     Region region = {};        ///< where it stands
   };

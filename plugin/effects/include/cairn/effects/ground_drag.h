@@ -16,8 +16,8 @@ class CAIRN_EFFECTS_EXPORT GroundDrag final : public Effect, ForceHook {
  public:
   /// Where and how much rocks are braked.
   struct Options {
-    btScalar below = 5;         ///< m/s
-    btScalar within = 1;        ///< m, from the ball's underside
+    btScalar below = 5;         ///< m/s; zero does nothing
+    btScalar within = 1;        ///< m, from the ball's underside; zero does nothing
     btScalar deceleration = 0;  ///< m/s^2, >= 0; zero does nothing
   };
 

@@ -36,7 +36,7 @@ class CAIRN_EFFECTS_EXPORT SingleTrees final : public Effect, ForceHook {
   };
   /// What all trees have in common.
   struct Options {
-    btScalar height = 20;      ///< of stems above their ground that have none of their own, m
+    btScalar height = 20;  ///< of stems above their ground that have none of their own, m; zero: none of these stand
     btScalar energyRatio = 1;  ///< >= 0, of the species' fracture energy to that of the stems measured; zero: nothing
   };
 
