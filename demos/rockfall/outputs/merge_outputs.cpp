@@ -112,6 +112,7 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
       {"max_height_m", quantilesJson(merged.heightM)},
       {"collectors", collectors},
       {"released_energy_j", merged.releasedEnergyJ},
+      {"energy_rise_j", merged.energyRiseJ},
       {"effects", effectsJson(merged)}};
   return json.dump(1) + "\n";
 }

@@ -39,6 +39,7 @@ void MergedRuns::addCells(const RunResult& result) {
 void MergedRuns::add(const RunResult& result, std::optional<double> cellM) {
   ++runs;
   releasedEnergyJ += result.releasedEnergyJ;
+  energyRiseJ = std::max(energyRiseJ, result.energyRiseJ);
   addEffects(result.effects);
   for (const RockRecord& rock : result.rocks) {
     ++rocks;

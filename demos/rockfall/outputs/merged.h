@@ -40,6 +40,7 @@ struct MergedRuns {
   std::uint64_t released = 0;                      ///< rocks but for the pieces of broken ones
   std::array<std::uint64_t, kRockEnds> endings{};  ///< by `RockEnd`
   double runoutSumM = 0, releasedEnergyJ = 0;
+  double energyRiseJ = 0;                  ///< the greatest of all runs
   std::uint64_t runoutsCutOff = 0;         ///< of rocks without a whole way
   LogHistogram runoutM, energyJ, heightM;  ///< run-outs of rocks that did not break
   std::map<Cell, CellSummary> cells;

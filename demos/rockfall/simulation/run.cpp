@@ -70,7 +70,6 @@ class Running {
     for (const RunWorld::Broken& rock : broken.value()) {
       const auto number = static_cast<std::uint32_t>(rock.number);
       for (btRigidBody* piece : rock.pieces) addPiece(number, *piece);
-      energies_.handOn(number);
       bodies_[number] = nullptr;
       gone_[number] = true;
       result_.rocks[number].ending = RockEnd::broken;
@@ -88,6 +87,7 @@ class Running {
     result_.operations += step.operations;
     result_.maxOperations = std::max(result_.maxOperations, step.operations);
     impacts_->lookAt(world_.dispatcher(), bodies_, *watch_, time_);
+    energies_.lookAt(world_.dispatcher());
     for (std::uint32_t rock = 0; rock < bodies_.size(); ++rock)
       if (bodies_[rock]) follow(rock);
     energies_.endStep();
@@ -132,12 +132,12 @@ class Running {
     const Vec3d center = scenes::fromBullet(bodies_[rock]->getWorldTransform().getOrigin());
     const MapPoint point{center.x, center.y};
     if (!isFinite(center)) return remove(rock, RockEnd::lost);
+    energies_.follow(rock, *bodies_[rock]);
     if (!scene_.ground->covers(point))
       return remove(rock, scene_.ground->isWithin(point) ? RockEnd::hole : RockEnd::left);
     // The ground lifts again what has dived into it; from all of a rock below it nothing can be told.
     const auto reach = static_cast<double>(bodies_[rock]->getCollisionShape()->getAngularMotionDisc());
     if (center.z + reach < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
-    energies_.follow(rock, *bodies_[rock]);
     if (bodies_[rock]->isActive()) watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
   }
 
@@ -159,13 +159,13 @@ class Running {
     piece.setUserIndex(static_cast<int>(number));
     watch_->addRock();
     impacts_->addRock(from);
+    energies_.handOn(from, number);
     follow(number);
   }
 
   /// Its last place is where it was over the ground.
   void remove(std::uint32_t rock, RockEnd ending) {
     world_.retire(*bodies_[rock]);
-    energies_.leave(rock);
     bodies_[rock] = nullptr;
     gone_[rock] = true;
     result_.rocks[rock].ending = ending;

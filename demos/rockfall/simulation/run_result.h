@@ -90,9 +90,8 @@ struct RunResult {
   std::vector<std::vector<TrajectorySample>> trajectories;  ///< by rock
   std::vector<EffectRecord> effects;                        ///< in the order of the case's list
   std::uint64_t steps = 0, operations = 0, maxOperations = 0;
-  /// Energy of all rocks at their release, and the largest rise of their total energy above an earlier value. It is
-  /// potential energy (from the ground's lowest point) plus kinetic energy. No effect adds energy, so a rise is an
-  /// error.
+  /// Energy of all rocks at their release, and the most by which that of one rock rose above an earlier value, see
+  /// `EnergyWatch`. It is potential energy (from the ground's lowest point) plus kinetic energy.
   double releasedEnergyJ = 0, energyRiseJ = 0;
   /// The rock that was released and that this one is, or is a piece of.
   std::uint32_t wholeRock(std::uint32_t rock) const;
