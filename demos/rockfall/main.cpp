@@ -55,8 +55,8 @@ Status execute(const RunCommand& command) {
     if (command.jobs > 1 || own != getpid()) return !scenes::interrupted();
     return progress.show("done", static_cast<double>(done) / static_cast<double>(all));
   };
-  const auto report =
-      computeRuns(scene.value(), document.value(), {command.runs, command.folder, command.jobs}, keepGoing);
+  const auto report = computeRuns(scene.value(), document.value(),
+                                  {command.runs, command.folder, command.jobs, command.whole}, keepGoing);
   if (!report) return inCase(command.caseFile, report.error());
   fmt::print("runs {}:{} of {} in {}: {} computed, {} were there\n", command.runs.first, command.runs.last,
              scene.value().description.name, command.folder.string(), report.value().computed, report.value().kept);
@@ -81,6 +81,7 @@ Status execute(const MergeCommand& command) {
   const MergeReport& merged = report.value();
   fmt::print("{} runs, {} rocks, {} lost, {:.1f} s of CPU time; results in {}\n", merged.runs, merged.rocks,
              merged.lost, merged.cpuS, command.folder.string());
+  fmt::print("{}", missingText(merged.missing, merged.runs));
   for (std::size_t i = 0; i < merged.effects.size(); ++i)
     fmt::print("  effect {:<22} acted {:>12} times, {:.3f} s, took {:.6g} kJ\n", merged.effects[i].name,
                merged.effects[i].acted, merged.effects[i].elapsedUs / 1e6, merged.did[i].energyTakenJ / 1e3);

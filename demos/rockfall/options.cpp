@@ -147,8 +147,8 @@ std::variant<Command, int> parseOptions(int argc, const char* const* argv) {
   app.add_subcommand("schema", "print the JSON Schema of case files");
   if (const auto code = scenes::parseCommandLine(app, argc, argv)) return *code;
   if (*runs) {
-    run.runs = parseRange(texts.runs).value();
-    if (texts.part) run.runs = partOf(run.runs, *texts.part).value();
+    run.runs = run.whole = parseRange(texts.runs).value();
+    if (texts.part) run.runs = partOf(run.whole, *texts.part).value();
     return Command(run);
   }
   if (*explains) return Command(explain);

@@ -15,7 +15,7 @@ namespace cairn::rockfall {
 
 struct RunCommand {
   std::filesystem::path caseFile, folder;
-  RunRange runs;
+  RunRange runs, whole;  // of which they are a part
   std::uint32_t jobs = 1;
   std::optional<std::filesystem::path> cache;
 };

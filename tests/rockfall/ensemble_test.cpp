@@ -148,7 +148,7 @@ TEST_F(RunFolders, ComputeOnlyWhatIsMissing) {
   const EnsembleReport again = compute("a", {1, 5}).value();
   EXPECT_EQ(again.computed, 2U);
   EXPECT_EQ(again.kept, 2U);
-  EXPECT_EQ(readManifest(folder("a")).value().runs, (std::vector<RunRange>{{0, 5}}));
+  EXPECT_EQ(readManifest(folder("a")).value().asked, (RunRange{0, 5}));
 }
 
 TEST_F(RunFolders, OfAnotherCaseAreRefused) {
@@ -184,6 +184,32 @@ TEST_F(RunFolders, WithoutAManifestAreNotFinished) {
   const auto parts = Parts::open({folder("a")});
   ASSERT_FALSE(parts);
   EXPECT_NE(parts.error().message.find("holds no finished runs"), std::string::npos);
+}
+
+TEST(RunRange_Text, NamesTheRuns) {
+  EXPECT_EQ(textOf({}), "");
+  EXPECT_EQ(textOf({{3, 4}}), "3");
+  EXPECT_EQ(textOf({{3, 4}, {10, 15}}), "3, 10 to 14");
+  std::vector<RunRange> many;
+  for (std::uint64_t run = 0; run < 40; run += 2) many.push_back({run, run + 1});
+  EXPECT_EQ(textOf(many), "0, 2, 4, 6, 8, 10, 12, 14 and 12 more");
+}
+
+TEST_F(RunFolders, TellWhichRunsAreMissing) {
+  ASSERT_TRUE(compute("a", {0, 3}));
+  EXPECT_TRUE(Parts::open({folder("a")}).value().missing().empty());
+  ASSERT_TRUE(compute("a", {5, 7}));
+  EXPECT_EQ(Parts::open({folder("a")}).value().missing(), (std::vector<RunRange>{{3, 5}})) << "never asked for";
+  ASSERT_TRUE(compute("b", {9, 10}));
+  ASSERT_TRUE(std::filesystem::remove(folder("a") / runFileName(6)));
+  const Parts parts = Parts::open({folder("b"), folder("a")}).value();
+  EXPECT_EQ(parts.missing(), (std::vector<RunRange>{{3, 5}, {6, 9}})) << "one was lost";
+  EXPECT_EQ(parts.runs(), (std::vector<RunRange>{{0, 3}, {5, 6}, {9, 10}}));
+}
+
+TEST_F(RunFolders, TellWhichPartsOfTheWholeAreMissing) {
+  ASSERT_TRUE(computeRuns(test::prepared(document_), document_, {{1, 2}, folder("a"), 1, {0, 3}}, {}));
+  EXPECT_EQ(Parts::open({folder("a")}).value().missing(), (std::vector<RunRange>{{0, 1}, {2, 3}}));
 }
 
 TEST_F(RunFolders, MayOverlapButNotDiffer) {

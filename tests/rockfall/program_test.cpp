@@ -78,6 +78,23 @@ TEST_F(RockfallProgram, MergesTheSameFromPartsInAnyOrder) {
   EXPECT_NE(mergedHash(quoted("part3") + " " + quoted("part1")), alone) << "four runs are missing";
 }
 
+TEST_F(RockfallProgram, TellsWhichRunsAreMissing) {
+  ASSERT_EQ(rockfall(runArguments("part", "--runs 0:6 --part 1/2")).exitCode, 0);
+  ASSERT_EQ(rockfall(runArguments("later", "--runs 10:12")).exitCode, 0);
+  const ProgramResult merged = rockfall("merge " + quoted("later") + " " + quoted("part") + " -o " + quoted("merged"));
+  EXPECT_EQ(merged.exitCode, 0) << merged.errors;
+  EXPECT_NE(merged.output.find("\n7 of 12 runs are missing, and the results do without them: 3 to 9.\n"),
+            std::string::npos)
+      << merged.output;
+  const auto summary = json::parse(contentOf(temporary_.path() / "merged" / "summary.json"));
+  EXPECT_EQ(summary.at("runs"), 5);
+  EXPECT_EQ(summary.at("missing_runs"), 7);
+  EXPECT_EQ(summary.at("missing_run_ranges"), json::parse("[[3, 10]]"));
+  hashOfOneProcess();
+  const auto whole = json::parse(contentOf(temporary_.path() / "merged" / "summary.json"));
+  EXPECT_EQ(whole.at("missing_runs"), 0);
+}
+
 /// Starts the program and kills it outright once the folder holds some runs.
 void killInTheMiddle(const std::string& program, const std::vector<std::string>& arguments,
                      const std::filesystem::path& folder) {

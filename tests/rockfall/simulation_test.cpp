@@ -31,6 +31,28 @@ TEST(RunSeeds_OfTenThousandRuns, AreAllDifferentInEveryFamily) {
   EXPECT_NE(seedOf(7, "slopf", 3, Variable::place), seedOf(7, "slope", 3, Variable::place));
 }
 
+// The run goes on for the second rock, and until both have been still for half a second.
+TEST(RocksThatRest, EndWhenTheyCameToRest) {
+  json document = test::plainCase();
+  document["terrain"]["slope_deg"] = 0;
+  document["duration_s"] = 30;
+  document["rocks"][0]["release"]["interval_s"] = 8;
+  document["effects"].push_back(
+      {{"effect", "sleeping"}, {"linear_m_per_s", 0.3}, {"angular_rad_per_s", 0.3}, {"after_s", 0.5}});
+  const auto finished = simulate(test::prepared(document), 0);
+  ASSERT_TRUE(finished) << finished.error().message;
+  const RunResult& result = finished.value().result;
+  const double stepS = document["step_s"], end = static_cast<double>(result.steps) * stepS;
+  ASSERT_EQ(result.rocks.size(), 2U);
+  for (const RockRecord& rock : result.rocks) {
+    EXPECT_EQ(rock.ending, RockEnd::resting);
+    EXPECT_GT(rock.endS, rock.releaseS + std::sqrt(2 * 0.9 / kGravity)) << "it falls almost a metre first";
+    EXPECT_LT(rock.endS, end - 0.5 + 2 * stepS);
+  }
+  EXPECT_LT(result.rocks[0].endS, 8);
+  EXPECT_EQ(result.rocks[1].releaseS, 8);
+}
+
 TEST(Ground_OfEveryGenerator, HasTheHeightsItsParametersSay) {
   json document = test::plainCase();
   const auto groundOf = [&](const char* terrain) {

@@ -233,10 +233,18 @@ TEST_F(LittleQuarry, KeepsWhatItFoundInAFileOfSettings) {
 }
 
 TEST_F(LittleQuarry, RefusesWhatItCannotCompare) {
-  write("positions_P1.xyz", "2 50 0\n");  // below the ground
+  write("positions_P1.xyz", "2 120 0\n2 50 0\n");
   const test::ProgramResult below = validate("");
   EXPECT_EQ(below.exitCode, 1);
-  EXPECT_NE(below.errors.find("positions_P1.xyz is not above the ground"), std::string::npos) << below.errors;
+  EXPECT_NE(below.errors.find("positions_P1.xyz, line 2: the place (2, 50, 0) is "), std::string::npos) << below.errors;
+  EXPECT_NE(below.errors.find(" m below the ground, whose y there is "), std::string::npos) << below.errors;
+  write("positions_P1.xyz", "\n2000 90 0\n");
+  const test::ProgramResult beside = validate("");
+  EXPECT_NE(
+      beside.errors.find("positions_P1.xyz, line 2: the place (2000, 90, 0) has no ground below it; the ground lies "
+                         "between x "),
+      std::string::npos)
+      << beside.errors;
   test::writeLittleQuarry(data());
   fs::remove(data() / "Endpoints_P1.txt");
   EXPECT_NE(validate("").errors.find("set \"blocks\" to \"scans\""), std::string::npos);

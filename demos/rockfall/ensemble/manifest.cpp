@@ -8,11 +8,10 @@
 namespace cairn::rockfall {
 
 Status writeManifest(const std::filesystem::path& folder, const Manifest& manifest) {
-  Json runs = Json::array();
-  for (const RunRange& range : manifest.runs) runs.push_back({range.first, range.last});
-  const nlohmann::ordered_json json{{"case_hash", manifest.caseHash},     {"scene_hash", manifest.sceneHash},
-                                    {"versions", manifest.versions},      {"runs", runs},
-                                    {"case_folder", manifest.caseFolder}, {"case", manifest.document}};
+  const nlohmann::ordered_json json{
+      {"case_hash", manifest.caseHash},     {"scene_hash", manifest.sceneHash},
+      {"versions", manifest.versions},      {"runs", {manifest.asked.first, manifest.asked.last}},
+      {"case_folder", manifest.caseFolder}, {"case", manifest.document}};
   return writeFileAtomically(folder / kManifestName, json.dump(1) + "\n");
 }
 
@@ -25,15 +24,12 @@ Result<Manifest> readManifest(const std::filesystem::path& folder) {
   if (!content) return content.error();
   try {
     const Json json = Json::parse(content.value().begin(), content.value().end());
-    Manifest manifest{json.at("case"),
-                      json.at("case_folder").get<std::string>(),
-                      json.at("case_hash").get<std::string>(),
-                      json.at("scene_hash").get<std::string>(),
-                      json.at("versions"),
-                      {}};
-    for (const Json& range : json.at("runs"))
-      manifest.runs.push_back({range.at(0).get<std::uint64_t>(), range.at(1).get<std::uint64_t>()});
-    return manifest;
+    return Manifest{json.at("case"),
+                    json.at("case_folder").get<std::string>(),
+                    json.at("case_hash").get<std::string>(),
+                    json.at("scene_hash").get<std::string>(),
+                    json.at("versions"),
+                    {json.at("runs").at(0).get<std::uint64_t>(), json.at("runs").at(1).get<std::uint64_t>()}};
   } catch (const Json::exception&) {
     return Error{fmt::format("{} is no manifest of runs", file.string())};
   }

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "rockfall/case/document.h"
 #include "rockfall/ensemble/run_range.h"
@@ -17,7 +16,7 @@ struct Manifest {
   std::string caseFolder;  ///< the file names in the case are relative to it
   std::string caseHash, sceneHash;
   Json versions;
-  std::vector<RunRange> runs;
+  RunRange asked;  ///< from the first run that was asked for to the last, in this folder and in other parts
 };
 
 inline constexpr const char* kManifestName = "manifest.json";

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "rockfall/ensemble/run_folder.h"
+
 namespace cairn::rockfall {
 
 Result<Parts> Parts::open(const std::vector<std::filesystem::path>& folders) {
@@ -22,8 +24,11 @@ Status Parts::add(const std::filesystem::path& folder) {
   if (!manifest_.sceneHash.empty() && (own.sceneHash != manifest_.sceneHash || own.versions != manifest_.versions))
     return Error{fmt::format("{} holds runs of another case, other trees or other versions than the folders before it",
                              folder.string())};
-  for (const RunRange& range : own.runs)
-    for (std::uint64_t run = range.first; run < range.last; ++run) files_[run].push_back(folder / runFileName(run));
+  asked_ = hullOf(asked_, own.asked);
+  for (const std::uint64_t run : runsIn(folder)) {
+    asked_ = hullOf(asked_, {run, run + 1});
+    files_[run].push_back(folder / runFileName(run));
+  }
   if (manifest_.sceneHash.empty()) manifest_ = std::move(manifest).value();
   return {};
 }
@@ -32,6 +37,17 @@ std::vector<RunRange> Parts::runs() const {
   std::vector<std::uint64_t> runs;
   for (const auto& [run, files] : files_) runs.push_back(run);
   return rangesOf(runs);
+}
+
+std::vector<RunRange> Parts::missing() const {
+  std::vector<RunRange> missing;
+  std::uint64_t next = asked_.first;
+  for (const RunRange& there : runs()) {
+    if (there.first > next) missing.push_back({next, there.first});
+    next = there.last;
+  }
+  if (asked_.last > next) missing.push_back({next, asked_.last});
+  return missing;
 }
 
 Status Parts::forEach(const std::function<Status(const RunFile&)>& use) const {

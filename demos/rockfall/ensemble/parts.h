@@ -21,7 +21,8 @@ class Parts {
 
   const Manifest& manifest() const { return manifest_; }
   std::vector<RunRange> runs() const;
-  std::uint64_t count() const { return files_.size(); }
+  /// The others, from the first run that was asked for, or is there, to the last.
+  std::vector<RunRange> missing() const;
 
   /// Calls `use` for every run once, in ascending order of numbers. Fails as `readRunFile` and `use` do.
   Status forEach(const std::function<Status(const RunFile&)>& use) const;
@@ -30,6 +31,7 @@ class Parts {
   Status add(const std::filesystem::path& folder);
 
   Manifest manifest_;
+  RunRange asked_;
   std::map<std::uint64_t, std::vector<std::filesystem::path>> files_;
 };
 

@@ -90,13 +90,19 @@ Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, con
   };
   const Status computed = jobs > 1 ? inProcesses(jobs, work) : jobs == 1 ? work(0) : Status();
   if (!computed) return computed.error();
+  RunRange asked = hullOf(options.runs, options.whole);
+  if (fs::exists(options.folder / kManifestName)) {
+    const auto before = readManifest(options.folder);
+    if (!before) return before.error();
+    asked = hullOf(asked, before.value().asked);
+  }
   // A case file named without a folder has an empty folder.
   const Manifest manifest{document,
                           (fs::current_path() / scene.description.folder).lexically_normal().string(),
                           scene.description.hash,
                           scene.hash,
                           versionsOfThisProgram(),
-                          rangesOf(runsIn(options.folder))};
+                          asked};
   if (const Status written = writeManifest(options.folder, manifest); !written) return written.error();
   const std::uint64_t all = options.runs.last - options.runs.first;
   return EnsembleReport{missing.value().size(), all - missing.value().size()};

@@ -14,6 +14,7 @@ struct EnsembleOptions {
   RunRange runs;
   std::filesystem::path folder;
   std::uint32_t jobs = 1;  ///< processes
+  RunRange whole = {};     ///< of which the runs are a part, so that a merge can tell which are missing
 };
 
 struct EnsembleReport {

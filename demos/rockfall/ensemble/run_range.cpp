@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -44,6 +45,18 @@ Result<RunRange> partOf(const RunRange& range, std::string_view text) {
   return RunRange{range.first + count * (part - 1) / parts, range.first + count * part / parts};
 }
 
+std::uint64_t countOf(const std::vector<RunRange>& ranges) {
+  std::uint64_t count = 0;
+  for (const RunRange& range : ranges) count += range.last - range.first;
+  return count;
+}
+
+RunRange hullOf(const RunRange& a, const RunRange& b) {
+  if (a.first >= a.last) return b;
+  if (b.first >= b.last) return a;
+  return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
 std::vector<RunRange> rangesOf(const std::vector<std::uint64_t>& runs) {
   std::vector<RunRange> ranges;
   for (const std::uint64_t run : runs) {
@@ -53,6 +66,18 @@ std::vector<RunRange> rangesOf(const std::vector<std::uint64_t>& runs) {
       ranges.push_back({run, run + 1});
   }
   return ranges;
+}
+
+std::string textOf(const std::vector<RunRange>& ranges) {
+  constexpr std::size_t kMost = 8;  // that a reader takes in
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
+    const auto& [first, last] = ranges[i];
+    text += i == 0 ? "" : ", ";
+    text += last - first == 1 ? fmt::format("{}", first) : fmt::format("{} to {}", first, last - 1);
+  }
+  if (ranges.size() > kMost) text += fmt::format(" and {} more", ranges.size() - kMost);
+  return text;
 }
 
 }  // namespace cairn::rockfall

@@ -27,7 +27,16 @@ Result<RunRange> parseRange(std::string_view text);
 /// text.
 Result<RunRange> partOf(const RunRange& range, std::string_view text);
 
+/// How many runs these are.
+std::uint64_t countOf(const std::vector<RunRange>& ranges);
+
+/// The least range that holds both; one without runs counts for nothing.
+RunRange hullOf(const RunRange& a, const RunRange& b);
+
 /// Returns the runs as disjoint ranges in order. Precondition: `runs` is ascending.
 std::vector<RunRange> rangesOf(const std::vector<std::uint64_t>& runs);
+
+/// Names the runs, as in "3, 10 to 14"; of many ranges the first ones.
+std::string textOf(const std::vector<RunRange>& ranges);
 
 }  // namespace cairn::rockfall

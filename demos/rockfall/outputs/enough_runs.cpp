@@ -73,6 +73,13 @@ std::string verdictOf(const QuantileCheck& check, std::uint64_t runs) {
 
 }  // namespace
 
+std::string missingText(const std::vector<RunRange>& missing, std::uint64_t runs) {
+  const std::uint64_t count = countOf(missing);
+  if (count == 0) return {};
+  return fmt::format("{} of {} runs are missing, and the results do without them: {}.\n", count, runs + count,
+                     textOf(missing));
+}
+
 std::string enoughText(const std::vector<QuantileCheck>& checks, std::uint64_t runs) {
   std::string text;
   for (const QuantileCheck& check : checks) {

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "rockfall/ensemble/run_range.h"
 #include "rockfall/outputs/collector_statistics.h"
 #include "rockfall/outputs/merged.h"
 
 namespace cairn::rockfall {
+
+/// One line that tells how many runs are missing beside those that there are, and which; nothing without any.
+std::string missingText(const std::vector<RunRange>& missing, std::uint64_t runs);
 
 /// Whether the runs are enough to tell a 95 % quantile.
 struct QuantileCheck {

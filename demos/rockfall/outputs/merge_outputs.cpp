@@ -27,8 +27,11 @@ using Ordered = nlohmann::ordered_json;
 
 /// Collects all outputs from the runs, one run after the other.
 struct Gathered {
-  Gathered(const Case& description, const MergeOptions& options)
-      : wantsPlaces(options.geopackage || options.geojson), tables(description), collectors(description) {
+  Gathered(const Case& description, const MergeOptions& options, std::vector<RunRange> missingRuns)
+      : missing(std::move(missingRuns)),
+        wantsPlaces(options.geopackage || options.geojson),
+        tables(description),
+        collectors(description) {
     merged.collectors.resize(description.collectors.size());
   }
 
@@ -57,6 +60,7 @@ struct Gathered {
     }
   }
 
+  std::vector<RunRange> missing;
   bool wantsPlaces;
   MergedRuns merged;
   Tables tables;
@@ -87,7 +91,13 @@ Ordered effectsJson(const MergedRuns& merged) {
   return effects;
 }
 
-std::string summaryText(const Case& description, const MergedRuns& merged) {
+Json rangesJson(const std::vector<RunRange>& ranges) {
+  Json list = Json::array();
+  for (const RunRange& range : ranges) list.push_back({range.first, range.last});
+  return list;
+}
+
+std::string summaryText(const Case& description, const MergedRuns& merged, const std::vector<RunRange>& missing) {
   Ordered endings, collectors = Ordered::array();
   for (std::size_t i = 0; i < merged.endings.size(); ++i) endings[nameOf(static_cast<RockEnd>(i))] = merged.endings[i];
   for (std::size_t i = 0; i < merged.collectors.size(); ++i) {
@@ -102,6 +112,8 @@ std::string summaryText(const Case& description, const MergedRuns& merged) {
   const Ordered json{
       {"case", description.name},
       {"runs", merged.runs},
+      {"missing_runs", countOf(missing)},
+      {"missing_run_ranges", rangesJson(missing)},
       {"rocks", merged.rocks},
       {"endings", endings},
       {"impacts", merged.impacts},
@@ -142,7 +154,7 @@ std::vector<File> filesOf(const Case& description, const Ground& ground, const G
   std::vector<File> files{{"runs.csv", [&] { return gathered.tables.runs(); }},
                           {"rocks.csv", [&] { return gathered.tables.rocks(); }},
                           {"effects.csv", [&] { return gathered.tables.effects(); }},
-                          {"summary.json", [&] { return summaryText(description, merged); }}};
+                          {"summary.json", [&] { return summaryText(description, merged, gathered.missing); }}};
   if (outputs.impactsAboveJ) files.emplace_back("impacts.csv", [&] { return gathered.tables.impacts(); });
   if (!description.collectors.empty()) {
     files.emplace_back("collectors.csv", [&] { return gathered.tables.crossings(); });
@@ -180,16 +192,11 @@ Result<std::string> write(const std::vector<File>& files, const Parts& parts, co
     all.add(content);
   }
   const std::string hash = all.hex();
-  Json runs = Json::array();
-  for (const RunRange& range : parts.runs()) runs.push_back({range.first, range.last});
   const Manifest& manifest = parts.manifest();
-  const Ordered json{{"merged_hash", hash},
-                     {"case_hash", manifest.caseHash},
-                     {"scene_hash", manifest.sceneHash},
-                     {"versions", manifest.versions},
-                     {"merged_runs", runs},
-                     {"files", hashes},
-                     {"case", manifest.document}};
+  const Ordered json{
+      {"merged_hash", hash},           {"case_hash", manifest.caseHash},          {"scene_hash", manifest.sceneHash},
+      {"versions", manifest.versions}, {"merged_runs", rangesJson(parts.runs())}, {"files", hashes},
+      {"case", manifest.document}};
   if (const Status written = writeFileAtomically(folder / kManifestName, json.dump(1) + "\n"); !written)
     return written.error();
   return hash;
@@ -233,7 +240,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   if (const Status raised = raiseDams(description.value(), terrain.value()); !raised) return raised.error();
   const auto ground = makeGround(std::move(terrain).value(), description.value().terrain);
   if (!ground) return ground.error();
-  Gathered gathered(description.value(), options);
+  Gathered gathered(description.value(), options, parts.value().missing());
   const Status read = parts.value().forEach([&](const RunFile& file) -> Status {
     gathered.add(file, description.value().outputs.rasterCellM);
     return {};
@@ -260,6 +267,7 @@ Result<MergeReport> mergeOutputs(const MergeOptions& options) {
   return MergeReport{runs,
                      gathered.merged.rocks,
                      lost,
+                     gathered.missing,
                      gathered.cpuS,
                      gathered.effects,
                      gathered.merged.effects,

@@ -20,6 +20,7 @@ struct MergeOptions {
 
 struct MergeReport {
   std::uint64_t runs = 0, rocks = 0, lost = 0;
+  std::vector<RunRange> missing;         ///< runs, see `Parts::missing`
   double cpuS = 0;                       ///< of all runs
   std::vector<EffectReport> effects;     ///< summed over all runs
   std::vector<EffectRecord> did;         ///< the work of the same effects
@@ -29,9 +30,9 @@ struct MergeReport {
 };
 
 /// Writes tables, rasters, trajectories and figures of all runs in the parts, each file completely or not at all, the
-/// manifest last. The files depend only on the runs, not on their distribution or the folders' order. Fails as
-/// `Parts::open` does, when a file cannot be written, for PNG without rsvg-convert, and for GeoPackage and GeoJSON
-/// without GDAL.
+/// manifest last. The files depend only on the runs and on which are missing, not on their distribution or the folders'
+/// order. Fails as `Parts::open` does, when a file cannot be written, for PNG without rsvg-convert, and for GeoPackage
+/// and GeoJSON without GDAL.
 Result<MergeReport> mergeOutputs(const MergeOptions& options);
 
 }  // namespace cairn::rockfall

@@ -22,6 +22,12 @@ namespace {
 // Of many rocks a hundred steps take a tenth of a second; the question takes less than a microsecond.
 constexpr std::uint32_t kStepsBetweenQuestions = 100;
 
+// As Bullet asks before a body falls asleep.
+bool isSlow(const btRigidBody& body) {
+  return body.getLinearVelocity().length() < body.getLinearSleepingThreshold() &&
+         body.getAngularVelocity().length() < body.getAngularSleepingThreshold();
+}
+
 /// One run while it goes on.
 class Running {
  public:
@@ -39,7 +45,7 @@ class Running {
       record.variant = rock.variant;
       record.sieveM = rock.sieveM;
       record.massKg = rock.massKg;
-      record.releaseS = rock.timeS;
+      record.releaseS = record.endS = rock.timeS;
       record.start = record.end = scenes::fromBullet(rock.pose.getOrigin());
       result_.rocks.push_back(record);
     }
@@ -114,8 +120,9 @@ class Running {
   FinishedRun finish(const StateHash& hash, double cpuUs) {
     for (std::uint32_t rock = 0; rock < bodies_.size(); ++rock) {
       if (gone_[rock]) continue;
-      result_.rocks[rock].endS = time_;
-      result_.rocks[rock].ending = bodies_[rock] && !bodies_[rock]->isActive() ? RockEnd::resting : RockEnd::moving;
+      const bool rests = bodies_[rock] && !bodies_[rock]->isActive();
+      result_.rocks[rock].ending = rests ? RockEnd::resting : RockEnd::moving;
+      if (!rests) result_.rocks[rock].endS = time_;
     }
     watch_->finish();
     moveToMap(result_, scene_.worldOrigin);
@@ -138,7 +145,9 @@ class Running {
     // The ground lifts again what has dived into it; from all of a rock below it nothing can be told.
     const auto reach = static_cast<double>(bodies_[rock]->getCollisionShape()->getAngularMotionDisc());
     if (center.z + reach < scene_.ground->heightAt(point)) return remove(rock, RockEnd::lost);
-    if (bodies_[rock]->isActive()) watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
+    if (!bodies_[rock]->isActive()) return;
+    watch_->follow(rock, momentOf(*bodies_[rock], *scene_.ground, time_));
+    if (!isSlow(*bodies_[rock])) result_.rocks[rock].endS = time_;
   }
 
   void addPiece(std::uint32_t from, btRigidBody& piece) {

@@ -29,7 +29,8 @@ inline constexpr std::size_t kRockEnds = 6;
 struct RockRecord {
   std::int32_t brokenFrom = -1;  ///< the rock it is a piece of; `start` is where that one was released
   std::uint32_t group = 0, variant = 0;
-  double sieveM = 0, massKg = 0, releaseS = 0, endS = 0;
+  double sieveM = 0, massKg = 0, releaseS = 0;
+  double endS = 0;  ///< of a rock that rests: when it was last faster than the speeds below which rocks sleep
   Vec3d start, end;
   RockEnd ending = RockEnd::moving;
   double maxSpeed = 0, maxEnergyJ = 0, maxHeightM = 0;

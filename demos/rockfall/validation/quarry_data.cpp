@@ -103,18 +103,18 @@ std::optional<std::string> whyNoPlace(const Vec3d& place) {
   return {};
 }
 
-Result<std::vector<Vec3d>> readDrops(const fs::path& file) {
+Status readDrops(const fs::path& file, QuarryProfile& profile) {
   const auto table = Table::read(file, kBlanks);
   if (!table) return table.error();
-  std::vector<Vec3d> drops;
   for (const Line& line : table.value().lines()) {
     const auto values = table.value().numbers(line, 0, 3);
     if (!values) return values.error();
     const Vec3d place(values.value()[0], values.value()[1], values.value()[2]);
     if (const auto why = whyNoPlace(place)) return table.value().refuse(line, *why);
-    drops.push_back(fromData(place));
+    profile.drops.push_back(fromData(place));
+    profile.dropLines.push_back(line.number);
   }
-  return drops;
+  return {};
 }
 
 Result<std::vector<MeasuredBlock>> readBlocks(const fs::path& file) {
@@ -183,9 +183,7 @@ Status readIfThere(const fs::path& file, const Read& read, To& to) {
 Result<QuarryProfile> readProfile(const fs::path& folder, const std::string& name) {
   QuarryProfile profile;
   profile.name = name;
-  auto drops = readDrops(folder / ("positions_" + name + ".xyz"));
-  if (!drops) return drops.error();
-  profile.drops = std::move(drops).value();
+  if (const Status read = readDrops(dropsFile(folder, name), profile); !read) return read.error();
   if (const Status read = readIfThere(folder / ("Endpoints_" + name + ".txt"), readBlocks, profile.blocks); !read)
     return read.error();
   if (const Status read = readIfThere(folder / ("rockable_" + name + ".csv"), readPublished, profile.published); !read)
@@ -194,6 +192,10 @@ Result<QuarryProfile> readProfile(const fs::path& folder, const std::string& nam
 }
 
 }  // namespace
+
+fs::path dropsFile(const fs::path& folder, const std::string& profile) {
+  return folder / ("positions_" + profile + ".xyz");
+}
 
 Result<QuarryData> readQuarry(const fs::path& folder) {
   if (std::error_code ignored; !fs::is_directory(folder, ignored))

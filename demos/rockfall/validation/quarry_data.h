@@ -29,6 +29,7 @@ struct PublishedRun {
 struct QuarryProfile {
   std::string name;
   std::vector<Vec3d> drops;
+  std::vector<std::size_t> dropLines;  ///< of the file, for each of them
   std::vector<MeasuredBlock> blocks;
   std::vector<PublishedRun> published;
 };
@@ -56,6 +57,9 @@ inline constexpr std::array<GroundZone, 3> kGroundZones{
 inline Vec3d fromData(const Vec3d& p) {
   return {p.x, -p.z, p.y};
 }
+
+/// The file of the places from which the blocks of a profile fall.
+std::filesystem::path dropsFile(const std::filesystem::path& folder, const std::string& profile);
 
 /// Reads positions, orientations, where blocks stopped and the published runs. Where blocks stopped may be missing, of
 /// either profile, and so may the published runs. Fails with file and line.

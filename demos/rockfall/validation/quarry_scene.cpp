@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "rockfall/validation/closed_scans.h"
@@ -54,14 +56,26 @@ Case caseOf(const QuarryData& data, const ClosedScans& scans, const ValidationSe
   return description;
 }
 
-Status checkDrops(const QuarryData& data, const Scene& scene) {
+// What is wrong with a place, in the data's frame, whose y points up.
+std::optional<std::string> whyNoDrop(const Vec3d& drop, const Ground& ground) {
+  const MapPoint point{drop.x, drop.y};
+  if (!ground.covers(point))
+    return fmt::format("has no ground below it; the ground lies between x {:g} and {:g}, z {:g} and {:g}",
+                       ground.lower().x, ground.upper().x, -ground.upper().y, -ground.lower().y);
+  const double below = ground.heightAt(point) - drop.z;
+  if (below > 0) return fmt::format("is {:.3g} m below the ground, whose y there is {:g}", below, drop.z + below);
+  return {};
+}
+
+Status checkDrops(const QuarryData& data, const Ground& ground) {
   for (const QuarryProfile& profile : data.profiles)
-    for (const Vec3d& drop : profile.drops) {
-      const MapPoint point{drop.x - scene.worldOrigin[0], drop.y - scene.worldOrigin[1]};
-      if (!scene.ground->covers(point) || scene.ground->heightAt(point) > drop.z)
-        return Error{fmt::format("{}: the place ({:g}, {:g}, {:g}) of positions_{}.xyz is not above the ground",
-                                 data.folder.string(), drop.x, drop.z, -drop.y, profile.name)};
-    }
+    for (std::size_t i = 0; i < profile.drops.size(); ++i)
+      if (const auto why = whyNoDrop(profile.drops[i], ground)) {
+        const Vec3d& drop = profile.drops[i];
+        return Error{fmt::format("{}, line {}: the place ({:g}, {:g}, {:g}) {}; give a place above it",
+                                 dropsFile(data.folder, profile.name).string(), profile.dropLines[i], drop.x, drop.z,
+                                 -drop.y, *why)};
+      }
   return {};
 }
 
@@ -89,13 +103,15 @@ Result<QuarryScene> prepareQuarry(const std::filesystem::path& folder, const Val
   if (!data) return data.error();
   auto ground = readQuarryGround(folder, settings.cellM, settings.materials);
   if (!ground) return ground.error();
+  const auto mapGround = makeGround(ground.value().terrain, ground.value().section);
+  if (!mapGround) return mapGround.error();
+  if (const Status checked = checkDrops(data.value(), *mapGround.value()); !checked) return checked.error();
   const auto scans = ClosedScans::create(folder);
   if (!scans) return scans.error();
   Case description = caseOf(data.value(), *scans.value(), settings);
   description.terrain = std::move(ground.value().section);
   auto scene = prepareScene(std::move(description), std::move(ground.value().terrain), cache, progress);
   if (!scene) return scene.error();
-  if (const Status checked = checkDrops(data.value(), scene.value()); !checked) return checked.error();
   auto blocks = chooseBlocks(data.value(), scene.value().stock, settings);
   if (!blocks) return blocks.error();
   return QuarryScene{std::move(data).value(), std::move(scene).value(), std::move(blocks).value(),
