@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <vector>
 
 #include "prepared_scene.h"
@@ -205,6 +206,16 @@ TEST_F(RunFolders, TellWhichRunsAreMissing) {
   const Parts parts = Parts::open({folder("b"), folder("a")}).value();
   EXPECT_EQ(parts.missing(), (std::vector<RunRange>{{3, 5}, {6, 9}})) << "one was lost";
   EXPECT_EQ(parts.runs(), (std::vector<RunRange>{{0, 3}, {5, 6}, {9, 10}}));
+}
+
+TEST_F(RunFolders, MayListSeveralRanges) {
+  ASSERT_TRUE(compute("a", {0, 3}));
+  const std::filesystem::path file = folder("a") / kManifestName;
+  nlohmann::ordered_json manifest = nlohmann::ordered_json::parse(test::contentOf(file));
+  EXPECT_EQ(manifest.at("runs"), nlohmann::ordered_json::parse("[[0, 3]]"));
+  manifest["runs"] = {{0, 2}, {4, 6}};
+  std::ofstream(file) << manifest.dump();
+  EXPECT_EQ(readManifest(folder("a")).value().asked, (RunRange{0, 6}));
 }
 
 TEST_F(RunFolders, TellWhichPartsOfTheWholeAreMissing) {

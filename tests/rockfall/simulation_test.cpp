@@ -315,6 +315,7 @@ TEST(Run_Fragmentation, PiecesGoOnAsRocks) {
   for (std::size_t i = 0; i < rocks.size(); ++i) {
     EXPECT_EQ(pieces[i] > 0, rocks[i].ending == RockEnd::broken);
     if (pieces[i] > 0) EXPECT_NEAR(pieces[i] / rocks[i].massKg, 1, 1e-5);
+    EXPECT_GE(rocks[i].endS, rocks[i].releaseS);
     if (rocks[i].brokenFrom >= 0) EXPECT_EQ(rocks[i].start, rocks[static_cast<std::size_t>(rocks[i].brokenFrom)].start);
   }
 }

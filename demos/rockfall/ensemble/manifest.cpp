@@ -10,7 +10,7 @@ namespace cairn::rockfall {
 Status writeManifest(const std::filesystem::path& folder, const Manifest& manifest) {
   const nlohmann::ordered_json json{
       {"case_hash", manifest.caseHash},     {"scene_hash", manifest.sceneHash},
-      {"versions", manifest.versions},      {"runs", {manifest.asked.first, manifest.asked.last}},
+      {"versions", manifest.versions},      {"runs", Json::array({{manifest.asked.first, manifest.asked.last}})},
       {"case_folder", manifest.caseFolder}, {"case", manifest.document}};
   return writeFileAtomically(folder / kManifestName, json.dump(1) + "\n");
 }
@@ -24,12 +24,15 @@ Result<Manifest> readManifest(const std::filesystem::path& folder) {
   if (!content) return content.error();
   try {
     const Json json = Json::parse(content.value().begin(), content.value().end());
-    return Manifest{json.at("case"),
-                    json.at("case_folder").get<std::string>(),
-                    json.at("case_hash").get<std::string>(),
-                    json.at("scene_hash").get<std::string>(),
-                    json.at("versions"),
-                    {json.at("runs").at(0).get<std::uint64_t>(), json.at("runs").at(1).get<std::uint64_t>()}};
+    Manifest manifest{json.at("case"),
+                      json.at("case_folder").get<std::string>(),
+                      json.at("case_hash").get<std::string>(),
+                      json.at("scene_hash").get<std::string>(),
+                      json.at("versions"),
+                      {}};
+    for (const Json& range : json.at("runs"))
+      manifest.asked = hullOf(manifest.asked, {range.at(0).get<std::uint64_t>(), range.at(1).get<std::uint64_t>()});
+    return manifest;
   } catch (const Json::exception&) {
     return Error{fmt::format("{} is no manifest of runs", file.string())};
   }

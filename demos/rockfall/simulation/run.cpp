@@ -159,7 +159,7 @@ class Running {
     record.variant = whole.variant;
     record.massKg = 1 / static_cast<double>(piece.getInvMass());
     record.sieveM = whole.sieveM * std::cbrt(record.massKg / whole.massKg);
-    record.releaseS = time_;
+    record.releaseS = record.endS = time_;
     record.start = whole.start;
     record.end = scenes::fromBullet(piece.getWorldTransform().getOrigin());
     result_.rocks.push_back(record);
