@@ -121,20 +121,22 @@ Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
   // Rounding moves vertices by less than a unit of floats. What it makes meet is smaller each time; two rounds are
   // usual. Where they do not help, pieces multiply.
   constexpr int kMaxRounds = 12, kMostPieces = 4;
+  // What is moved by fewer units of floats is flat after rounding.
+  constexpr double kLeastUnits = 32;
   LabelledMesh labelled = std::move(source);
-  const double unit = unitOf(labelled.mesh);
+  const double unit = unitOf(labelled.mesh), radius = std::max(beadRadius, kLeastUnits * unit);
   std::size_t pieces = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(labelled.mesh);
     const std::vector<HalfEdge> crowded = crowdedEdges(halfEdges);
     const bool crosses = findSelfIntersection(labelled.mesh).has_value();
     if (!crosses && round > 0) {
-      for (const HalfEdge& edge : crowded) addBead(labelled, edge, beadRadius);
+      for (const HalfEdge& edge : crowded) addBead(labelled, edge, radius);
       labelled.beads += crowded.size();
     }
     if (!crosses && crowded.empty() && !findMisplacedShell(labelled.mesh, shellsOf(labelled.mesh, halfEdges)))
       return labelled;
-    if (Status s = uniteOnce(labelled, unit, kRaised * beadRadius, round == 0); !s) return s.error();
+    if (Status s = uniteOnce(labelled, unit, kRaised * radius, round == 0); !s) return s.error();
     if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
     if (labelled.mesh.triangles.size() > pieces) break;
   }

@@ -67,6 +67,17 @@ TEST(Folds, BothLobesOfACrossedBoxAreSolid) {
   EXPECT_NE(counts.text().find("folds that wound backwards"), std::string::npos) << counts.text();
 }
 
+// Without a weld folds still grow by some units of floats.
+TEST(Folds, NeedNoWeld) {
+  TriangleMesh bow = test::meshOf(test::cuboid({1, 1, 1}, 2));
+  for (Vec3d& v : bow.vertices)
+    if (v.x < -0.25) v = {v.x, v.y, -v.z};
+  const Result<TriangleMesh> solid = repair(bow, nullptr, {.weld = 0});
+  ASSERT_TRUE(solid.ok()) << solid.error().message;
+  int backward = 0;
+  EXPECT_EQ(wrongPoints(bow, solid.value(), 2, backward), 0);
+}
+
 TEST(Folds, AreSolidWhereTheSurfaceWindsAtAll) {
   int backward = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
