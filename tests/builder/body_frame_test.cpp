@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -76,7 +77,7 @@ TriangleMesh lens(double thickness) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, thickness / 2}, {0, 0, -thickness / 2}};
   for (std::uint32_t i = 0; i < kSides; ++i) {
-    const double angle = 2 * M_PI * i / kSides;
+    const double angle = 2 * std::numbers::pi * i / kSides;
     mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
   }
   for (std::uint32_t i = 0; i < kSides; ++i) {

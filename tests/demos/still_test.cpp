@@ -2,6 +2,8 @@
 // Flat bodies slide and stand as flat bodies do, and round ones roll.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "builder_meshes.h"
 #include "cairn/builder/build.h"
 #include "deepest_contact.h"
@@ -26,7 +28,7 @@ TriedBody bodyOf(const Solid& solid) {
 constexpr double kGravity = 9.81;
 
 double slidingDown(const Slope& slope) {
-  const double angle = slope.degrees * M_PI / 180;
+  const double angle = slope.degrees * std::numbers::pi / 180;
   return kGravity * (std::sin(angle) - double(slope.friction) * std::cos(angle));
 }
 
@@ -37,7 +39,7 @@ TEST(Sliding, FollowsTheTextbookOnEveryGround) {
       std::make_shared<btBoxShape>(btVector3(6, 1, btScalar(0.2))), slab.shape,
       fieldShape({{-6.5, -1.5, -0.6}, {6.5, 1.5, 0.6}, {27, 7, 5}}, boxDistance({6, 1, 0.2}))};
   for (const auto& ground : grounds)
-    for (const double turned : {0.0, 0.7, M_PI / 2}) {
+    for (const double turned : {0.0, 0.7, std::numbers::pi / 2}) {
       Slope slope;
       slope.degrees = 30;
       slope.friction = btScalar(0.3);
@@ -77,8 +79,8 @@ TEST(Rolling, ABallOfFacetsLosesLittle) {
   slope.height = btScalar(kRadius);
   slope.uphill = 4;
   slope.radius = kRadius;
-  const double expected =
-      kGravity * std::sin(slope.degrees * M_PI / 180) / (1 + double(ball.inertia.x()) / (kRadius * kRadius));
+  const double expected = kGravity * std::sin(slope.degrees * std::numbers::pi / 180) /
+                          (1 + double(ball.inertia.x()) / (kRadius * kRadius));
   const SlopeRun run = runSlope(ball, slope);
   EXPECT_NEAR(run.acceleration, expected, kLoss * expected);
 }
@@ -110,7 +112,7 @@ TEST(Standing, ABoxAcrossAValleyLiesOnBothSlopes) {
   const TriedBody box = bodyOf(cuboid({0.8, 0.8, 0.3}, 4));
   for (const double degrees : kDegrees) {
     const TriedBody ground = bodyOf(valley(degrees, 1, 0.3, 3, 6));
-    const double height = 0.15 + 0.4 * std::tan(degrees * M_PI / 180);
+    const double height = 0.15 + 0.4 * std::tan(degrees * std::numbers::pi / 180);
     StillWorld w;
     w.add(ground.shape, 0, btVector3(0, 0, 0));
     const btVector3 place(0, 0, btScalar(height));
@@ -129,7 +131,8 @@ TEST(Standing, ABallLiesStillBetweenTwoEdges) {
   const TriedBody ball = bodyOf(test::ball(kRadius, 16)), rail = bodyOf(cuboid({1, 3, 1}, 6));
   for (const double degrees : {30, 45, 60}) {
     StillWorld w;
-    const double aside = kRadius * std::sin(degrees * M_PI / 180), height = kRadius * std::cos(degrees * M_PI / 180);
+    const double aside = kRadius * std::sin(degrees * std::numbers::pi / 180),
+                 height = kRadius * std::cos(degrees * std::numbers::pi / 180);
     for (const double side : {-1.0, 1.0})
       w.add(rail.shape, 0, btVector3(btScalar(side * (0.5 + aside)), 0, btScalar(-0.5)));
     const btTransform start(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(height)));

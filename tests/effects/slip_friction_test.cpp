@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "slope_world.h"
 
@@ -35,7 +36,7 @@ TEST(SlipFriction, GrowsFromLeastTowardsMost) {
 // Work of friction over the way s, per m g: the integral of mu(s).
 double workOver(double s) {
   const double kappa = kOptions.kappa;
-  return kOptions.least * s + 2 / M_PI * (kOptions.most - kOptions.least) *
+  return kOptions.least * s + 2 / std::numbers::pi * (kOptions.most - kOptions.least) *
                                   (s * std::atan(kappa * s) - std::log1p(kappa * kappa * s * s) / (2 * kappa));
 }
 

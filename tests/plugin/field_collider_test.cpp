@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "colliders/field_collider.h"
@@ -139,7 +140,7 @@ TEST(Field_Slope, CuboidSlidesAsTheTextbookSays) {
     Slope slope = fieldSlope(30);
     slope.friction = btScalar(0.3);
     slope.height = btScalar(0.2);
-    const double angle = M_PI / 6, expected = kGravity * (std::sin(angle) - 0.3 * std::cos(angle));
+    const double angle = std::numbers::pi / 6, expected = kGravity * (std::sin(angle) - 0.3 * std::cos(angle));
     const SlopeRun run = runSlope(triedBody(cuboid({0.6, 0.5, 0.4}, cells)), slope);
     EXPECT_NEAR(run.acceleration, expected, 0.02 * expected) << cells << " cells a side";
     EXPECT_NEAR(run.aside, 0, 0.02) << cells << " cells a side";
@@ -155,8 +156,8 @@ TEST(Field_Slope, BallRollsAsOnAPlane) {
   Slope slope = fieldSlope(10);
   slope.height = btScalar(kRadius);
   slope.radius = kRadius;
-  const double expected =
-      kGravity * std::sin(slope.degrees * M_PI / 180) / (1 + double(tried.inertia.x()) / (kRadius * kRadius));
+  const double expected = kGravity * std::sin(slope.degrees * std::numbers::pi / 180) /
+                          (1 + double(tried.inertia.x()) / (kRadius * kRadius));
   const SlopeRun run = runSlope(tried, slope);
   EXPECT_NEAR(run.acceleration, expected, kLoss * expected);
   Slope plane = slope;

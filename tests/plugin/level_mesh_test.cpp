@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "bullet_world.h"
@@ -31,7 +32,7 @@ LevelMesh levelOf(int subdivisions, float distance) {
 // A flat triangle lies below the ball by at most (its longest edge)^2 / 8 over the radius; that edge is at most
 // pi / 2 / subdivisions, one and a half times as long in the middle of an octahedron's face.
 float boundOf(int subdivisions) {
-  const double edge = 1.5 * M_PI / 2 / subdivisions * kRadius;
+  const double edge = 1.5 * std::numbers::pi / 2 / subdivisions * kRadius;
   return static_cast<float>(edge * edge / 8 / kRadius);
 }
 

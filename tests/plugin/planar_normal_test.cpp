@@ -39,10 +39,14 @@ TEST(PlanarNormal, OfLeavesThatHoldBothSidesOfAPlateIsNotMadeOfNothing) {
     Contact contact;
     contact.pair = {*leaf, *leaf};
     contact.normal = normalized(Vec3(1, 0, 1));
+#ifdef FE_INVALID  // WebAssembly raises no flags
     std::feclearexcept(FE_INVALID);
+#endif
     const Vec3 normal = bullet::PlanarNormal().find(*a, lying, 0, std::array{contact}, {});
     EXPECT_TRUE(isFinite(normal));
+#ifdef FE_INVALID
     EXPECT_FALSE(std::fetestexcept(FE_INVALID)) << "nothing was divided by nothing";
+#endif
   }
 }
 

@@ -3,6 +3,8 @@
 // them.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 
 #include "distance_fields.h"
@@ -129,7 +131,7 @@ TEST_P(Resting, BallLiesWhereItsMeshTouches) {
     w.step(180);
     ASSERT_TRUE(isSane(*body));
     // The inscribed polyhedron lies lower than the ball by at most the sagitta of one facet: a facet spans 9 degrees.
-    const btScalar sagitta = btScalar(0.3 * (1 - std::cos(0.5 * M_PI / 2 / 10 * 1.6)));
+    const btScalar sagitta = btScalar(0.3 * (1 - std::cos(0.5 * std::numbers::pi / 2 / 10 * 1.6)));
     const btScalar height = body->getWorldTransform().getOrigin().z() - btScalar(0.3);
     EXPECT_LT(height, kRestTolerance);
     EXPECT_GT(height, -sagitta - kRestTolerance);

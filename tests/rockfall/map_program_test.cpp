@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <regex>
 #include <sstream>
 
@@ -186,7 +187,8 @@ TEST_F(MapProgram, GivesTheAngleOfTheEnergyLine) {
   for (std::size_t i = 0; i < rocks.rows.size(); ++i) {
     const double fall = rocks.number(i, "start_z_m") - rocks.number(i, "end_z_m");
     const double angle = rocks.number(i, "energy_line_deg");
-    EXPECT_NEAR(std::tan(angle * M_PI / 180) * rocks.number(i, "runout_m"), fall, 0.02 + 1e-3 * std::abs(fall));
+    EXPECT_NEAR(std::tan(angle * std::numbers::pi / 180) * rocks.number(i, "runout_m"), fall,
+                0.02 + 1e-3 * std::abs(fall));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "bullet_world.h"
@@ -160,7 +161,7 @@ struct Slope {
 class SlopeScene {
  public:
   SlopeScene(const TriedBody& tried, const Slope& slope)
-      : tilt_(btVector3(0, 1, 0), btScalar(slope.degrees * M_PI / 180)),
+      : tilt_(btVector3(0, 1, 0), btScalar(slope.degrees * std::numbers::pi / 180)),
         start_(quatRotate(tilt_, btVector3(-slope.uphill, 0, slope.height + tried.margin))) {
     if (!slope.bodyFirst) addGround(slope);
     body_ = &world_.addTried(tried, btTransform(tilt_ * slope.turned, start_), 1);
