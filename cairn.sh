@@ -74,8 +74,8 @@ Cairn: collision detection that keeps its deadline.
                              95 % of the lines or 85 % of the branches
   ./cairn.sh threads         build Bullet from Debian's sources, thread-safe, and test the plugin with several threads under
                              ThreadSanitizer
-  ./cairn.sh platforms [NAME...] build core, plugin and effects for WebAssembly, ARM64, Windows and Clang's library, run their
-                             tests there and compare bits: one table (--help lists platforms and options; hours)
+  ./cairn.sh platforms [NAME...] build the library for WebAssembly, ARM64, Windows and Clang's library, run its tests there and
+                             compare bits: one table (--help lists platforms and options; hours)
   ./cairn.sh docs            build the site of documents and public headers into out/docs; fails where a link leads nowhere,
                              a page is not in the navigation or a public symbol is not documented
   ./cairn.sh docs serve [PORT] build it and show it on http://localhost:8000 (or PORT) until Ctrl-C

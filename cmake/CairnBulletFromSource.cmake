@@ -1,5 +1,5 @@
-# Bullet::Collision and Bullet::Dynamics from Debian's source package as static libraries of this project, for tests, with the
-# same sanitizers as everything else: with BT_THREADSAFE (the package itself is not thread-safe, its locks do nothing, and
+# Bullet's collision, dynamics and soft bodies from Debian's source package as static libraries of this project, for tests, with
+# the same sanitizers as everything else: with BT_THREADSAFE (the package itself is not thread-safe, its locks do nothing, and
 # there is no task scheduler), without run-time type information, as Bullet's own project builds it with MSVC, or for another
 # platform. Products and sums are not fused, which ARM's compilers do by default: Debian's library for x86-64 has none.
 include(FetchContent)
@@ -25,5 +25,8 @@ endfunction()
 cairn_bullet_from_source(LinearMath)
 cairn_bullet_from_source(BulletCollision bullet_LinearMath)
 cairn_bullet_from_source(BulletDynamics bullet_BulletCollision)
+cairn_bullet_from_source(BulletSoftBody bullet_BulletDynamics)
+set_target_properties(bullet_BulletSoftBody PROPERTIES UNITY_BUILD OFF)  # some of its headers have no guard
 add_library(Bullet::Collision ALIAS bullet_BulletCollision)
 add_library(Bullet::Dynamics ALIAS bullet_BulletDynamics)
+add_library(Bullet::SoftBody ALIAS bullet_BulletSoftBody)

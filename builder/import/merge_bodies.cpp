@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "import/across_edge.h"
@@ -108,6 +109,16 @@ Status uniteOnce(LabelledMesh& labelled, double unit, double amount, bool isFirs
   return {};
 }
 
+Error notApart(const TriangleMesh& mesh) {
+  const auto pair = findSelfIntersection(mesh);
+  const Vec3d at = pair ? mesh.corners(pair->first)[0] : Vec3d();
+  const std::string where = pair ? fmt::format("near ({:.6g}, {:.6g}, {:.6g}) ", at.x, at.y, at.z) : std::string();
+  return Error{
+      fmt::format("its bodies are united, but {}surfaces do not stay apart when rounded to single precision; "
+                  "move the mesh nearer to its origin, unite them in a modelling program or wrap it",
+                  where)};
+}
+
 }  // namespace
 
 double unitOf(const TriangleMesh& mesh) {
@@ -140,12 +151,7 @@ Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
     if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
     if (labelled.mesh.triangles.size() > pieces) break;
   }
-  const auto pair = findSelfIntersection(labelled.mesh);
-  const Vec3d where = pair ? labelled.mesh.corners(pair->first)[0] : Vec3d();
-  return Error{
-      fmt::format("its bodies are united, but near ({:.6g}, {:.6g}, {:.6g}) parts of them are finer than "
-                  "single precision; move the mesh nearer to its origin or unite them in a modelling program",
-                  where.x, where.y, where.z)};
+  return notApart(labelled.mesh);
 }
 
 }  // namespace cairn::builder

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Zlib
-"""Builds core, plugin and effects for other platforms, runs their tests there and compares bits; prints one table.
+"""Builds the library for other platforms, runs their tests there and compares bits; prints one table.
 
 examples:
   ./cairn.sh platforms                        all of them: hours
@@ -27,7 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROCK = ROOT / "tests/data/rock.cairn"
 # The tree of a ball that is generated without the builder, as this machine's own build writes it.
 GENERATED_SHA256 = "4230e6d9b2c411da57cb4bf1028e4d466b6128e55752530665d81a5971a6d4c9"
-ROOMS = ("core", "plugin", "effects")
+ROOMS = ("core", "plugin", "effects", "soft", "c")
 COLUMNS = ("platform", "builds", "tests run", "tests passed", "left out", "tree bytes equal", "heap hash equal")
 
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -59,8 +60,14 @@ void addDominated(const Table& table, const Where& scene, std::vector<std::strin
   }
 }
 
+/// The first few; all of them can be read off the table.
 std::string listOf(const std::vector<std::string>& texts) {
-  return texts.empty() ? std::string() : fmt::format(": {}", fmt::join(texts, ", "));
+  constexpr std::size_t kNamed = 3;
+  if (texts.empty()) return {};
+  const std::size_t named = std::min(kNamed, texts.size());
+  const std::string more = named < texts.size() ? fmt::format(" and {} more", texts.size() - named) : std::string();
+  return fmt::format(": {}{}", fmt::join(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+                     more);
 }
 
 }  // namespace
@@ -89,10 +96,10 @@ void addBudgets(const Table& table, std::vector<Claim>& claims) {
        "from each budget to the next larger one, and from each time to the next longer one, the mean "
        "error does not grow",
        fmt::format("the mean error grows in {} of {} steps to a larger budget{}; and in {} of {} steps to "
-                   "a longer time{}; told, not judged: of {} points of ours {} err more and take longer "
+                   "a longer time{}; not judged: {} of {} points of ours err more and take longer "
                    "than another of ours{}",
                    byBudget.rises.size(), byBudget.steps, listOf(byBudget.rises), byTime.rises.size(), byTime.steps,
-                   listOf(byTime.rises), ours, dominated.size(), listOf(dominated)),
+                   listOf(byTime.rises), dominated.size(), ours, listOf(dominated)),
        byBudget.rises.empty() && byTime.rises.empty(),
        {},
        {.reach = Reach::every},
