@@ -112,6 +112,17 @@ Holders holdersOf(const std::vector<Body>& list, std::uint32_t inner) {
   return holders;
 }
 
+/// Follows hollows of hollows to the body that all of them are in; shells that hold each other are bodies.
+std::vector<std::uint32_t> hostsOf(const std::vector<std::uint32_t>& hollowOf) {
+  std::vector<std::uint32_t> hosts(hollowOf.size());
+  for (std::uint32_t b = 0; b < hollowOf.size(); ++b) {
+    std::uint32_t host = b;
+    for (std::size_t i = 0; i < hollowOf.size() && hollowOf[host] != host; ++i) host = hollowOf[host];
+    hosts[b] = hollowOf[host] == host ? host : b;
+  }
+  return hosts;
+}
+
 }  // namespace
 
 bool isBalanced(const TriangleMesh& mesh) {
@@ -183,7 +194,7 @@ std::vector<std::uint32_t> faceOutward(TriangleMesh& mesh, const Shells& bodies)
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (isTurned[bodies.ofTriangle[t]]) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-  return hollowOf;
+  return hostsOf(hollowOf);
 }
 
 }  // namespace cairn::builder

@@ -78,7 +78,7 @@ LabelledMesh labelledAs(const LabelledMesh& source, PartsOfMesh parts) {
   return labelled;
 }
 
-/// Adds what the surface winds around backwards, a little larger: it touches the rest along lines, and then overlaps
+/// Adds what bodies wind around backwards, a little larger: it touches the rest along lines, and then overlaps
 /// it.
 void addFolds(LabelledMesh folds, double unit, double amount, LabelledMesh& labelled) {
   roundTo(unit, folds);
@@ -94,19 +94,33 @@ void addFolds(LabelledMesh folds, double unit, double amount, LabelledMesh& labe
   labelled.body.insert(labelled.body.end(), folds.body.begin(), folds.body.end());
 }
 
-Status uniteOnce(LabelledMesh& labelled, double unit, double amount, bool isFirst) {
-  if (isFirst) roundTo(unit, labelled);
-  Result<UnitedSurface> surface = unitedSurface(labelled.mesh);
+/// Replaces the mesh by what its bodies enclose, rounded. Returns its folds, and the number of cut triangles.
+Result<LabelledMesh> united(LabelledMesh& labelled, const BodiesOfMesh& bodies, double unit) {
+  Result<UnitedSurface> surface = unitedSurface(labelled.mesh, bodies);
   if (!surface) return surface.error();
-  if (isFirst) labelled.cutTriangles = surface.value().cutTriangles;
   LabelledMesh folds = labelledAs(labelled, std::move(surface.value().backward));
+  folds.cutTriangles = surface.value().cutTriangles;
   LabelledMesh result = labelledAs(labelled, std::move(surface.value().forward));
   labelled.mesh = std::move(result.mesh);
   labelled.body = std::move(result.body);
   roundTo(unit, labelled);
-  // Later only slivers of rounding wind backwards.
-  if (isFirst && !folds.mesh.triangles.empty()) addFolds(std::move(folds), unit, amount, labelled);
+  return folds;
+}
+
+Status uniteBodies(LabelledMesh& labelled, const std::vector<std::uint32_t>& hollowOf, double unit, double amount) {
+  roundTo(unit, labelled);
+  Result<LabelledMesh> folds = united(labelled, {labelled.body, hollowOf}, unit);
+  if (!folds) return folds.error();
+  labelled.cutTriangles = folds.value().cutTriangles;
+  if (!folds.value().mesh.triangles.empty()) addFolds(std::move(folds).value(), unit, amount, labelled);
   return {};
+}
+
+/// As one body, around which only slivers of rounding wind backwards.
+Status uniteAgain(LabelledMesh& labelled, double unit) {
+  const BodiesOfMesh one{std::vector<std::uint32_t>(labelled.mesh.triangles.size(), 0), {0}};
+  const Result<LabelledMesh> slivers = united(labelled, one, unit);
+  return slivers ? Status() : slivers.error();
 }
 
 Error notApart(const TriangleMesh& mesh) {
@@ -128,7 +142,7 @@ double unitOf(const TriangleMesh& mesh) {
   return std::ldexp(1.0, std::ilogb(farthest) - 23);
 }
 
-Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
+Result<LabelledMesh> mergeBodies(LabelledMesh source, const std::vector<std::uint32_t>& hollowOf, double beadRadius) {
   // Rounding moves vertices by less than a unit of floats. What it makes meet is smaller each time; two rounds are
   // usual. Where they do not help, pieces multiply.
   constexpr int kMaxRounds = 12, kMostPieces = 4;
@@ -147,7 +161,9 @@ Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius) {
     }
     if (!crosses && crowded.empty() && !findMisplacedShell(labelled.mesh, shellsOf(labelled.mesh, halfEdges)))
       return labelled;
-    if (Status s = uniteOnce(labelled, unit, kRaised * radius, round == 0); !s) return s.error();
+    const Status united =
+        round == 0 ? uniteBodies(labelled, hollowOf, unit, kRaised * radius) : uniteAgain(labelled, unit);
+    if (!united) return united.error();
     if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
     if (labelled.mesh.triangles.size() > pieces) break;
   }

@@ -30,7 +30,8 @@ double unitOf(const TriangleMesh& mesh);
 
 /// Unites what overlaps or touches, in floats: the exact union is rounded, and united again where rounding made
 /// triangles meet. Around edges at which solids only touch, a bead of this radius is laid, or of 32 units of floats. A
-/// mesh that needs nothing keeps its triangles. Preconditions and failures are those of `unite`.
-Result<LabelledMesh> mergeBodies(LabelledMesh source, double beadRadius);
+/// mesh that needs nothing keeps its triangles. `hollowOf` is that of `BodiesOfMesh`. Preconditions and failures are
+/// those of `unite`.
+Result<LabelledMesh> mergeBodies(LabelledMesh source, const std::vector<std::uint32_t>& hollowOf, double beadRadius);
 
 }  // namespace cairn::builder

@@ -60,7 +60,7 @@ Result<Merging> merged(const TriangleMesh& mesh, const Shells& bodies, double to
   merging.hollowOf = faceOutward(outward, bodies);
   merging.groups.leader.resize(bodies.count);
   std::iota(merging.groups.leader.begin(), merging.groups.leader.end(), 0U);
-  Result<LabelledMesh> result = mergeBodies({mesh, bodies.ofTriangle}, tolerance);
+  Result<LabelledMesh> result = mergeBodies({mesh, bodies.ofTriangle}, merging.hollowOf, tolerance);
   if (!result) return result.error();
   merging.result = std::move(result).value();
   noteShells(merging);

@@ -22,11 +22,26 @@ namespace {
 using Kernel = Arrangement::Kernel;
 using Point = Kernel::Point_3;
 
+/// Numbers of bodies, but for those that are zero.
+using Counts = std::vector<std::pair<std::uint32_t, int>>;
+
+void add(Counts& counts, std::uint32_t body, int number) {
+  auto found = std::ranges::find(counts, body, &Counts::value_type::first);
+  if (found == counts.end()) found = counts.insert(counts.end(), {body, 0});
+  found->second += number;
+  if (found->second == 0) counts.erase(found);
+}
+
+Counts sum(Counts a, const Counts& b) {
+  for (const auto& [body, number] : b) add(a, body, number);
+  return a;
+}
+
 /// Triangles of an arrangement with the same three vertices, as one.
 struct Sheet {
   Triangle corners{};
   std::uint32_t source = 0;
-  int layers = 0;  ///< how many more of them face this way than the other
+  Counts layers;  ///< for each body: how many more of them face this way than the other
 };
 
 /// The same corners, the smallest first, and the way they turn.
@@ -37,21 +52,22 @@ std::pair<Triangle, int> canonical(Triangle t) {
   return {t, -1};
 }
 
-/// Sheets that are crossed at all, in the order of their first triangles.
-std::vector<Sheet> sheetsOf(const Arrangement& arrangement) {
+/// Sheets that are crossed at all, in the order of their first triangles. They face as most layers of their first body
+/// do, and so alike on both sides of an edge of two sheets.
+std::vector<Sheet> sheetsOf(const Arrangement& arrangement, const std::vector<std::uint32_t>& bodies) {
   std::vector<Sheet> sheets;
   std::map<Triangle, std::size_t> numbers;
   for (std::size_t t = 0; t < arrangement.triangles.size(); ++t) {
     const auto [corners, turn] = canonical(arrangement.triangles[t]);
     const auto [found, isNew] = numbers.emplace(corners, sheets.size());
-    if (isNew) sheets.push_back({corners, arrangement.source[t], 0});
-    sheets[found->second].layers += turn;
+    if (isNew) sheets.push_back({corners, arrangement.source[t], {}});
+    add(sheets[found->second].layers, bodies[arrangement.source[t]], turn);
   }
-  std::erase_if(sheets, [](const Sheet& s) { return s.layers == 0; });
+  std::erase_if(sheets, [](const Sheet& s) { return s.layers.empty(); });
   for (Sheet& s : sheets) {
-    if (s.layers > 0) continue;
+    if (std::ranges::min(s.layers).second > 0) continue;
     std::swap(s.corners[1], s.corners[2]);
-    s.layers = -s.layers;
+    for (auto& [body, number] : s.layers) number = -number;
   }
   return sheets;
 }
@@ -78,10 +94,11 @@ std::vector<std::size_t> patchesOf(const std::vector<Sheet>& sheets) {
   return parent;
 }
 
-/// Exact winding numbers of a mesh.
+/// Exact winding numbers of the bodies of a mesh.
 class Winding {
  public:
-  Winding(const TriangleMesh& mesh, const std::vector<Point>& points) : mesh_(mesh), points_(points) {
+  Winding(const TriangleMesh& mesh, const std::vector<Point>& points, const std::vector<std::uint32_t>& bodies)
+      : mesh_(mesh), points_(points), bodies_(bodies) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       CGAL::Bbox_3 box;
       for (const std::uint32_t v : mesh.triangles[t]) box += points[v].bbox();
@@ -90,8 +107,8 @@ class Winding {
     }
   }
 
-  /// How often the mesh winds around the points in front of a sheet.
-  int inFrontOf(const Sheet& sheet) {
+  /// How often each body winds around the points in front of a sheet.
+  Counts inFrontOf(const Sheet& sheet) {
     const Point &a = points_[sheet.corners[0]], &b = points_[sheet.corners[1]], &c = points_[sheet.corners[2]];
     const Point from = CGAL::centroid(a, b, c);
     const Kernel::Vector_3 normal = CGAL::cross_product(b - a, c - a);
@@ -100,7 +117,7 @@ class Winding {
       const CGAL::Sign side = CGAL::sign(along * normal);
       if (side == CGAL::ZERO) continue;
       const Point to = side == CGAL::POSITIVE ? from + along : from - along;
-      if (const std::optional<int> count = crossings(from, to)) return *count;
+      if (std::optional<Counts> counts = crossings(from, to)) return *std::move(counts);
     }
   }
 
@@ -113,10 +130,10 @@ class Winding {
     return {reach, y, z};
   }
 
-  /// Triangles that the line passes outward, less those it passes inward; nothing when it meets an edge.
-  std::optional<int> crossings(const Point& from, const Point& to) const {
+  /// Triangles of each body that the line passes outward, less those it passes inward; nothing when it meets an edge.
+  std::optional<Counts> crossings(const Point& from, const Point& to) const {
     const CGAL::Bbox_3 reach = from.bbox() + to.bbox();
-    int count = 0;
+    Counts counts;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (!CGAL::do_overlap(reach, boxes_[t])) continue;
       const auto& [i, j, k] = mesh_.triangles[t];
@@ -129,13 +146,14 @@ class Winding {
       const auto has = [&](CGAL::Sign sign) { return ab == sign || bc == sign || ca == sign; };
       if (has(CGAL::POSITIVE) && has(CGAL::NEGATIVE)) continue;
       if (has(CGAL::ZERO)) return std::nullopt;
-      count += start == CGAL::NEGATIVE ? 1 : -1;
+      add(counts, bodies_[t], start == CGAL::NEGATIVE ? 1 : -1);
     }
-    return count;
+    return counts;
   }
 
   const TriangleMesh& mesh_;
   const std::vector<Point>& points_;
+  const std::vector<std::uint32_t>& bodies_;
   std::vector<CGAL::Bbox_3> boxes_;
   CGAL::Bbox_3 all_;
   std::mt19937_64 engine_{1};
@@ -155,30 +173,50 @@ void addWhere(bool isFrontSolid, bool isBackSolid, const Sheet& sheet, PartsOfMe
   parts.source.push_back(sheet.source);
 }
 
-UnitedSurface united(const TriangleMesh& mesh) {
+/// What a place is to the bodies: bodies may wind around it both ways.
+struct Place {
+  bool isForward = false, isBackward = false;
+};
+
+/// Of a place around which bodies wind so often.
+Place placeOf(const Counts& windings, const std::vector<std::uint32_t>& hollowOf) {
+  Place place;
+  for (const auto& [body, winding] : windings) {
+    const auto isHollowOfIt = [&, host = body](const Counts::value_type& other) {
+      return other.first != host && hollowOf[other.first] == host;
+    };
+    if (hollowOf[body] != body || std::ranges::any_of(windings, isHollowOfIt)) continue;
+    place.isForward |= winding > 0;
+    place.isBackward |= winding < 0;
+  }
+  return place;
+}
+
+UnitedSurface united(const TriangleMesh& mesh, const BodiesOfMesh& bodies) {
   const Arrangement arrangement = arrange(mesh);
-  const std::vector<Sheet> sheets = sheetsOf(arrangement);
+  const std::vector<Sheet> sheets = sheetsOf(arrangement, bodies.ofTriangle);
   const std::vector<std::size_t> patches = patchesOf(sheets);
-  Winding winding(mesh, arrangement.points);
+  Winding winding(mesh, arrangement.points, bodies.ofTriangle);
   UnitedSurface result;
   result.cutTriangles = arrangement.cutTriangles;
   result.forward.mesh.name = mesh.name;
   for (const Point& p : arrangement.points) result.forward.mesh.vertices.push_back(rounded(p));
   result.backward.mesh = result.forward.mesh;
-  std::vector<int> inFront(sheets.size());
+  std::vector<Counts> inFront(sheets.size());
   for (std::size_t s = 0; s < sheets.size(); ++s) {
     inFront[s] = patches[s] == s ? winding.inFrontOf(sheets[s]) : inFront[patches[s]];
-    const int front = inFront[s], behind = front + sheets[s].layers;
-    addWhere(front > 0, behind > 0, sheets[s], result.forward);
-    addWhere(front < 0, behind < 0, sheets[s], result.backward);
+    const Place front = placeOf(inFront[s], bodies.hollowOf);
+    const Place behind = placeOf(sum(inFront[s], sheets[s].layers), bodies.hollowOf);
+    addWhere(front.isForward, behind.isForward, sheets[s], result.forward);
+    addWhere(front.isBackward, behind.isBackward, sheets[s], result.backward);
   }
   return result;
 }
 
 }  // namespace
 
-Result<UnitedSurface> unitedSurface(const TriangleMesh& mesh) try {
-  return united(mesh);
+Result<UnitedSurface> unitedSurface(const TriangleMesh& mesh, const BodiesOfMesh& bodies) try {
+  return united(mesh, bodies);
 } catch (const std::exception& e) {
   return Error{
       fmt::format("its bodies could not be united ({}); unite them in a modelling program", oneLine(e.what()))};

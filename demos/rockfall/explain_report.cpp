@@ -59,6 +59,7 @@ std::string explainJson(const Scene& scene, const Explanation& explanation) {
                       {"max_mass_kg", group.greatestMassKg},
                       {"max_fall_m", group.greatestFallM},
                       {"max_speed_m_per_s", group.greatestSpeedMPerS},
+                      {"max_struck_speed_m_per_s", group.struckSpeedMPerS},
                       {"max_inertia_ratio", group.greatestInertiaRatio}});
   }
   for (const EffectOutlook& outlook : outlooks)

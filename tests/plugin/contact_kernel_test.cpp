@@ -122,7 +122,7 @@ TEST_F(KernelOnEveryTarget, ListsAllThatTouchesAndLittleElse) {
     }
     EXPECT_LT(listedPairs, 40 * all.size()) << "lists leave nothing out";
   }
-  EXPECT_GT(contacts, 50U);
+  EXPECT_GT(contacts, 25U);
   EXPECT_GT(crossings, 1000U);
 }
 

@@ -245,7 +245,7 @@ double distanceOf(const Solid& solid, const Distance& distance, const btTransfor
   double least = 1e9;
   for (const auto& [bound, triangle] : triangles) {
     if (bound > least) break;
-    const auto& [a, b, c] = triangle;
+    const Vec3d &a = triangle[0], &b = triangle[1], &c = triangle[2];
     least = std::min(least, leastOf(steps, [&](double s) {
                        const Vec3d from = a + (b - a) * s, to = a + (c - a) * s;
                        return leastOf(steps, [&](double t) { return distance(from + (to - from) * t); });

@@ -79,7 +79,9 @@ TEST(StepStatistics, TellByHowMuchADeadlineWasMissed) {
   EXPECT_EQ(step.deadlineMicroseconds, kDeadlineUs);
   EXPECT_GE(step.elapsedMicroseconds, kSleptUs);
   EXPECT_EQ(step.missedByMicroseconds, step.elapsedMicroseconds - kDeadlineUs);
+#if !defined(_WIN32) && !defined(__EMSCRIPTEN__)  // a thread's own time is not known there
   EXPECT_LT(step.microseconds, step.elapsedMicroseconds - kSleptUs / 2) << "asleep it takes no processor time";
+#endif
 }
 
 TEST(StepStatistics, KnowNoDeadlineWithoutABudgetInTime) {

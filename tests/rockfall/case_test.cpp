@@ -175,6 +175,12 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"([{"op": "replace", "path": "/terrain/zones/0/polygon_m", "value": [[0, 0], [4, 4], [4, 0], [0, 4]]}])",
              "case.json: /terrain/zones/0/polygon_m: the edges from corner 0 and from corner 2 cross: give the corners "
              "in order around the area, and two areas as two polygons"},
+        Slip{R"([{"op": "replace", "path": "/terrain/zones/0/polygon_m", "value": [[40, -5], [40, 3], [40, 5]]}])",
+             "case.json: /terrain/zones/0/polygon_m: its corners lie on one line, so that it has no area"},
+        Slip{R"([{"op": "add", "path": "/effects/-", "value":
+                  {"effect": "forest_drag", "height_m": 5, "coefficient_kg_per_s": 1,
+                   "polygon_m": [[4, 4], [4, 4], [4, 4]]}}])",
+             "case.json: /effects/1/polygon_m: its corners lie on one line, so that it has no area"},
         Slip{R"([{"op": "add", "path": "/effects/-", "value": {"effect": "events"}}])",
              "case.json: /effects/1: \"dust_impulse_n_s\" or \"sound_impulse_n_s\" must be given"}));
 
@@ -183,6 +189,12 @@ TEST(Case_Text, ThatIsNoJsonIsRefusedWithItsLine) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().message.rfind("case.json: this is not JSON: parse error at line 3", 0), 0U)
       << read.error().message;
+}
+
+TEST(Case_Text, WithANumberThatIsTooLargeIsRefusedWithItsPath) {
+  const auto read = parseCase(R"({"rocks": [{"count": 1}, {"box": [[1, 2], [3, 1e400]]}]})", "case.json", ".");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "case.json: /rocks/1/box/1/1: number overflow parsing '1e400'");
 }
 
 TEST(Case_Text, WithAKeyTwiceIsRefusedWithItsPath) {

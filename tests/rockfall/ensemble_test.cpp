@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <vector>
 
@@ -112,6 +117,33 @@ TEST(Workers_Failing, GiveTheSentenceOfTheFirst) {
   EXPECT_NE(killed.error().message.find("signal 9"), std::string::npos);
 }
 
+#ifdef __linux__
+TEST(Workers_OfAProcessThatIsKilled, EndToo) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  const pid_t starter = fork();
+  if (starter == 0) {
+    (void)inProcesses(3, [&](std::uint32_t) -> Status {
+      (void)!write(ends[1], "w", 1);
+      while (true) pause();
+    });
+    _exit(0);
+  }
+  close(ends[1]);
+  const auto next = [&] {
+    constexpr int kLongEnoughMs = 60000;  // for a loaded machine
+    pollfd waiting{ends[0], POLLIN, 0};
+    char c = 0;
+    return poll(&waiting, 1, kLongEnoughMs) == 1 ? static_cast<int>(read(ends[0], &c, 1)) : -1;
+  };
+  for (int worker = 0; worker < 3; ++worker) ASSERT_EQ(next(), 1) << "they work";
+  kill(starter, SIGKILL);
+  EXPECT_EQ(next(), 0) << "nobody holds the pipe's other end any more";
+  close(ends[0]);
+  waitpid(starter, nullptr, 0);
+}
+#endif
+
 /// Folders of runs of the plain case, shortened.
 class RunFolders : public ::testing::Test {
  protected:
@@ -179,12 +211,12 @@ TEST_F(RunFolders, WithADamagedRunAreRefusedByItsName) {
   }
 }
 
-TEST_F(RunFolders, WithoutAManifestAreNotFinished) {
+TEST_F(RunFolders, WithoutAManifestAreRefused) {
   ASSERT_TRUE(compute("a", {0, 2}));
   std::filesystem::remove(folder("a") / kManifestName);
   const auto parts = Parts::open({folder("a")});
   ASSERT_FALSE(parts);
-  EXPECT_NE(parts.error().message.find("holds no finished runs"), std::string::npos);
+  EXPECT_NE(parts.error().message.find("is no folder of runs"), std::string::npos);
 }
 
 TEST(RunRange_Text, NamesTheRuns) {
@@ -216,6 +248,43 @@ TEST_F(RunFolders, MayListSeveralRanges) {
   manifest["runs"] = {{0, 2}, {4, 6}};
   std::ofstream(file) << manifest.dump();
   EXPECT_EQ(readManifest(folder("a")).value().asked, (RunRange{0, 6}));
+}
+
+TEST_F(RunFolders, TellOfRunsThatWereAskedForAndNeverMade) {
+  document_["duration_s"] = 1.5;  // a run asks whether to go on once in a hundred steps of 10 ms
+  const auto computeTwoOf = [&](const RunRange& runs) {
+    return computeRuns(test::prepared(document_), document_, {runs, folder("a"), 1},
+                       [](std::uint64_t done, std::uint64_t) { return done < 2; });
+  };
+  ASSERT_FALSE(computeTwoOf({0, 5})) << "cancelled";
+  EXPECT_EQ(Parts::open({folder("a")}).value().missing(), (std::vector<RunRange>{{2, 5}})) << "of a first request";
+  ASSERT_FALSE(computeTwoOf({0, 9})) << "cancelled";
+  EXPECT_EQ(Parts::open({folder("a")}).value().missing(), (std::vector<RunRange>{{4, 9}})) << "of a later one";
+}
+
+TEST_F(RunFolders, WithoutRunsBelongToNoSceneYet) {
+  document_["duration_s"] = 1.5;  // as above
+  ASSERT_FALSE(computeRuns(test::prepared(document_), document_, {{0, 2}, folder("a"), 1},
+                           [](std::uint64_t, std::uint64_t) { return false; }))
+      << "cancelled";
+  document_["seed"] = 2;
+  EXPECT_TRUE(compute("a", {0, 2}));
+}
+
+TEST_F(RunFolders, WithNonsenseForRunsAreRefused) {
+  ASSERT_TRUE(compute("a", {0, 2}));
+  const std::filesystem::path file = folder("a") / kManifestName;
+  nlohmann::ordered_json manifest = nlohmann::ordered_json::parse(test::contentOf(file));
+  for (const char* nonsense :
+       {"[[0, 18446744073709551615]]", "[[0, 1000000001]]", "[[-5, 3]]", "[[0.5, 6.7]]", "[[0, 1e30]]", "[[5, 2]]",
+        "[[0, 6, 9]]", "[]", "null", R"({"a": [0, 9]})", "5", R"("x")", R"([["a", 2]])", "[[0]]", "[[true, 6]]"}) {
+    manifest["runs"] = nlohmann::ordered_json::parse(nonsense);
+    std::ofstream(file) << manifest.dump();
+    const auto read = readManifest(folder("a"));
+    ASSERT_FALSE(read) << nonsense;
+    EXPECT_NE(read.error().message.find("is no manifest of runs"), std::string::npos) << nonsense;
+    EXPECT_FALSE(compute("a", {0, 2})) << nonsense;
+  }
 }
 
 TEST_F(RunFolders, TellWhichPartsOfTheWholeAreMissing) {

@@ -32,6 +32,7 @@ class Outlooks : public ::testing::TestWithParam<Outlook> {};
 TEST_P(Outlooks, FollowFromTheBounds) {
   json document = test::plainCase();
   document["rocks"][0]["tree_depth"] = 1;
+  document["rocks"][0]["meets_rocks"] = false;
   document["effects"].clear();
   document["effects"].push_back(json::parse(GetParam().effect));
   const Scene scene = test::prepared(document);
@@ -90,6 +91,51 @@ INSTANTIATE_TEST_SUITE_P(
         Outlook{R"({"effect": "fragmentation", "energy_j_per_kg": 400, "max_generations": 1})", false},
         Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9})", false},
         Outlook{R"({"effect": "events", "dust_impulse_n_s": 1e9, "sound_impulse_n_s": 100})", true}));
+
+/// A light rock that lies in the way of a heavy one of 20 m/s.
+json struckCase() {
+  json document = test::plainCase();
+  document["duration_s"] = 2;
+  document["terrain"]["slope_deg"] = 0;
+  document["effects"] = json::parse(R"([
+    {"effect": "friction", "default": 0.5}, {"effect": "restitution", "law": "constant", "default": 0.5},
+    {"effect": "ccd", "radii_per_step": 1}, {"effect": "fragmentation", "energy_j_per_kg": 100, "max_generations": 1}])");
+  json& heavy = document["rocks"][0];
+  heavy["tree_depth"] = 1;
+  heavy["count"] = 1;
+  heavy["sieve_m"]["sizes"] = {{2, 0}, {2, 1}};
+  heavy["release"] = json::parse(R"({"box_m": [[5, 0], [5, 0]], "above_ground_m": 0, "velocity_m_per_s": [20, 0, 0]})");
+  document["rocks"].push_back(heavy);
+  json& light = document["rocks"][1];
+  light["sieve_m"]["sizes"] = {{0.3, 0}, {0.3, 1}};
+  light["release"] = json::parse(R"({"box_m": [[10, 0], [10, 0]], "above_ground_m": 0})");
+  return document;
+}
+
+TEST(ExplainedEffects, OfARockThatAnotherStrikesMayAct) {
+  const json document = struckCase();
+  const Scene scene = test::prepared(document);
+  const SceneBounds bounds = boundsOf(scene);
+  const RunResult result = simulate(scene, 0).value().result;
+  EXPECT_GT(result.rocks[1].maxSpeed, bounds.groups[1].greatestSpeedMPerS) << "it is struck";
+  EXPECT_LT(result.rocks[1].maxSpeed, bounds.groups[1].struckSpeedMPerS);
+  const auto outlooks = explainEffects(scene.description, bounds);
+  EXPECT_EQ(outlooks[2].groups, std::vector<std::uint32_t>{1}) << "ccd: the heavy one is too large";
+  EXPECT_EQ(outlooks[3].groups, (std::vector<std::uint32_t>{0, 1})) << "fragmentation";
+}
+
+TEST(ExplainedEffects, SaySoWhereOnlyARockThatIsStruckIsFastEnough) {
+  json document = struckCase();
+  document["effects"][3]["energy_j_per_kg"] = 1000;
+  const auto outlook = [&] {
+    const Scene scene = test::prepared(document);
+    return explainEffects(scene.description, boundsOf(scene))[3];
+  };
+  EXPECT_EQ(outlook().groups, std::vector<std::uint32_t>{1});
+  EXPECT_NE(outlook().advice.find("only a rock that others strike"), std::string::npos) << outlook().advice;
+  for (json& group : document["rocks"]) group["meets_rocks"] = false;
+  EXPECT_TRUE(outlook().groups.empty());
+}
 
 TEST(ExplainedRollingResistance, AsksForWhatStopsTheSpinOfRocksThatItHoldsUp) {
   json document = test::plainCase();

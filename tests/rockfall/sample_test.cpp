@@ -88,6 +88,13 @@ TEST(Sample, BoundsHoldTheTruthNineteenTimesInTwenty) {
   EXPECT_NEAR(shareHeld, 0.95 * kTrials, slack + 0.01 * kTrials);
 }
 
+TEST(ConfidenceOfShare, OfNoneAndOfAllHasItsEnd) {
+  for (std::uint64_t all = 1; all < 1000; ++all) {
+    EXPECT_EQ(confidenceOfShare(0, all).low, 0) << all;
+    EXPECT_EQ(confidenceOfShare(all, all).high, 1) << all;
+  }
+}
+
 TEST(EnoughRuns, AsksForMoreUntilTheBoundsAreATenth) {
   constexpr std::uint64_t kSeed = 10;
   std::mt19937_64 engine(kSeed);

@@ -53,6 +53,36 @@ TEST(RocksThatRest, EndWhenTheyCameToRest) {
   EXPECT_EQ(result.rocks[1].releaseS, 8);
 }
 
+TEST(RocksThatWouldBeReleasedAfterTheEnd, AreRefused) {
+  json document = test::plainCase();  // of two rocks and 4 s
+  const auto prepared = [&](double intervalS) {
+    document["rocks"][0]["release"]["interval_s"] = intervalS;
+    TreeCache cache(test::treeFolder());
+    return prepareScene(test::readJson(document).value(), cache);
+  };
+  EXPECT_TRUE(prepared(3.99));
+  const auto late = prepared(4);
+  ASSERT_FALSE(late);
+  EXPECT_NE(late.error().message.find("/rocks/0/release: the last of its 2 rocks is due at 4 s"), std::string::npos)
+      << late.error().message;
+  document["rocks"][0]["count"] = 1;
+  EXPECT_TRUE(prepared(4));
+}
+
+// Seven metres a second are seven centimetres a step.
+TEST(CellsOfARock, LieOneBesideTheOther) {
+  json document = test::plainCase();
+  document["outputs"]["raster_cell_m"] = 0.02;
+  const RunResult result = simulate(test::prepared(document), 0).value().result;
+  std::set<std::tuple<std::uint32_t, std::int32_t, std::int32_t>> cells;
+  for (const VisitRecord& visit : result.cells) cells.emplace(visit.rock, visit.column, visit.row);
+  EXPECT_GT(cells.size(), 500U);
+  for (const auto& [rock, column, row] : cells)
+    EXPECT_TRUE(cells.contains({rock, column - 1, row}) || cells.contains({rock, column + 1, row}) ||
+                cells.contains({rock, column, row - 1}) || cells.contains({rock, column, row + 1}))
+        << column << ", " << row;
+}
+
 TEST(Ground_OfEveryGenerator, HasTheHeightsItsParametersSay) {
   json document = test::plainCase();
   const auto groundOf = [&](const char* terrain) {

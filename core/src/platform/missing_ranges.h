@@ -175,6 +175,11 @@ constexpr void for_each(Range&& range, Function function) {
   for (auto&& element : range) std::invoke(function, element);
 }
 
+template <class Range, class Output>
+constexpr void copy(Range&& range, Output output) {
+  std::copy(std::begin(range), std::end(range), output);
+}
+
 template <class Range, class Output, class Predicate>
 constexpr void copy_if(Range&& range, Output output, Predicate test) {
   std::copy_if(std::begin(range), std::end(range), output, test);

@@ -10,6 +10,8 @@
 namespace cairn::rockfall {
 namespace {
 
+constexpr int kNumberOverflow = 406;  // the library's number of this error
+
 /// Follows the parser through the text, because its result has only the last of equal keys.
 class DuplicateFinder {
  public:
@@ -36,6 +38,11 @@ class DuplicateFinder {
 
   /// Path of the first repeated key.
   const std::optional<std::string>& duplicate() const { return duplicate_; }
+  /// Path of the value that comes next.
+  std::string next() {
+    enterElement();
+    return path();
+  }
 
  private:
   struct Open {
@@ -79,7 +86,9 @@ Result<Json> parseDocument(std::string_view text, const std::string& file) {
       return Error{inOneLine(fmt::format("{}: {}: this key is given twice", file, *finder.duplicate()))};
     return document;
   } catch (const Json::exception& error) {
-    return Error{fmt::format("{}: this is not JSON: {}", file, plainMessage(error.what()))};
+    // Of numbers too large for it the library tells no place.
+    const std::string where = error.id == kNumberOverflow ? finder.next() : "this is not JSON";
+    return Error{fmt::format("{}: {}: {}", file, where, plainMessage(error.what()))};
   }
 }
 

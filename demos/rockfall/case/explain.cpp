@@ -31,6 +31,16 @@ class Outlooks {
       if (meets(group)) outlook_.groups.push_back(group);
     outlook_.reason = std::move(reason);
   }
+  /// Decides by what a rock of a group reaches at a speed: that of its own fall or, with advice, after being struck.
+  template <class Reaches>
+  void speedsThat(const Reaches& reaches, std::string reason) {
+    const auto meets = [&](double GroupBounds::*speed) {
+      return [&, speed](std::uint32_t g) { return reaches(bounds_.groups[g], bounds_.groups[g].*speed); };
+    };
+    groupsThat(meets(&GroupBounds::struckSpeedMPerS), std::move(reason));
+    if (std::ranges::none_of(outlook_.groups, meets(&GroupBounds::greatestSpeedMPerS)) && !outlook_.groups.empty())
+      outlook_.advice = "only a rock that others strike may be fast enough: without such rocks it can never act";
+  }
   void all(bool possible, std::string reason) {
     groupsThat([&](std::uint32_t) { return possible; }, std::move(reason));
   }
@@ -111,12 +121,9 @@ class Outlooks {
                fmt::format("an inertia ratio of at least {:g}", o.minInertiaRatio));
   }
   void judge(const CcdOptions& o) {
-    groupsThat(
-        [&](std::uint32_t g) {
-          const GroupBounds& group = bounds_.groups[g];
-          return group.greatestSpeedMPerS * scene_.stepS > o.radiiPerStep * group.smallestRadiusM;
-        },
-        fmt::format("more than {:g} radii in a step of {:g} s", o.radiiPerStep, scene_.stepS));
+    speedsThat([&](const GroupBounds& group,
+                   double speed) { return speed * scene_.stepS > o.radiiPerStep * group.smallestRadiusM; },
+               fmt::format("more than {:g} radii in a step of {:g} s", o.radiiPerStep, scene_.stepS));
   }
   void judge(const SleepingOptions& o) {
     all(o.linearMPerS > 0 && o.angularRadPerS > 0, "speeds below both thresholds");
@@ -157,22 +164,15 @@ class Outlooks {
     all(o.belowMPerS > 0 && o.withinM > 0 && o.decelerationMPerS2 > 0, "speed, layer and deceleration above 0");
   }
   void judge(const FragmentationOptions& o) {
-    groupsThat(
-        [&](std::uint32_t g) {
-          const double speed = bounds_.groups[g].greatestSpeedMPerS;
-          return speed * speed / 2 >= o.energyJPerKg;
-        },
-        fmt::format("an energy of {:g} J/kg", o.energyJPerKg));
+    speedsThat([&](const GroupBounds&, double speed) { return speed * speed / 2 >= o.energyJPerKg; },
+               fmt::format("an energy of {:g} J/kg", o.energyJPerKg));
   }
   void judge(const EventsOptions& o) {
     double least = o.dustImpulseNS > 0 ? o.dustImpulseNS : o.soundImpulseNS;
     if (o.soundImpulseNS > 0) least = std::min(least, o.soundImpulseNS);
     // A head-on impact of two equal rocks without loss of energy reverses both speeds.
-    groupsThat(
-        [&](std::uint32_t g) {
-          return 2 * bounds_.groups[g].greatestMassKg * bounds_.groups[g].greatestSpeedMPerS >= least;
-        },
-        fmt::format("an impulse of {:g} N s", least));
+    speedsThat([&](const GroupBounds& group, double speed) { return 2 * group.greatestMassKg * speed >= least; },
+               fmt::format("an impulse of {:g} N s", least));
   }
 
   const Case& scene_;

@@ -17,7 +17,8 @@ struct GroupBounds {
   double greatestMassKg = 0;
   double greatestInertiaRatio = 1;  ///< greatest principal moment by the least, over all variants
   double greatestFallM = 0;         ///< from where a rock may begin to the lowest ground
-  double greatestSpeedMPerS = 0;    ///< sqrt(v0^2 + 2 g fall): nothing gains energy from anything but its fall
+  double greatestSpeedMPerS = 0;    ///< sqrt(v0^2 + 2 g fall), of a rock that no other strikes
+  double struckSpeedMPerS = 0;      ///< of a rock of the least mass that got the energy of all it may meet
 };
 
 /// Bounds for a scene before any simulation.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cairn::rockfall {
 namespace {
@@ -28,6 +29,13 @@ bool cross(const MapPoint& a, const MapPoint& b, const MapPoint& c, const MapPoi
   return !areApart(a, b, c, d) && side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+bool isFlat(const Polygon& polygon) {
+  const auto far = std::ranges::max_element(polygon, {}, [&](const MapPoint& corner) {
+    return std::hypot(corner[0] - polygon[0][0], corner[1] - polygon[0][1]);
+  });
+  return std::ranges::all_of(polygon, [&](const MapPoint& corner) { return side(polygon[0], *far, corner) == 0; });
+}
+
 }  // namespace
 
 MapPoint readPoint(const Value& value) {
@@ -44,6 +52,8 @@ Polygon readPolygon(const Value& value) {
         fmt::format("the edges from corner {} and from corner {} cross: give the corners in order around the "
                     "area, and two areas as two polygons",
                     edges->first, edges->second));
+  else if (!polygon.empty() && isFlat(polygon))
+    value.refuse("its corners lie on one line, so that it has no area");
   return polygon;
 }
 

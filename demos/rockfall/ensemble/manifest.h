@@ -10,7 +10,7 @@
 
 namespace cairn::rockfall {
 
-/// The description of a folder of finished runs; it is written last.
+/// The description of a folder of runs; it is written before the first of them.
 struct Manifest {
   Json document;           ///< the case without comments
   std::string caseFolder;  ///< the file names in the case are relative to it
@@ -22,8 +22,7 @@ struct Manifest {
 inline constexpr const char* kManifestName = "manifest.json";
 
 Status writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
-/// Reads a folder's manifest. Fails in one sentence that names the folder; a missing manifest means that its runs are
-/// not finished.
+/// Reads a folder's manifest. Fails in one sentence that names the folder.
 Result<Manifest> readManifest(const std::filesystem::path& folder);
 
 }  // namespace cairn::rockfall

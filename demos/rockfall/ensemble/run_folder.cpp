@@ -32,12 +32,6 @@ Error ofAnotherScene(const fs::path& what) {
 
 /// Returns the missing runs of the range. Existing run files must be complete and of this scene.
 Result<std::vector<std::uint64_t>> missingRuns(const Scene& scene, const EnsembleOptions& options) {
-  if (fs::exists(options.folder / kManifestName)) {
-    const auto manifest = readManifest(options.folder);
-    if (!manifest) return manifest.error();
-    if (manifest.value().sceneHash != scene.hash || manifest.value().versions != versionsOfThisProgram())
-      return ofAnotherScene(options.folder);
-  }
   std::vector<std::uint64_t> missing;
   for (std::uint64_t run = options.runs.first; run < options.runs.last; ++run) {
     const fs::path file = options.folder / runFileName(run);
@@ -79,9 +73,35 @@ std::vector<std::uint64_t> runsIn(const fs::path& folder) {
   return runs;
 }
 
+namespace {
+
+/// Writes down which runs are asked for, here and in other parts, before they are computed: so `merge` knows of those
+/// that never were. A folder without runs belongs to no scene yet.
+Status ask(const Scene& scene, const Json& document, const EnsembleOptions& options) {
+  // A case file named without a folder has an empty folder.
+  Manifest manifest{document,
+                    fs::weakly_canonical(fs::current_path() / scene.description.folder).string(),
+                    scene.description.hash,
+                    scene.hash,
+                    versionsOfThisProgram(),
+                    hullOf(options.runs, options.whole)};
+  if (fs::exists(options.folder / kManifestName) && !runsIn(options.folder).empty()) {
+    const auto before = readManifest(options.folder);
+    if (!before) return before.error();
+    if (before.value().sceneHash != scene.hash || before.value().versions != manifest.versions)
+      return ofAnotherScene(options.folder);
+    manifest.asked = hullOf(manifest.asked, before.value().asked);
+    if (manifest.asked == before.value().asked) return {};
+  }
+  return writeManifest(options.folder, manifest);
+}
+
+}  // namespace
+
 Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, const EnsembleOptions& options,
                                    const KeepGoing& keepGoing) {
   if (const Status made = makeFolder(options.folder); !made) return made.error();
+  if (const Status asked = ask(scene, document, options); !asked) return asked.error();
   const auto missing = missingRuns(scene, options);
   if (!missing) return missing.error();
   const auto jobs = static_cast<std::uint32_t>(std::min<std::size_t>(options.jobs, missing.value().size()));
@@ -90,20 +110,8 @@ Result<EnsembleReport> computeRuns(const Scene& scene, const Json& document, con
   };
   const Status computed = jobs > 1 ? inProcesses(jobs, work) : jobs == 1 ? work(0) : Status();
   if (!computed) return computed.error();
-  RunRange asked = hullOf(options.runs, options.whole);
-  if (fs::exists(options.folder / kManifestName)) {
-    const auto before = readManifest(options.folder);
-    if (!before) return before.error();
-    asked = hullOf(asked, before.value().asked);
-  }
-  // A case file named without a folder has an empty folder.
-  const Manifest manifest{document,
-                          (fs::current_path() / scene.description.folder).lexically_normal().string(),
-                          scene.description.hash,
-                          scene.hash,
-                          versionsOfThisProgram(),
-                          asked};
-  if (const Status written = writeManifest(options.folder, manifest); !written) return written.error();
+  // Again: another process may have written its own meanwhile.
+  if (const Status asked = ask(scene, document, options); !asked) return asked.error();
   const std::uint64_t all = options.runs.last - options.runs.first;
   return EnsembleReport{missing.value().size(), all - missing.value().size()};
 }

@@ -21,7 +21,7 @@ struct EnsembleReport {
   std::uint64_t computed = 0, kept = 0;
 };
 
-/// Computes the runs of a range that are missing in the folder, each into a file of its own, then writes the manifest.
+/// Writes the manifest, then computes the runs of a range that are missing in the folder, each into a file of its own.
 /// After an interruption, finished runs stay, and the same call continues from there. Any number of processes may fill
 /// one folder. `document` is the case without comments, for the manifest.
 ///

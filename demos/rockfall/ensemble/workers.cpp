@@ -2,11 +2,15 @@
 #include "rockfall/ensemble/workers.h"
 
 #include <fmt/format.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -22,6 +26,14 @@ struct Worker {
   int pipe = -1;  // receives the process's error sentence
 };
 
+/// Ends this process with the one that started it, whose signals it may never hear of.
+void endWith(pid_t starter) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  if (getppid() != starter) _exit(kFailed);
+}
+
 [[noreturn]] void workAndEnd(int pipe, std::uint32_t number, const std::function<Status(std::uint32_t)>& work) {
   const Status status = work(number);
   if (!status) {
@@ -35,9 +47,10 @@ struct Worker {
 Result<Worker> start(std::uint32_t number, const std::function<Status(std::uint32_t)>& work) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return Error{fmt::format("cannot make a pipe: {}", std::strerror(errno))};
-  const pid_t process = fork();
+  const pid_t starter = getpid(), process = fork();
   if (process < 0) return Error{fmt::format("cannot start another process: {}", std::strerror(errno))};
   if (process == 0) {
+    endWith(starter);
     close(ends[0]);
     workAndEnd(ends[1], number, work);
   }

@@ -67,7 +67,8 @@ Interval confidenceOfShare(std::uint64_t some, std::uint64_t all) {
   const double share = static_cast<double>(some) / n, square = kDeviations * kDeviations;
   const double middle = (share + square / (2 * n)) / (1 + square / n);
   const double half = kDeviations / (1 + square / n) * std::sqrt(share * (1 - share) / n + square / (4 * n * n));
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+  // At the ends both are equal but for rounding.
+  return {some == 0 ? 0 : std::max(0.0, middle - half), some == all ? 1 : std::min(1.0, middle + half)};
 }
 
 }  // namespace cairn::rockfall

@@ -6,15 +6,12 @@
 #include <numbers>
 #include <optional>
 
+#include "rockfall/simulation/cells_on_way.h"
 #include "scenes/bodies/model.h"
 #include "scenes/world/world.h"
 
 namespace cairn::rockfall {
 namespace {
-
-std::int32_t cellOf(double coordinate, double cell) {
-  return static_cast<std::int32_t>(std::floor(coordinate / cell));
-}
 
 double between(double a, double b, double t) {
   return a + t * (b - a);
@@ -84,17 +81,18 @@ void RockWatch::follow(std::uint32_t rock, const RockMoment& moment) {
   record.maxHeightM = std::max(record.maxHeightM, moment.heightM);
   record.end = moment.place;
   if (track.begun) passCollectors(rock, track.last, moment);
+  visit(rock, track.begun ? track.last : moment, moment);
   track.begun = true;
   track.last = moment;
-  visit(rock, moment);
   sample(rock, moment);
 }
 
-void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
+void RockWatch::visit(std::uint32_t rock, const RockMoment& before, const RockMoment& now) {
   if (!scene_.description.outputs.rasterCellM) return;
   const double cell = *scene_.description.outputs.rasterCellM;
   // A rock stays in a cell for many steps.
-  const auto note = [&](Peaks& peaks, VisitRecord*& last, std::int32_t column, std::int32_t row) {
+  const auto note = [&](Peaks& peaks, VisitRecord*& last, std::int32_t column, std::int32_t row,
+                        const RockMoment& moment) {
     if (last == nullptr || last->column != column || last->row != row)
       last = &peaks.try_emplace({row, column}, VisitRecord{rock, column, row}).first->second;
     last->maxEnergyJ = std::max(last->maxEnergyJ, moment.energyJ);
@@ -104,9 +102,25 @@ void RockWatch::visit(std::uint32_t rock, const RockMoment& moment) {
     last->maxHeightM = std::max(last->maxHeightM, moment.heightM);
   };
   Track& track = tracks_[rock];
-  const auto& [x, y] = scene_.worldOrigin;
-  note(track.cells, track.cell, cellOf(x + moment.place.x, cell), cellOf(y + moment.place.y, cell));
-  note(track.distances, track.distance, cellOf(result_.rocks[rock].runoutM(), cell), 0);
+  const Vec3d& start = result_.rocks[rock].start;
+  const auto onMap = [&](const RockMoment& moment) {
+    return MapPoint{scene_.worldOrigin[0] + moment.place.x, scene_.worldOrigin[1] + moment.place.y};
+  };
+  const auto runout = [&](const RockMoment& moment) {
+    return MapPoint{std::hypot(moment.place.x - start.x, moment.place.y - start.y), 0};
+  };
+  // Cells that are passed between two steps have the greater of both steps' values.
+  const auto noteWay = [&](Peaks& peaks, VisitRecord*& last, const MapPoint& from, const MapPoint& to) {
+    const std::int32_t endColumn = cellOf(to[0], cell), endRow = cellOf(to[1], cell);
+    forEachCellEntered(from, to, cell, [&](std::int32_t column, std::int32_t row) {
+      if (column == endColumn && row == endRow) return;
+      note(peaks, last, column, row, before);
+      note(peaks, last, column, row, now);
+    });
+    note(peaks, last, endColumn, endRow, now);
+  };
+  noteWay(track.cells, track.cell, onMap(before), onMap(now));
+  noteWay(track.distances, track.distance, runout(before), runout(now));
 }
 
 void RockWatch::sample(std::uint32_t rock, const RockMoment& moment) {

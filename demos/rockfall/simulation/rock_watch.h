@@ -47,7 +47,7 @@ class RockWatch {
     VisitRecord *cell = nullptr, *distance = nullptr;  // the last of them
   };
 
-  void visit(std::uint32_t rock, const RockMoment& moment);
+  void visit(std::uint32_t rock, const RockMoment& before, const RockMoment& now);
   void sample(std::uint32_t rock, const RockMoment& moment);
   void passCollectors(std::uint32_t rock, const RockMoment& before, const RockMoment& now);
 

@@ -56,9 +56,22 @@ Status checkEachPlace(const Release& release, const Ground& ground, const MapPoi
   return {};
 }
 
+/// A rock that is due after the last step would count as released, and never fall.
+Status checkTimes(const Case& description, std::size_t group) {
+  const RockGroup& rocks = description.rocks[group];
+  const double lastStepS = (description.stepCount() - 0.5) * description.stepS;
+  const double lastRockS = (rocks.count - 1) * rocks.release.intervalS;
+  if (lastRockS <= lastStepS) return {};
+  return Error{fmt::format(
+      "/rocks/{}/release: the last of its {} rocks is due at {:g} s, after the run has ended at {:g} s: give "
+      "a shorter \"interval_s\", a longer \"duration_s\" or fewer rocks",
+      group, rocks.count, lastRockS, description.durationS)};
+}
+
 Status checkReleases(const Case& description, const Ground& ground, const MapPoint& origin) {
   for (std::size_t group = 0; group < description.rocks.size(); ++group) {
     const Release& release = description.rocks[group].release;
+    if (const Status checked = checkTimes(description, group); !checked) return checked;
     // Places of a map were looked at where it was read.
     if (release.places.empty())
       if (const Status checked = checkBox(release, ground, origin, group); !checked) return checked;

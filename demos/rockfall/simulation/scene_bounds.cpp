@@ -66,6 +66,27 @@ double highestGround(const Release& release, const Ground& ground) {
   return highest;
 }
 
+/// Mass over density and cube of the sieve size, of all shapes of a group.
+double leastVolume(const std::vector<RockShape>& shapes) {
+  return std::ranges::min(shapes, {}, &RockShape::volume).volume;
+}
+
+/// A rock that is struck has at most the energy of all rocks that meet.
+void boundStruck(const Scene& scene, std::vector<GroupBounds>& groups) {
+  double energyJ = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (const RockGroup& group = scene.description.rocks[g]; group.meetsRocks)
+      energyJ += group.count * groups[g].greatestMassKg * std::pow(groups[g].greatestSpeedMPerS, 2) / 2;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const RockGroup& group = scene.description.rocks[g];
+    const double leastMassKg =
+        group.densityKgPerM3 * leastVolume(scene.stock.groups[g]) * std::pow(groups[g].smallestSieveM, 3);
+    groups[g].struckSpeedMPerS = groups[g].greatestSpeedMPerS;
+    if (group.meetsRocks)
+      groups[g].struckSpeedMPerS = std::max(groups[g].greatestSpeedMPerS, std::sqrt(2 * energyJ / leastMassKg));
+  }
+}
+
 GroupBounds boundsOf(const Scene& scene, const std::vector<ReleasedRock>& released, std::size_t index) {
   const RockGroup& group = scene.description.rocks[index];
   GroupBounds bounds;
@@ -98,6 +119,7 @@ SceneBounds boundsOf(const Scene& scene) {
   const std::vector<ReleasedRock> released = releaseRocks(scene, 0);
   for (std::size_t group = 0; group < scene.description.rocks.size(); ++group)
     bounds.groups.push_back(boundsOf(scene, released, group));
+  boundStruck(scene, bounds.groups);
   bounds.groundCellM = scene.ground->cellM();
   bounds.groundMaterials = materialsOf(*scene.ground);
   bounds.lowestGround = [ground = scene.ground.get()](const Polygon& polygon) {

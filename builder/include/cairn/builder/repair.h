@@ -48,7 +48,8 @@ struct RepairOptions {
 
 /// Turns a surface that almost bounds a solid into one that does. Duplicate triangles are dropped, borders stitched,
 /// orientation made consistent and holes filled. Bodies that overlap, touch or are closer than the weld become one. A
-/// body inside another one is left out if both face the same way, and stays a hollow if not. Where a surface folds
+/// body inside another one is left out if both face the same way. It stays a hollow if not, and if it touches nothing
+/// of it. Where a surface folds
 /// through itself, the inverted part becomes solid, and grows by one and a half welds, at needles by twelve. The
 /// filling of a hole is a guess. A certificate is about the repaired mesh, not about the file.
 ///
@@ -59,7 +60,8 @@ struct RepairOptions {
 /// accepts all of these.
 ///
 /// `counts` may be null. Precondition: a mesh of `importSurface`. Single thread. O(n log n) plus the square of a
-/// border's length, and about a millisecond for each triangle that crosses others. Source: docs/algorithms/import.md.
+/// border's length, and about ten milliseconds for each triangle that crosses others. Source:
+/// docs/algorithms/import.md.
 ///
 ///     RepairCounts counts;
 ///     Result<TriangleMesh> mesh = repair(importSurface("scan.ply").value(), &counts);
