@@ -27,7 +27,12 @@ PLATFORMS = {p.name: p for p in (
     Platform("wasm", "wasm", "wasm", "WebAssembly: Emscripten, Node",
              # This Emscripten takes a Node that has `fetch` for a browser.
              runner=("node", "--no-experimental-fetch"), suffix=".js",
-             left_out=((LONG, "long"),)),
+             left_out=((LONG, "long"),
+                       (r"^WorkerThreads|^PosixFiles.Pipe_", "there are no threads"),
+                       (r"\.IsToldOnce$|^SphereTreeShape_(Margin|Scaling).*(Refused|Children)|^Terrain.RefusesToBe|^CLog",
+                        "what goes to standard error cannot be read back"),
+                       (r"^ConvexSurface_AnyShape.LiesBehind",
+                        "Bullet's own penetration of multi-spheres, the judge, fails once in its trials"))),
     Platform("arm64", "arm64", "arm64", "ARM64 Linux: GCC, qemu-user",
              runner=("qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"), left_out=((LONG, "long"),)),
     Platform("windows", "windows", "windows", "Windows x86-64: MinGW-w64, Wine",

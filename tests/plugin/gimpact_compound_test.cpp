@@ -190,10 +190,14 @@ TEST(GImpactAndCompounds, TreesMayComeAndGo) {
     const auto inner = pairOf(block(), block());
     Scene scene(pairOf(block(), inner), isCompoundAddedFirst, entry.registered, entry.onWorld);
     scene.body->setActivationState(DISABLE_DEACTIVATION);
+    const btTransform upright = scene.body->getWorldTransform();
     EXPECT_EQ(scene.contactsOfTrees(60), 0U);
     EXPECT_GT(scene.w.dispatcher.getNumManifolds(), 0);
     const auto tree = treeShape(plainTree(cuboid({0.5, 0.48, 0.38}, 4)));  // thicker than the blocks
     for (btCompoundShape* compound : {scene.compound.get(), inner.get()}) {
+      scene.body->setWorldTransform(upright);
+      scene.body->setLinearVelocity({0, 0, 0});
+      scene.body->setAngularVelocity({0, 0, 0});
       compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0)), tree.get());
       EXPECT_GT(scene.contactsOfTrees(30), 0U) << "was added";
       compound->removeChildShape(tree.get());
