@@ -96,9 +96,9 @@ bool holds(const Body& outer, const Body& inner) {
          !findCrossing(outer.mesh, inner.mesh);
 }
 
-/// For a body: the largest one and the smallest one that hold it.
+/// For a body: the largest one that holds it, and the smallest one of those that face the other way.
 struct Holders {
-  std::optional<std::uint32_t> outermost, innermost;
+  std::optional<std::uint32_t> outermost, opposite;
 };
 
 Holders holdersOf(const std::vector<Body>& list, std::uint32_t inner) {
@@ -107,20 +107,10 @@ Holders holdersOf(const std::vector<Body>& list, std::uint32_t inner) {
   for (std::uint32_t outer = 0; outer < list.size(); ++outer) {
     if (outer == inner || !holds(list[outer], list[inner])) continue;
     if (!holders.outermost || size(outer) > size(*holders.outermost)) holders.outermost = outer;
-    if (!holders.innermost || size(outer) < size(*holders.innermost)) holders.innermost = outer;
+    if (list[outer].facesOutward == list[inner].facesOutward) continue;
+    if (!holders.opposite || size(outer) < size(*holders.opposite)) holders.opposite = outer;
   }
   return holders;
-}
-
-/// Follows hollows of hollows to the body that all of them are in; shells that hold each other are bodies.
-std::vector<std::uint32_t> hostsOf(const std::vector<std::uint32_t>& hollowOf) {
-  std::vector<std::uint32_t> hosts(hollowOf.size());
-  for (std::uint32_t b = 0; b < hollowOf.size(); ++b) {
-    std::uint32_t host = b;
-    for (std::size_t i = 0; i < hollowOf.size() && hollowOf[host] != host; ++i) host = hollowOf[host];
-    hosts[b] = hollowOf[host] == host ? host : b;
-  }
-  return hosts;
 }
 
 }  // namespace
@@ -190,11 +180,11 @@ std::vector<std::uint32_t> faceOutward(TriangleMesh& mesh, const Shells& bodies)
     const Holders holders = holdersOf(list, b);
     const bool isHollow = holders.outermost && list[*holders.outermost].facesOutward != list[b].facesOutward;
     isTurned[b] = list[b].facesOutward == isHollow;
-    if (isHollow) hollowOf[b] = *holders.innermost;
+    if (isHollow) hollowOf[b] = *holders.opposite;
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (isTurned[bodies.ofTriangle[t]]) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-  return hostsOf(hollowOf);
+  return hollowOf;
 }
 
 }  // namespace cairn::builder

@@ -30,7 +30,7 @@ void putBack(const Body& body, TriangleMesh& whole);
 
 /// Turns bodies of a balanced mesh to face away from their solids. A body within another one that it does not meet
 /// stays a hollow if both face opposite ways; all other bodies face outward. Returns for each body the one that it is
-/// a hollow of, which is none itself, or itself for the others. Cost: one winding number and one search for crossings
+/// a hollow of, itself for the others. Cost: one winding number and one search for crossings
 /// for each pair of a body and another one in its box, and only when a body faces inward.
 std::vector<std::uint32_t> faceOutward(TriangleMesh& mesh, const Shells& bodies);
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "import/across_edge.h"
@@ -55,11 +55,11 @@ void addBead(LabelledMesh& labelled, const HalfEdge& edge, double radius) {
   add(4, 6, 7);
 }
 
-/// Rounds to multiples of a float's unit and drops triangles that lost their area; the others keep their labels.
-void roundTo(double unit, LabelledMesh& labelled) {
+/// Rounds to multiples of the axes' units and drops triangles that lost their area; the others keep their labels.
+void roundTo(const Vec3d& units, LabelledMesh& labelled) {
   TriangleMesh& mesh = labelled.mesh;
   for (Vec3d& v : mesh.vertices)
-    for (int axis = 0; axis < 3; ++axis) v[axis] = unit * std::nearbyint(v[axis] / unit) + 0.0;
+    for (int axis = 0; axis < 3; ++axis) v[axis] = units[axis] * std::nearbyint(v[axis] / units[axis]) + 0.0;
   std::size_t kept = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (isDegenerate(mesh.corners(t))) continue;
@@ -80,13 +80,13 @@ LabelledMesh labelledAs(const LabelledMesh& source, PartsOfMesh parts) {
 
 /// Adds what bodies wind around backwards, a little larger: it touches the rest along lines, and then overlaps
 /// it.
-void addFolds(LabelledMesh folds, double unit, double amount, LabelledMesh& labelled) {
-  roundTo(unit, folds);
+void addFolds(LabelledMesh folds, const Vec3d& units, double amount, LabelledMesh& labelled) {
+  roundTo(units, folds);
   labelled.foldedTriangles = folds.mesh.triangles.size();
   std::vector<std::uint32_t> all(folds.mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0U);
   raiseFaces(folds.mesh, all, amount);
-  roundTo(unit, folds);
+  roundTo(units, folds);
   const auto first = static_cast<std::uint32_t>(labelled.mesh.vertices.size());
   for (const Vec3d& v : folds.mesh.vertices) labelled.mesh.vertices.push_back(v);
   for (const auto& [a, b, c] : folds.mesh.triangles)
@@ -95,7 +95,7 @@ void addFolds(LabelledMesh folds, double unit, double amount, LabelledMesh& labe
 }
 
 /// Replaces the mesh by what its bodies enclose, rounded. Returns its folds, and the number of cut triangles.
-Result<LabelledMesh> united(LabelledMesh& labelled, const BodiesOfMesh& bodies, double unit) {
+Result<LabelledMesh> united(LabelledMesh& labelled, const BodiesOfMesh& bodies, const Vec3d& units) {
   Result<UnitedSurface> surface = unitedSurface(labelled.mesh, bodies);
   if (!surface) return surface.error();
   LabelledMesh folds = labelledAs(labelled, std::move(surface.value().backward));
@@ -103,71 +103,82 @@ Result<LabelledMesh> united(LabelledMesh& labelled, const BodiesOfMesh& bodies, 
   LabelledMesh result = labelledAs(labelled, std::move(surface.value().forward));
   labelled.mesh = std::move(result.mesh);
   labelled.body = std::move(result.body);
-  roundTo(unit, labelled);
+  roundTo(units, labelled);
   return folds;
 }
 
-Status uniteBodies(LabelledMesh& labelled, const std::vector<std::uint32_t>& hollowOf, double unit, double amount) {
-  roundTo(unit, labelled);
-  Result<LabelledMesh> folds = united(labelled, {labelled.body, hollowOf}, unit);
+Status uniteBodies(LabelledMesh& labelled, const std::vector<std::uint32_t>& hollowOf, const Vec3d& units,
+                   double amount) {
+  roundTo(units, labelled);
+  Result<LabelledMesh> folds = united(labelled, {labelled.body, hollowOf}, units);
   if (!folds) return folds.error();
   labelled.cutTriangles = folds.value().cutTriangles;
-  if (!folds.value().mesh.triangles.empty()) addFolds(std::move(folds).value(), unit, amount, labelled);
+  if (!folds.value().mesh.triangles.empty()) addFolds(std::move(folds).value(), units, amount, labelled);
   return {};
 }
 
 /// As one body, around which only slivers of rounding wind backwards.
-Status uniteAgain(LabelledMesh& labelled, double unit) {
+Status uniteAgain(LabelledMesh& labelled, const Vec3d& units) {
   const BodiesOfMesh one{std::vector<std::uint32_t>(labelled.mesh.triangles.size(), 0), {0}};
-  const Result<LabelledMesh> slivers = united(labelled, one, unit);
+  const Result<LabelledMesh> slivers = united(labelled, one, units);
   return slivers ? Status() : slivers.error();
 }
 
 Error notApart(const TriangleMesh& mesh) {
   const auto pair = findSelfIntersection(mesh);
-  const Vec3d at = pair ? mesh.corners(pair->first)[0] : Vec3d();
-  const std::string where = pair ? fmt::format("near ({:.6g}, {:.6g}, {:.6g}) ", at.x, at.y, at.z) : std::string();
+  if (!pair)
+    return Error{"its bodies are united, but still touch in edges; unite them in a modelling program or wrap the mesh"};
+  const Vec3d at = mesh.corners(pair->first)[0];
   return Error{
-      fmt::format("its bodies are united, but {}surfaces do not stay apart when rounded to single precision; "
-                  "move the mesh nearer to its origin, unite them in a modelling program or wrap it",
-                  where)};
+      fmt::format("its bodies are united, but near ({:.6g}, {:.6g}, {:.6g}) surfaces do not stay apart when rounded to "
+                  "single precision; unite them in a modelling program or wrap it",
+                  at.x, at.y, at.z)};
 }
 
 }  // namespace
 
-double unitOf(const TriangleMesh& mesh) {
-  double farthest = 0;
+Vec3d unitsOf(const TriangleMesh& mesh) {
+  Vec3d farthest(std::numeric_limits<float>::min(), std::numeric_limits<float>::min(),
+                 std::numeric_limits<float>::min());
   for (const Vec3d& v : mesh.vertices)
-    for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(v[axis]));
-  return std::ldexp(1.0, std::ilogb(farthest) - 23);
+    for (int axis = 0; axis < 3; ++axis) farthest[axis] = std::max(farthest[axis], std::abs(v[axis]));
+  Vec3d units;
+  for (int axis = 0; axis < 3; ++axis) units[axis] = std::ldexp(1.0, std::ilogb(farthest[axis]) - 23);
+  return units;
 }
 
 Result<LabelledMesh> mergeBodies(LabelledMesh source, const std::vector<std::uint32_t>& hollowOf, double beadRadius) {
   // Rounding moves vertices by less than a unit of floats. What it makes meet is smaller each time; two rounds are
   // usual. Where they do not help, pieces multiply.
-  constexpr int kMaxRounds = 12, kMostPieces = 4;
+  constexpr int kMaxRounds = 12;
+  constexpr std::size_t kMostPieces = 4, kAnyNumber = std::numeric_limits<std::size_t>::max();
   // What is moved by fewer units of floats is flat after rounding.
   constexpr double kLeastUnits = 32;
   LabelledMesh labelled = std::move(source);
-  const double unit = unitOf(labelled.mesh), radius = std::max(beadRadius, kLeastUnits * unit);
-  std::size_t pieces = 0;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  Vec3d units = unitsOf(labelled.mesh);
+  const auto radius = [&] { return std::max(beadRadius, kLeastUnits * std::max({units.x, units.y, units.z})); };
+  std::size_t pieces = kAnyNumber;
+  std::vector<Triangle> before;
+  for (int round = 0;; ++round) {
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(labelled.mesh);
     const std::vector<HalfEdge> crowded = crowdedEdges(halfEdges);
     const bool crosses = findSelfIntersection(labelled.mesh).has_value();
-    if (!crosses && round > 0) {
-      for (const HalfEdge& edge : crowded) addBead(labelled, edge, radius);
-      labelled.beads += crowded.size();
-    }
     if (!crosses && crowded.empty() && !findMisplacedShell(labelled.mesh, shellsOf(labelled.mesh, halfEdges)))
       return labelled;
+    if (round == kMaxRounds || labelled.mesh.triangles.size() > pieces) return notApart(labelled.mesh);
+    // Rounding may give back what was cut; on a coarser grid it does not.
+    if (labelled.mesh.triangles == before) units = units * 2.0;
+    before = labelled.mesh.triangles;
+    if (!crosses && round > 0) {
+      for (const HalfEdge& edge : crowded) addBead(labelled, edge, radius());
+      labelled.beads += crowded.size();
+      pieces = kAnyNumber;
+    }
     const Status united =
-        round == 0 ? uniteBodies(labelled, hollowOf, unit, kRaised * radius) : uniteAgain(labelled, unit);
+        round == 0 ? uniteBodies(labelled, hollowOf, units, kRaised * radius()) : uniteAgain(labelled, units);
     if (!united) return united.error();
-    if (round == 0) pieces = kMostPieces * labelled.mesh.triangles.size();
-    if (labelled.mesh.triangles.size() > pieces) break;
+    if (pieces == kAnyNumber) pieces = kMostPieces * labelled.mesh.triangles.size();
   }
-  return notApart(labelled.mesh);
 }
 
 }  // namespace cairn::builder

@@ -24,14 +24,14 @@ inline constexpr std::uint32_t kBead = std::numeric_limits<std::uint32_t>::max()
 /// float.
 inline constexpr double kRaised = 1.5;
 
-/// The unit of floats at the farthest coordinate. Near the origin floats are finer, and rounding to them would leave
-/// triangles that are nearly without area.
-double unitOf(const TriangleMesh& mesh);
+/// The unit of floats at the farthest coordinate of each axis. Near the origin floats are finer, and rounding to them
+/// would leave triangles that are nearly without area.
+Vec3d unitsOf(const TriangleMesh& mesh);
 
 /// Unites what overlaps or touches, in floats: the exact union is rounded, and united again where rounding made
-/// triangles meet. Around edges at which solids only touch, a bead of this radius is laid, or of 32 units of floats. A
-/// mesh that needs nothing keeps its triangles. `hollowOf` is that of `BodiesOfMesh`. Preconditions and failures are
-/// those of `unite`.
+/// triangles meet. Around edges at which solids only touch, a bead of this radius is laid, or of 32 of the largest unit
+/// of floats. A mesh that needs nothing keeps its triangles. `hollowOf` is that of `BodiesOfMesh`. Preconditions and
+/// failures are those of `unite`.
 Result<LabelledMesh> mergeBodies(LabelledMesh source, const std::vector<std::uint32_t>& hollowOf, double beadRadius);
 
 }  // namespace cairn::builder

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/unite.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -13,6 +15,7 @@
 #include "import/part_flush.h"
 #include "import/raise_faces.h"
 #include "import/settle.h"
+#include "surface/winding_number.h"
 
 namespace cairn::builder {
 namespace {
@@ -74,13 +77,29 @@ bool areNear(const Bounds& a, const Bounds& b, double distance) {
   return true;
 }
 
+/// A body that is in no surface, though it does not lie in the solid either: rounding to floats has left nothing of it.
+Status checkNoneIsLost(const TriangleMesh& mesh, const Shells& bodies, const Merging& merging) {
+  const std::vector<Body> parts = separated(mesh, bodies);
+  for (std::uint32_t b = 0; b < bodies.count; ++b) {
+    if (merging.present.contains(b) || merging.hollowOf[b] != b) continue;
+    std::vector<Vec3d> points = parts[b].mesh.vertices;
+    points.push_back(parts[b].bounds.center());
+    const auto isOutside = [&](const Vec3d& p) { return windingNumber(merging.result.mesh, p) < 0.25; };
+    if (!std::ranges::all_of(points, isOutside)) continue;
+    return Error{
+        fmt::format("rounding to single precision leaves nothing of its body near ({:.6g}, {:.6g}, {:.6g}); move "
+                    "the mesh nearer to its origin, or leave that body out",
+                    points[0].x, points[0].y, points[0].z)};
+  }
+  return {};
+}
+
 void noteCounts(const Merging& merging, RepairCounts& counts) {
   counts.cutTriangles = merging.result.cutTriangles;
   counts.foldedTriangles = merging.result.foldedTriangles;
   counts.beadedEdges = merging.result.beads;
   counts.unitedBodies = merging.joined.size();
-  for (std::uint32_t b = 0; b < merging.hollowOf.size(); ++b)
-    counts.enclosedBodies += merging.hollowOf[b] == b && !merging.present.contains(b) ? 1 : 0;
+  counts.enclosedBodies += merging.hollowOf.size() - merging.present.size();
 }
 
 /// Moves faces of bodies into neighbours that are near but not joined. Returns the number of pairs.
@@ -119,6 +138,7 @@ Result<TriangleMesh> united(const TriangleMesh& mesh, double tolerance, double f
     const std::size_t gaps = mayMove ? closeGaps(source, bodies, merging.value(), tolerance) : 0;
     counts.closedGaps += gaps;
     if (gaps == 0) {
+      if (Status s = checkNoneIsLost(source, bodies, merging.value()); !s) return s.error();
       noteCounts(merging.value(), counts);
       return std::move(merging.value().result.mesh);
     }
@@ -131,10 +151,12 @@ Result<TriangleMesh> united(const TriangleMesh& mesh, double tolerance, double f
 Result<TriangleMesh> unite(const TriangleMesh& mesh, double tolerance, RepairCounts& counts) {
   // Rounding of a turned or scaled part takes a few units of floats; a distance of so many keeps its cuts apart. Where
   // many parts meet in one place it takes more.
+  const Vec3d ofAxes = unitsOf(mesh);
+  const double unit = std::max({ofAxes.x, ofAxes.y, ofAxes.z});
   for (double units = 32;; units *= 4) {
     constexpr double kMostUnits = 512;
     RepairCounts tried = counts;
-    Result<TriangleMesh> result = united(mesh, tolerance, std::min(tolerance, units * unitOf(mesh)), tried);
+    Result<TriangleMesh> result = united(mesh, tolerance, std::min(tolerance, units * unit), tried);
     if (!result && units < kMostUnits) continue;
     counts = tried;
     return result;

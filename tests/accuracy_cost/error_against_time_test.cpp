@@ -136,7 +136,7 @@ TEST(ErrorAgainstTimeClaims, TellWhetherErrorFallsWithTheBudgetAndWhichPointsAre
   };
   const Claim falling = claimOf(budgetsOf({{4000, 0.01, 3}, {2000, 0.05, 2}, {1000, 0.1, 1}}));
   EXPECT_TRUE(falling.holds) << falling.found;
-  EXPECT_NE(falling.found.find("of 4 points of ours 1 err more"), std::string::npos) << falling.found;
+  EXPECT_NE(falling.found.find("1 of 4 points of ours err more"), std::string::npos) << falling.found;
   EXPECT_NE(falling.found.find("2000 operations"), std::string::npos) << falling.found;
   EXPECT_FALSE(claimOf(budgetsOf({{4000, 0.06, 3}, {2000, 0.05, 2}})).holds) << "more operations, more error";
   EXPECT_FALSE(claimOf(budgetsOf({{4000, 0.01, 2}, {2000, 0.05, 3}})).holds) << "more time, more error";

@@ -136,5 +136,42 @@ std::string nameOf(const testing::TestParamInfo<std::tuple<CadCase, Pose>>& info
 INSTANTIATE_TEST_SUITE_P(All, CadBodies,
                          testing::Combine(testing::ValuesIn(test::cadCases()), testing::ValuesIn(poses())), nameOf);
 
+TriangleMesh box(const Vec3d& lower, const Vec3d& upper) {
+  return test::moved(test::meshOf(test::cuboid(upper - lower, 1)),
+                     [&](const Vec3d& v) { return v + (lower + upper) * 0.5; });
+}
+
+// The unit of floats is 3 cm at x, and half a micrometre at z.
+TEST(BodiesFarAway, KeepWhatIsThinAlongAnotherAxis) {
+  const double x = 500000;
+  const TriangleMesh house = test::joined(box({x, 0, 0}, {x + 10, 8, 3}), box({x + 9, 2, 0}, {x + 14, 6, 2.5}));
+  const TriangleMesh roof = box({x - 1, -1, 6.005}, {x + 11, 9, 6.015});
+  const Result<TriangleMesh> solid = repair(test::joined(house, roof));
+  ASSERT_TRUE(solid.ok()) << solid.error().message;
+  EXPECT_EQ(boundsOf(solid.value()).upper.z, double(6.015F));
+  EXPECT_NEAR(volumeOf(solid.value()), 240 + 4 * 4 * 2.5 + 12 * 10 * 0.01, 1);
+}
+
+TEST(BodiesFarAway, ThatAreLostAreTold) {
+  const TriangleMesh large = test::joined(box({0, 0, 0}, {2e7, 2e7, 2e7}), box({1e7, 1e7, 1e7}, {3e7, 3e7, 3e7}));
+  const Result<TriangleMesh> solid =
+      repair(test::joined(large, box({-10.4, -10.4, -10.4}, {-10.2, -10.2, -10.2})), nullptr, {.weld = 0});
+  ASSERT_FALSE(solid.ok());
+  EXPECT_NE(solid.error().message.find("leaves nothing of its body near (-10."), std::string::npos)
+      << solid.error().message;
+}
+
+// Beads around edges have many triangles, cubes few.
+TEST(TouchingCubes, AreJoinedInEveryEdge) {
+  TriangleMesh cubes;
+  for (const Vec3d& at : {Vec3d(0, 0, 0), Vec3d(1, 1, 0), Vec3d(1, 0, 1), Vec3d(0, 1, 1)})
+    cubes = test::joined(cubes, box(at, at + Vec3d(1, 1, 1)));
+  RepairCounts counts;
+  const Result<TriangleMesh> solid = repair(cubes, &counts);
+  ASSERT_TRUE(solid.ok()) << solid.error().message;
+  EXPECT_GE(counts.beadedEdges, 6U);
+  EXPECT_NEAR(volumeOf(solid.value()), 4, 4e-3);
+}
+
 }  // namespace
 }  // namespace cairn::builder::cad_bodies_test

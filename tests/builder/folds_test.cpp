@@ -164,8 +164,18 @@ TEST(Hollows, ThatOverlapOrLieInEachOtherAreOneHollow) {
     const Result<TriangleMesh> solid = repair(mesh, &counts);
     ASSERT_TRUE(solid.ok()) << solid.error().message;
     EXPECT_EQ(counts.foldedTriangles, 0U);
+    EXPECT_TRUE(&mesh == &trials[2].mesh || counts.any()) << counts.text();
     EXPECT_NEAR(signedVolume(solid.value()), volume, 6 * kRounding) << counts.text();
   }
+}
+
+// A bar through the walls of a hollow is larger than the hollow, and has a hollow of its own in there.
+TEST(Hollows, BelongToTheBodyTheyAreIn) {
+  const TriangleMesh box = test::joined(boxAt({}, {10, 10, 10}), test::flipped(boxAt({}, {3, 3, 3})));
+  const TriangleMesh bar = test::joined(boxAt({}, {1, 1, 6}), test::flipped(boxAt({}, {0.5, 0.5, 0.5})));
+  const Result<TriangleMesh> solid = repair(test::joined(box, bar));
+  ASSERT_TRUE(solid.ok()) << solid.error().message;
+  EXPECT_NEAR(signedVolume(solid.value()), 1000 - 27 + 3 - 0.125, 1000 * kRounding);
 }
 
 TEST(Folds, AreNotCountedWhereNoneIs) {

@@ -21,7 +21,7 @@ struct RepairCounts {
   std::size_t movedTriangles = 0;      ///< triangles moved outward where surfaces nearly coincided
   std::size_t closedGaps = 0;          ///< pairs of bodies closer than the tolerance whose gap was filled
   std::size_t unitedBodies = 0;        ///< bodies that became one with another one
-  std::size_t enclosedBodies = 0;      ///< bodies inside others; left out
+  std::size_t enclosedBodies = 0;      ///< bodies inside others and hollows inside hollows; left out
   std::size_t cutTriangles = 0;        ///< triangles cut where surfaces met
   std::size_t foldedTriangles = 0;     ///< parts of triangles where the surface folded through itself
   std::size_t beadedEdges = 0;         ///< edges where solids only touched; thickened
