@@ -88,7 +88,8 @@ Result<TriangleMesh> repair(const TriangleMesh& surface, RepairCounts* counts, c
   Result<TriangleMesh> closed = closedAndUnited(settled(stitched), options.weld, found);
   if (counts != nullptr) *counts = found;
   const auto refused = [&](const std::string& why) {
-    return Error{fmt::format("{}: after repair ({}): {}", surface.name, found.text(), why)};
+    const std::string done = found.any() ? fmt::format(" ({})", found.text()) : std::string();
+    return Error{fmt::format("{}: after repair{}: {}", surface.name, done, why)};
   };
   if (!closed) return refused(closed.error().message);
   TriangleMesh mesh = settled(closed.value());
