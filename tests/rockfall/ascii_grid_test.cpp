@@ -181,6 +181,10 @@ TEST(RasterAsTerrain, KeepsMountainsPreciseInFloat) {
   EXPECT_TRUE(std::isnan(back.values[2]));
   EXPECT_TRUE(bullet::TerrainShape::create(grid.value()));
   EXPECT_FALSE(terrainGridOf({1, 1, 1, 0, 0, {kNone}, {}}));
+  EXPECT_TRUE(terrainGridOf({1, 1, 1, 5e8, -6e6, {1}, {}}));
+  EXPECT_EQ(terrainGridOf({1, 1, 1, 1e300, 0, {1}, {}}).error().message,
+            "lies at (1e+300, 0), too far from 0 for cells of 1 m: move it nearer");
+  EXPECT_FALSE(terrainGridOf({1, 1, 1, 0, -1e13, {1}, {}}));
 }
 
 }  // namespace

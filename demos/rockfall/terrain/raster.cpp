@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rockfall/terrain/raster.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,8 @@ namespace cairn::rockfall {
 
 namespace {
 constexpr std::uint64_t kMaxPoints = 1ULL << 20, kMaxValues = 1ULL << 28;
+// Cells from 0 to the raster: doubles keep thousandths of a cell.
+constexpr double kMostCellsAway = 0x1p40;
 }  // namespace
 
 Status checkRasterSize(std::uint64_t columns, std::uint64_t rows) {
@@ -22,6 +26,9 @@ Result<bullet::TerrainGrid> terrainGridOf(const Raster& raster) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const double height : raster.values) lowest = std::min(lowest, height);  // false for NaN, which stays out
   if (!std::isfinite(lowest)) return Error{"has no heights: a terrain needs some"};
+  if (std::max(std::abs(raster.x), std::abs(raster.y)) > kMostCellsAway * raster.cell)
+    return Error{fmt::format("lies at ({:g}, {:g}), too far from 0 for cells of {:g} m: move it nearer", raster.x,
+                             raster.y, raster.cell)};
   bullet::TerrainGrid grid;
   grid.columns = raster.columns;
   grid.rows = raster.rows;
