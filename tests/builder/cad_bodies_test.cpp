@@ -122,7 +122,8 @@ TEST_P(CadBodies, EndAsOneProvedTree) {
                                                    "--mesh-output '" +
                                                    path("mesh.ply") + "' --json '" + path("report.json") + "'");
   ASSERT_EQ(built.exitCode, 0) << built.errors;
-  for (const auto& level : nlohmann::json::parse(test::contentOf(path("report.json"))).at("levels"))
+  const auto report = nlohmann::json::parse(test::contentOf(path("report.json")));
+  for (const auto& level : report.at("levels"))
     EXPECT_TRUE(level.at("coverage_proven")) << built.output;
   const auto proof = test::runProgram("cairn", "certify '" + path("mesh.ply") + "' '" + path("out.cairn") + "'");
   EXPECT_EQ(proof.exitCode, 0) << proof.errors;
