@@ -123,8 +123,7 @@ TEST_P(CadBodies, EndAsOneProvedTree) {
                                                    path("mesh.ply") + "' --json '" + path("report.json") + "'");
   ASSERT_EQ(built.exitCode, 0) << built.errors;
   const auto report = nlohmann::json::parse(test::contentOf(path("report.json")));
-  for (const auto& level : report.at("levels"))
-    EXPECT_TRUE(level.at("coverage_proven")) << built.output;
+  for (const auto& level : report.at("levels")) EXPECT_TRUE(level.at("coverage_proven")) << built.output;
   const auto proof = test::runProgram("cairn", "certify '" + path("mesh.ply") + "' '" + path("out.cairn") + "'");
   EXPECT_EQ(proof.exitCode, 0) << proof.errors;
   if (!pose().isTurned()) EXPECT_NE(built.output.find(given().did), std::string::npos) << built.output;
