@@ -28,7 +28,8 @@ struct Raster {
 Status checkRasterSize(std::uint64_t columns, std::uint64_t rows);
 
 /// Converts the raster's points to a terrain's. Heights are relative to a whole metre near the lowest, so that float
-/// keeps tenths of a millimetre on mountains. Fails when `TerrainShape::create` would refuse the grid.
+/// keeps tenths of a millimetre on mountains. Fails when `TerrainShape::create` would refuse the grid, and when it lies
+/// more than 2^40 cells from 0.
 Result<bullet::TerrainGrid> terrainGridOf(const Raster& raster);
 
 /// Converts a terrain's grid to a raster; heights are rounded as the grid's floats are.
